@@ -73,6 +73,7 @@ Shader CheckedShader::BuildFor(const std::string& target) const {
   settings.passes.clip_space = options.clip_space;
   settings.passes.verify = true;
   Shader shader;
+  shader.flips_y = options.clip_space.flip_y;
   shader.typed = state_->typed;
   Lowered lowered = Lower(shader.typed, settings);
   Diagnostics diagnostics;

@@ -39,6 +39,7 @@ struct Shader {
   GlslInfo info;  // beside `lowered`
   // Whether the target has no uint, so that values from 2^31 on are negative there, as clipc warns.
   bool has_int_for_uint = false;
+  bool flips_y = false;  // compiled with --flip-y
 };
 
 // A shader that is read and checked once, and then built for one target after another.

@@ -60,6 +60,10 @@ class Runner {
   explicit Runner(CompareOptions options) : options_(std::move(options)) {}
 
   int Run() {
+    if (DrawsPixels()) {
+      // There is no position to lower or to move to another clip space.
+      options_.lowerings = {"none"};
+    }
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }
@@ -75,6 +79,11 @@ class Runner {
   }
 
  private:
+  bool DrawsPixels() const {
+    const auto profile = ParseProfile(options_.build.profile);
+    return profile && profile->stage && clipc::InfoOf(*profile->stage).draws_pixels;
+  }
+
   void RunLowering(const std::string& target, const std::string& lowering) {
     BuildOptions build = options_.build;
     build.target = target;
@@ -83,6 +92,7 @@ class Runner {
     for (const bool negative_one_to_one : {false, true}) {
       for (const bool flip_y : {false, true}) {
         if (options_.direct3d && (negative_one_to_one || flip_y)) continue;
+        if (DrawsPixels() && negative_one_to_one) continue;
         build.clip_space = {negative_one_to_one, flip_y};
         try {
           RunOne(build, NameOf(name, build.clip_space));

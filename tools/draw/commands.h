@@ -48,7 +48,8 @@ clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares the outputs of the GLSL, run by Mesa, with those of the reference
   evaluator, on random vertices and constants: for every target and lowering chosen below, both
   depth ranges, flipped and not. The target vulkan runs on Mesa's software Vulkan, the others on its
-  OpenGL.
+  OpenGL. A pixel shader is drawn on a small surface, over which its inputs change exactly, and its
+  render targets and depth are compared at each pixel.
     -T PROFILE -E ENTRY -D NAME=VALUE -I FOLDER --row-major   as for clipc
     --target a,b            default glsl450,glsl330,glsl130,essl300,vulkan. `all` takes every target
                             that can express the shader, and lists the others
@@ -61,6 +62,7 @@ clipc-draw compare SHADER.hlsl [options]
     --seed S                default 1
     --ints LEAST..GREATEST  the range of random ints, default -4..7
     --quarters              floats are multiples of 1/4 in [-4, 4]
+    --perspective           w changes from pixel to pixel, and drivers interpolate with errors
     --ulps U                the error allowed for floats, see tools/draw/compare.h
     --exact                 floats must be equal to the bit
     --verbose               prints a line for each comparison, and the GLSL of those that fail

@@ -126,6 +126,14 @@ std::vector<const Expected*> Defined(const std::vector<Expected>& expected) {
   return outputs;
 }
 
+std::vector<Captured> Chosen(const std::vector<Captured>& captured,
+                             const std::vector<const Expected*>& expected) {
+  std::vector<Captured> chosen;
+  for (const Expected* output : expected)
+    chosen.push_back(*std::ranges::find(captured, output->name, &Captured::name));
+  return chosen;
+}
+
 Comparison CompareOutputs(const std::vector<const Expected*>& expected,
                           const std::vector<Captured>& captured, const Tolerance& tolerance) {
   Comparer comparer(tolerance);

@@ -51,6 +51,10 @@ struct Comparison {
 // captured.
 std::vector<const Expected*> Defined(const std::vector<Expected>& expected);
 
+// The captured values of each expected output, found by its name.
+std::vector<Captured> Chosen(const std::vector<Captured>& captured,
+                             const std::vector<const Expected*>& expected);
+
 // Compares each captured output with the expected one of the same index.
 Comparison CompareOutputs(const std::vector<const Expected*>& expected,
                           const std::vector<Captured>& captured, const Tolerance& tolerance);

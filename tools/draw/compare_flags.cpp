@@ -29,6 +29,7 @@ Flags ComparisonFlags(BuildOptions& build, RandomOptions& random, Tolerance& tol
       {"seed", Number(random.seed)},
       {"ints", With([&](auto& value) { SetInts(value, random); })},
       {"quarters", On(random.quarters)},
+      {"perspective", On(random.perspective)},
       {"ulps", With([&](auto& value) { tolerance.ulps = std::strtod(value.c_str(), nullptr); })},
       {"exact", {false, [&](const std::string&) { tolerance.ulps = -1; }}},
   };

@@ -14,6 +14,7 @@ void ChooseInstances(const Shader& shader, RandomOptions& draw) {
 }
 
 void ChooseDraw(const Shader& shader, RandomOptions& draw) {
+  if (clipc::InfoOf(shader.typed.stage).draws_pixels) return;
   ChooseInstances(shader, draw);
   const auto& inputs = shader.info.inputs;
   // Before GLSL 1.50 there are no draw calls with a base vertex.

@@ -44,7 +44,10 @@ Inputs MakeInputs(const Program& program, const GlslInfo& info, const RandomInpu
   inputs.vertices = draw.vertices;
   inputs.first_vertex = draw.first_vertex;
   inputs.base_instance = draw.base_instance;
-  GiveAttributes(program, info, random, inputs);
+  if (clipc::InfoOf(program.stage).draws_pixels)
+    GiveSurface(program, random.surface, inputs);
+  else
+    GiveAttributes(program, info, random, inputs);
   GiveConstants(program, info, random.cbuffers, inputs);
   GiveTextures(program, info, random.textures, inputs);
   GiveBuffers(program, info, random.buffers, inputs);

@@ -21,7 +21,7 @@ std::vector<ir::IoBits> Outputs(const ir::Program& program, const RandomInputs& 
     inputs.UseObject(program, buffers, request, 0, result);
   };
   const ir::EvalResult result =
-      ir::RunMain(program, {inputs.vertices[vertex], inputs.cbuffers, use});
+      ir::RunMain(program, {inputs.vertices[vertex], inputs.cbuffers, use, {}});
   EXPECT_TRUE(result) << result.error;
   return result.outputs.values;
 }

@@ -37,6 +37,19 @@ void SetBuiltins(const Program& program, const RandomOptions& options, int run,
   }
 }
 
+// Makes the attributes of all vertices, instance after instance.
+void MakeVertices(const Program& program, const RandomOptions& options, RandomValues& values,
+                  RandomInputs& inputs) {
+  for (int vertex = 0; vertex < options.vertices; ++vertex) {
+    std::vector<IoBits>& attributes = inputs.vertices.emplace_back();
+    for (const IoVar& input : program.inputs) attributes.push_back(ValueOf(program, input, values));
+  }
+  for (int run = 0; run < options.vertices * options.instances; ++run) {
+    if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
+    SetBuiltins(program, options, run, inputs.vertices[run]);
+  }
+}
+
 }  // namespace
 
 RandomInputs MakeRandomInputs(const Program& program, const RandomOptions& options) {
@@ -58,13 +71,11 @@ RandomInputs MakeRandomInputs(const Program& program, const RandomOptions& optio
       }
     }
   }
-  for (int vertex = 0; vertex < options.vertices; ++vertex) {
-    std::vector<IoBits>& attributes = inputs.vertices.emplace_back();
-    for (const IoVar& input : program.inputs) attributes.push_back(ValueOf(program, input, values));
-  }
-  for (int run = 0; run < options.vertices * options.instances; ++run) {
-    if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
-    SetBuiltins(program, options, run, inputs.vertices[run]);
+  if (clipc::InfoOf(program.stage).draws_pixels) {
+    inputs.surface = MakeSurface(program, options, values);
+    inputs.vertices = inputs.surface.pixels;
+  } else {
+    MakeVertices(program, options, values, inputs);
   }
   inputs.textures = MakeTextures(program, options, values);
   inputs.buffers = MakeBuffers(program, values);

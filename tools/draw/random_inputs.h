@@ -8,14 +8,17 @@
 #include "ir/program.h"
 #include "tools/draw/buffers.h"
 #include "tools/draw/random_values.h"
+#include "tools/draw/surface.h"
 #include "tools/draw/textures.h"
 
 namespace clipc::draw {
 
 // Random values for all that a shader reads.
 struct RandomInputs {
-  std::vector<std::vector<ir::IoBits>> vertices;  // by vertex, then by index into Program::inputs
-  std::vector<Bytes> cbuffers;                    // by CbufferId
+  // By vertex, or by pixel of `surface`, then by index into Program::inputs.
+  std::vector<std::vector<ir::IoBits>> vertices;
+  Surface surface;              // of a pixel shader
+  std::vector<Bytes> cbuffers;  // by CbufferId
   Textures textures;
   Buffers buffers;
 
@@ -26,7 +29,7 @@ struct RandomInputs {
 };
 
 // Makes the inputs of one draw call. RandomInputs::vertices has instance after instance, each with
-// the same attributes.
+// the same attributes; or the pixels of a surface.
 RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& options);
 
 }  // namespace clipc::draw

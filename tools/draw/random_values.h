@@ -20,6 +20,8 @@ struct RandomOptions {
   int least_int = -4, greatest_int = 7;     // small, as ints are loop counts and array indices
   // Floats are multiples of 1/4 in [-4, 4], so that short sums and products of them are exact.
   bool quarters = false;
+  // Of a pixel shader: w changes from pixel to pixel, so that inputs are not exact.
+  bool perspective = false;
 };
 
 // A source of random values. Equal seeds give equal values on every machine. Floats lie in [-2, 2],

@@ -21,25 +21,39 @@ struct EvaluatorStops : DrawError {
   using DrawError::DrawError;
 };
 
-// The outputs of all vertices, once in float and once in double.
+// The outputs of all vertices or pixels, once in float and once in double.
 struct Runs {
   std::vector<EvalOutputs> in_float, in_double;
 };
 
+// Runs the program for inputs that are evaluated together: those of a vertex, or of a quad.
+void Append(const Program& program, std::span<const EvalInputs> together,
+            const EvalOptions& options, std::vector<EvalOutputs>& outputs) {
+  const auto append = [&](EvalResult result) {
+    if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
+    outputs.push_back(std::move(result.outputs));
+  };
+  if (together.size() == 1) return append(RunMain(program, together[0], options));
+  std::array<EvalInputs, kQuadPixels> pixels;
+  std::ranges::copy(together, pixels.begin());
+  for (EvalResult& result : RunQuad(program, pixels, options)) append(std::move(result));
+}
+
 Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
-  for (const std::vector<IoBits>& vertex : inputs.vertices) {
-    Buffers buffers;
-    const auto use = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
-      inputs.UseObject(program, buffers, request, undefined, result);
-    };
-    const EvalInputs values{vertex, inputs.cbuffers, use};
+  Buffers buffers;
+  const auto start = [&] { buffers = inputs.buffers; };
+  const auto use = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
+    inputs.UseObject(program, buffers, request, undefined, result);
+  };
+  const std::size_t size = clipc::InfoOf(program.stage).has_neighbours ? kQuadPixels : 1;
+  for (std::size_t first = 0; first < inputs.vertices.size(); first += size) {
+    std::vector<EvalInputs> together;
+    for (std::size_t i = first; i < first + size; ++i)
+      together.push_back({inputs.vertices[i], inputs.cbuffers, use, start});
     for (const bool in_double : {false, true}) {
-      buffers = inputs.buffers;
-      EvalResult result =
-          RunMain(program, values, {.in_double = in_double, .undefined = undefined});
-      if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
-      (in_double ? runs.in_double : runs.in_float).push_back(std::move(result.outputs));
+      Append(program, together, {.in_double = in_double, .undefined = undefined},
+             in_double ? runs.in_double : runs.in_float);
     }
   }
   return runs;
@@ -120,10 +134,22 @@ class Reference {
   void Fill(Expected& expected, std::size_t index, const Runs& runs) const {
     for (std::size_t vertex = 0; vertex < runs.in_float.size(); ++vertex) {
       for (int i = 0; i < expected.components; ++i) {
+        if (runs.in_float[vertex].is_discarded) {
+          FillCleared(expected, shader_.typed.outputs[index].builtin != Builtin::kNone);
+          continue;
+        }
         expected.words.push_back(runs.in_float[vertex].values[index][i]);
         expected.numbers.push_back(runs.in_double[vertex].numbers[index][i]);
       }
     }
+  }
+
+  // What a render target keeps where a pixel is discarded.
+  static void FillCleared(Expected& expected, bool is_depth) {
+    const float color = is_depth ? kClearDepth : kClearColor;
+    const bool is_float = expected.kind == Scalar::kFloat;
+    expected.words.push_back(is_float ? BitsOf(color) : kClearInteger);
+    expected.numbers.push_back(is_float ? color : kClearInteger);
   }
 
   template <typename Number>
@@ -219,6 +245,13 @@ void MarkOpen(std::vector<Expected>& all, Run&& run) {
   }
 }
 
+// Whether reads of textures and buffers may be open.
+bool ReadsBorders(const RandomInputs& inputs) {
+  return !inputs.buffers.empty() || std::ranges::any_of(inputs.textures, [](const auto& textures) {
+    return !std::ranges::all_of(textures.second, &Texture::is_constant);
+  });
+}
+
 }  // namespace
 
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options,
@@ -228,6 +261,14 @@ std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& opt
   for (Expected& output : all) {
     for (std::size_t k = 0; k < output.words.size(); ++k) {
       output.open.push_back(zero.WroteOutOfBounds(k / output.components));
+    }
+  }
+  if (clipc::InfoOf(shader.typed.stage).draws_pixels) {
+    // Nothing reads coverage and the like back.
+    const std::vector<SurfaceTarget> targets = TargetsOf(shader.lowered, shader.info);
+    for (Expected& output : all) {
+      if (std::ranges::find(targets, output.name, &SurfaceTarget::name) == targets.end())
+        output.open.assign(output.open.size(), true);
     }
   }
   const auto try_value = [&](double undefined) {
@@ -241,7 +282,7 @@ std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& opt
   // Of many vertices where the shader reads undefined values, one may give the same for all three.
   // Reads outside of a texture or at the border between two texels are common, and shaders branch
   // on them.
-  if (shader.typed.resources.empty() && std::ranges::none_of(all, has_open)) return all;
+  if (!ReadsBorders(inputs) && std::ranges::none_of(all, has_open)) return all;
   for (const double undefined :
        {0.125, 2.0, 0.25, 5.0, 0.375, -7.5, 0.5, 9.0, 0.625, -4.0, 0.75, 14.0})
     try_value(undefined);

@@ -52,9 +52,9 @@ std::map<std::uint32_t, Uses> FindUses(const Program& program) {
     if (!var(0)) continue;
     Uses& found = uses[var(0).index];
     const bool has_sampler = TakesSampler(call->op) && var(1);
-    if (has_sampler || call->op == ObjectOp::kD3d9Sample || call->op == ObjectOp::kD3d9SampleLevel)
-      found.sampled = true;
-    if (call->op == ObjectOp::kSampleGrad) found.constant = true;
+    if (has_sampler || IsSampler(ObjectTypeOf(program, var(0)).object)) found.sampled = true;
+    if (call->op == ObjectOp::kSampleGrad || call->op == ObjectOp::kD3d9SampleGrad)
+      found.constant = true;
     if (has_sampler && ObjectTypeOf(program, var(1)).object == ObjectKind::kSamplerComparison)
       found.compared = true;
   }
@@ -142,9 +142,16 @@ class Reader {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
       case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(coordinates_)), 1, result);
+      case ObjectOp::kSampleBias:
+      case ObjectOp::kD3d9SampleBias:
+        return Sample(LevelFromNeighbours(Argument(coordinates_)), 1, result);
+      case ObjectOp::kSample:
+      case ObjectOp::kD3d9Sample: return Sample(LevelFromNeighbours(0), 0, result);
+      case ObjectOp::kD3d9SampleProjected: return Sample(LevelFromNeighbours(0), 4, result);
       case ObjectOp::kSampleGrad:
-      case ObjectOp::kD3d9Sample: return Sample(0, 0, result);
-      case ObjectOp::kSampleCmpLevelZero: return Compare(result);
+      case ObjectOp::kD3d9SampleGrad: return Sample(0, 0, result);
+      case ObjectOp::kSampleCmp: return Compare(LevelFromNeighbours(0), result);
+      case ObjectOp::kSampleCmpLevelZero: return Compare(0, result);
       case ObjectOp::kGather:
       case ObjectOp::kGatherGreen:
       case ObjectOp::kGatherBlue:
@@ -162,6 +169,8 @@ class Reader {
   // shader whose coordinates lose more than kMargin (a sin of a large pow) finds other texels; with
   // constant textures it does not.
   static constexpr double kMargin = 1.0 / 64, kFar = 500;
+  // The largest error of the logarithm by which a driver finds a level.
+  static constexpr double kLogarithmError = 0.1;
 
   static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
     if (texel) std::copy_n(texel, result.size(), result.begin());
@@ -201,6 +210,46 @@ class Reader {
     return texture_.is_constant ? 0 : Nearest(lod, texture_.levels.size() - 1);
   }
 
+  // The level that the coordinates of the quad give: that of the longest step from pixel to pixel,
+  // in texels. Drivers measure it in any row and column, as the largest component or as the length,
+  // so the level is open where these differ.
+  std::optional<std::size_t> LevelFromNeighbours(double bias) const {
+    if (texture_.is_constant) return 0;
+    if (request_.coordinates.empty()) return LevelAt(bias);
+    if (form_.is_cube) return std::nullopt;
+    double least = HUGE_VAL, most = 0;
+    for (const std::size_t row : {0, 2}) {
+      for (const std::size_t column : {0, 1}) {
+        double largest = 0, along_x = 0, along_y = 0;
+        for (std::size_t i = 0; i < form_.axes; ++i) {
+          const double x = Step(row, row + 1, i), y = Step(column, column + 2, i);
+          if (std::isnan(x + y)) return std::nullopt;
+          largest = std::max({largest, std::abs(x), std::abs(y)});
+          along_x = std::hypot(along_x, x), along_y = std::hypot(along_y, y);
+        }
+        least = std::min(least, largest), most = std::max({most, along_x, along_y});
+      }
+    }
+    const auto low = LevelAt(std::log2(least) + bias - kLogarithmError);
+    const auto high = LevelAt(std::log2(most) + bias + kLogarithmError);
+    return low == high ? low : std::nullopt;
+  }
+
+  // The texels along axis `i` between two pixels of the quad.
+  double Step(std::size_t from, std::size_t to, std::size_t i) const {
+    const std::size_t size = request_.coordinates.size() / kQuadPixels;
+    const bool divides = request_.op == ObjectOp::kD3d9SampleProjected;
+    const auto at = [&](std::size_t pixel) {
+      const double* coordinate = &request_.coordinates[pixel * size];
+      return coordinate[i] / (divides ? coordinate[3] : 1);
+    };
+    return (at(to) - at(from)) * texture_.size[i];
+  }
+  // Component i of the pixel's own coordinate.
+  double Coordinate(std::size_t i) const {
+    return Argument(i) / (request_.op == ObjectOp::kD3d9SampleProjected ? Argument(3) : 1);
+  }
+
   // The texel around the coordinate, `shift` texels further, with the offset at argument
   // `first_offset`; null where it is open.
   const std::uint32_t* TexelAt(std::size_t level, double shift, std::array<int, 3> step,
@@ -211,7 +260,7 @@ class Reader {
     for (std::size_t i = 0; i < form_.axes; ++i) {
       if (!form_.is_cube) {
         const auto at =
-            Repeated(Argument(i) * size[i] + shift, Offset(first_offset, i) + step[i], size[i]);
+            Repeated(Coordinate(i) * size[i] + shift, Offset(first_offset, i) + step[i], size[i]);
         if (!at) return nullptr;
         index += *at * stride;
       }
@@ -246,8 +295,9 @@ class Reader {
     return true;
   }
 
-  bool Compare(std::span<std::uint64_t> result) const {
-    const std::uint32_t* texel = TexelAt(0, 0, {}, coordinates_ + 1);
+  bool Compare(std::optional<std::size_t> level, std::span<std::uint64_t> result) const {
+    if (!level) return false;
+    const std::uint32_t* texel = TexelAt(*level, 0, {}, coordinates_ + 1);
     if (texel) result[0] = BitsOf(Argument(coordinates_) <= FloatOf(*texel) ? 1.0f : 0.0f);
     return texel != nullptr;
   }

@@ -3,6 +3,7 @@
 
 #include "tools/draw/feed.h"
 #include "tools/draw/opengl/program.h"
+#include "tools/draw/opengl/surface.h"
 
 namespace clipc::draw {
 namespace {
@@ -16,6 +17,15 @@ std::string Capturable(std::string text) {
   return text;
 }
 
+// The outputs of a pixel shader.
+std::vector<Captured> Drawn(const std::string& text, const std::vector<const Expected*>& outputs,
+                            const Trial& trial, const Inputs& inputs) {
+  const SurfaceSpace space{.is_vulkan = false, .flips_y = trial.shader.flips_y};
+  return Chosen(DrawSurface(SurfaceVertexShader(trial.shader, text, space), text,
+                            TargetsOf(trial.shader.lowered, trial.shader.info), inputs, space),
+                outputs);
+}
+
 }  // namespace
 
 Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
@@ -27,7 +37,10 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
   if (outputs.empty()) return {};
   const Inputs inputs =
       MakeInputs(trial.shader.lowered, trial.shader.info, trial.inputs, trial.draw);
-  return CompareOutputs(outputs, Capture(text, names, inputs), trial.tolerance);
+  const bool draws_pixels = clipc::InfoOf(trial.shader.typed.stage).draws_pixels;
+  return CompareOutputs(
+      outputs, draws_pixels ? Drawn(text, outputs, trial, inputs) : Capture(text, names, inputs),
+      trial.tolerance);
 }
 
 }  // namespace clipc::draw

@@ -111,8 +111,10 @@ Shape ShapeOf(const Active& active) {
 }
 
 GlProgram::GlProgram(const std::string& vertex, const std::string& fragment,
-                     std::span<const std::string> captured)
+                     std::span<const std::string> captured,
+                     const std::function<void(GLuint program)>& before_linking)
     : program_(harness::LinkProgram(vertex, fragment, [&](GLuint program) {
+        if (before_linking) before_linking(program);
         std::vector<const char*> names;
         for (const std::string& name : captured) names.push_back(name.c_str());
         if (names.empty()) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,9 +43,10 @@ struct ActiveBlock {
 class GlProgram : NotCopied {
  public:
   // Links the shaders; `fragment` may be empty where the API allows a program without one.
-  // `captured` are the outputs for transform feedback.
+  // `captured` are the outputs for transform feedback; `before_linking` may set up more.
   GlProgram(const std::string& vertex, const std::string& fragment,
-            std::span<const std::string> captured);
+            std::span<const std::string> captured,
+            const std::function<void(GLuint program)>& before_linking = {});
   ~GlProgram();
 
   GLuint id() const { return program_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ir/scalar.h"
+#include "tools/draw/surface.h"
 #include "tools/draw/textures.h"
 #include "tools/draw/vulkan/driver_bugs.h"
 
@@ -72,6 +73,32 @@ class Binder {
   DrawCall& call_;
 };
 
+WordKind AttributeKind(const Program& program, const IoVar& input) {
+  const Scalar kind = BaseOf(program.types[program.vars[input.var].type].scalar);
+  if (kind == Scalar::kDouble) throw DrawError("an attribute of doubles, which no test draws with");
+  return kind == Scalar::kBool ? WordKind::kUint : KindOfTexels(kind);
+}
+
+void AddAttributes(const Program& program, const GlslInfo& info, const Inputs& inputs,
+                   DrawCall& call) {
+  const bool draws_pixels = clipc::InfoOf(program.stage).draws_pixels;
+  if (draws_pixels)
+    call.attributes.push_back(
+        {0, WordKind::kFloat, Find(inputs.attributes, NameOfFeed(std::nullopt)).words});
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    if (program.inputs[i].builtin != Builtin::kNone) continue;
+    const GlslInfo::Variable& written = info.inputs.at(i);
+    const WordKind kind = AttributeKind(program, program.inputs[i]);
+    if (draws_pixels) {
+      call.attributes.push_back(
+          {static_cast<std::uint32_t>(i) + 1, kind, Find(inputs.attributes, NameOfFeed(i)).words});
+    } else {
+      call.attributes.push_back({Require(written.location, written.name), kind,
+                                 Find(inputs.attributes, written.name).words});
+    }
+  }
+}
+
 }  // namespace
 
 DrawCall MakeDrawCall(const Program& program, const GlslInfo& info, const Inputs& inputs) {
@@ -81,16 +108,7 @@ DrawCall MakeDrawCall(const Program& program, const GlslInfo& info, const Inputs
   call.instances = inputs.instances;
   call.first_vertex = inputs.first_vertex;
   call.base_instance = inputs.base_instance;
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    if (program.inputs[i].builtin != Builtin::kNone) continue;
-    const GlslInfo::Variable& written = info.inputs.at(i);
-    const Scalar kind = BaseOf(program.types[program.vars[program.inputs[i].var].type].scalar);
-    if (kind == Scalar::kDouble)
-      throw DrawError("an attribute of doubles, which no test draws with");
-    const WordKind words = kind == Scalar::kBool ? WordKind::kUint : KindOfTexels(kind);
-    call.attributes.push_back({Require(written.location, written.name), words,
-                               Find(inputs.attributes, written.name).words});
-  }
+  AddAttributes(program, info, inputs, call);
   Binder binder(program, inputs, call);
   for (const GlslInfo::Block& block : info.blocks) binder.Bind(block);
   for (const GlslInfo::Object& object : info.objects) binder.Bind(object);

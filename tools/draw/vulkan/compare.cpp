@@ -41,9 +41,17 @@ Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
   const Shader& shader = trial.shader;
   const std::vector<const Expected*> outputs = Defined(trial.expected);
   if (outputs.empty()) return {};
-  const Spirv spirv = SpirvOfGlsl(Capturable(shader.glsl));
   const Inputs inputs = MakeInputs(shader.lowered, shader.info, trial.inputs, trial.draw);
   const DrawCall call = MakeDrawCall(shader.lowered, shader.info, inputs);
+  if (clipc::InfoOf(shader.typed.stage).draws_pixels) {
+    const SurfaceSpace space{.is_vulkan = true, .flips_y = true};
+    const Spirv vertex = SpirvOfGlsl(SurfaceVertexShader(shader, shader.glsl, space));
+    const std::vector<Captured> drawn =
+        runner.DrawSurface(vertex, SpirvOfGlsl(shader.glsl, Stage::kPixel),
+                           TargetsOf(shader.lowered, shader.info), call);
+    return CompareOutputs(outputs, Chosen(drawn, outputs), trial.tolerance);
+  }
+  const Spirv spirv = SpirvOfGlsl(Capturable(shader.glsl));
   return CompareOutputs(outputs, runner.Capture(spirv, FindOutputs(spirv, outputs), call),
                         trial.tolerance);
 }

@@ -39,13 +39,13 @@ std::uint32_t LayersOf(const Form& form, const Inputs::Texture::Level& level) {
 }
 
 // An image in memory of its own, and the view of all of it.
-Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view) {
+Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view,
+               vk::ImageAspectFlagBits aspect = vk::ImageAspectFlagBits::eColor) {
   Image made;
   made.image = vk::raii::Image(device.get(), info);
   made.memory = device.Allocate(made.image.getMemoryRequirements());
   made.image.bindMemory(*made.memory, 0);
-  const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, info.mipLevels, 0,
-                                      info.arrayLayers);
+  const vk::ImageSubresourceRange all(aspect, 0, info.mipLevels, 0, info.arrayLayers);
   made.view = vk::raii::ImageView(
       device.get(), vk::ImageViewCreateInfo({}, *made.image, view, info.format, {}, all));
   return made;
@@ -104,18 +104,22 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   return made;
 }
 
-Image MakeTarget(const Device& device, std::uint32_t size) {
+Image MakeTarget(const Device& device, vk::Extent2D size, vk::Format format) {
+  const bool is_depth = format == vk::Format::eD32Sfloat;
+  const vk::ImageUsageFlags usage = is_depth ? vk::ImageUsageFlagBits::eDepthStencilAttachment
+                                             : vk::ImageUsageFlagBits::eColorAttachment;
   return NewImage(device,
                   {{},
                    vk::ImageType::e2D,
-                   vk::Format::eR32G32B32A32Sfloat,
-                   {size, size, 1},
+                   format,
+                   {size.width, size.height, 1},
                    1,
                    1,
                    vk::SampleCountFlagBits::e1,
                    vk::ImageTiling::eOptimal,
-                   vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc},
-                  vk::ImageViewType::e2D);
+                   usage | vk::ImageUsageFlagBits::eTransferSrc},
+                  vk::ImageViewType::e2D,
+                  is_depth ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor);
 }
 
 vk::raii::Sampler MakeSampler(const Device& device, bool compares) {

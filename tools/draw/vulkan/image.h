@@ -14,8 +14,9 @@ struct Image {
 };
 Image UploadImage(const Device& device, const Inputs::Texture& texture);
 
-// A square that can be drawn to, of four floats for each pixel.
-Image MakeTarget(const Device& device, std::uint32_t size);
+// A picture that can be drawn to.
+Image MakeTarget(const Device& device, vk::Extent2D size,
+                 vk::Format format = vk::Format::eR32G32B32A32Sfloat);
 
 // Records a change of layout that everything before it and after it waits for.
 void Transition(const vk::raii::CommandBuffer& commands, const Image& image,

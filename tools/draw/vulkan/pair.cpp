@@ -79,7 +79,7 @@ std::vector<float> Draw(const Device& device, const SpirvPair& pair) try {
                                         vk::PipelineLayoutCreateInfo({}, set_layouts));
   const vk::raii::Pipeline pipeline = MakePipeline(
       device.get(), {pair.vertex, pair.fragment, PipelineEnd::kPicture}, attributes, layout);
-  const Image target = MakeTarget(device, kPairSize);
+  const Image target = MakeTarget(device, {kPairSize, kPairSize});
   const Buffer pixels = device.NewBuffer(vk::BufferUsageFlagBits::eTransferDst,
                                          Bytes(std::size_t{16} * kPairSize * kPairSize));
   device.Submit([&](const vk::raii::CommandBuffer& commands) {

@@ -4,8 +4,6 @@
 #include <span>
 #include <string>
 
-#include "tools/draw/pair.h"
-
 namespace clipc::draw::vulkan {
 namespace {
 
@@ -47,7 +45,8 @@ void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& a
 
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,
                                 const Attributes& attributes,
-                                const vk::raii::PipelineLayout& layout) {
+                                const vk::raii::PipelineLayout& layout,
+                                const PipelineTargets& targets) {
   const bool draws = shaders.end != PipelineEnd::kCapture;
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<std::string> entries;
@@ -66,19 +65,25 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
   const vk::PipelineInputAssemblyStateCreateInfo assembly(
       {}, draws ? vk::PrimitiveTopology::eTriangleList : vk::PrimitiveTopology::ePointList);
-  const vk::Viewport size(0, 0, kPairSize, kPairSize, 0, 1);
-  const vk::Rect2D scissor({0, 0}, {kPairSize, kPairSize});
+  const vk::Viewport size(0, 0, static_cast<float>(targets.size.width),
+                          static_cast<float>(targets.size.height), 0, 1);
+  const vk::Rect2D scissor({0, 0}, targets.size);
   const vk::PipelineViewportStateCreateInfo viewport({}, size, scissor);
   vk::PipelineRasterizationStateCreateInfo rasterization;
   rasterization.rasterizerDiscardEnable = !draws;
   rasterization.lineWidth = 1;
+  rasterization.frontFace = vk::FrontFace::eClockwise;  // as in Direct3D
   const vk::PipelineMultisampleStateCreateInfo samples;
-  vk::PipelineColorBlendAttachmentState colors;
-  colors.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
+  vk::PipelineColorBlendAttachmentState color;
+  color.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
+  const std::vector<vk::PipelineColorBlendAttachmentState> colors(targets.colors.size(), color);
   const vk::PipelineColorBlendStateCreateInfo blending({}, false, {}, colors);
-  const vk::Format format = vk::Format::eR32G32B32A32Sfloat;
+  const bool has_depth = targets.depth != vk::Format::eUndefined;
+  const vk::PipelineDepthStencilStateCreateInfo depth({}, has_depth, has_depth,
+                                                      vk::CompareOp::eAlways);
   vk::PipelineRenderingCreateInfo rendering;
-  if (draws) rendering.setColorAttachmentFormats(format);
+  if (draws) rendering.setColorAttachmentFormats(targets.colors);
+  rendering.depthAttachmentFormat = targets.depth;
   vk::GraphicsPipelineCreateInfo info;
   info.pNext = &rendering;
   info.setStages(stages);
@@ -88,6 +93,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   info.pRasterizationState = &rasterization;
   info.pMultisampleState = &samples;
   if (draws) info.pColorBlendState = &blending;
+  if (draws) info.pDepthStencilState = &depth;
   info.layout = *layout;
   if (shaders.end == PipelineEnd::kStatistics)
     info.flags = vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;

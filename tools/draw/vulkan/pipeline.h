@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tools/draw/pair.h"
 #include "tools/draw/vulkan/device.h"
 #include "tools/draw/vulkan/run.h"
 
@@ -23,7 +24,7 @@ void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& a
 // The stage that a pipeline ends with.
 enum class PipelineEnd : std::uint8_t {
   kCapture,     // points are captured and drawn nowhere
-  kPicture,     // triangles are drawn into a target of MakeTarget, kPairSize wide
+  kPicture,     // triangles are drawn into targets
   kStatistics,  // as kPicture, and the driver tells of its code
 };
 
@@ -32,8 +33,15 @@ struct PipelineShaders {
   Spirv fragment = {};  // for every end but kCapture
   PipelineEnd end = PipelineEnd::kCapture;
 };
+// The targets that a pipeline draws to.
+struct PipelineTargets {
+  vk::Extent2D size{kPairSize, kPairSize};
+  std::vector<vk::Format> colors{vk::Format::eR32G32B32A32Sfloat};  // eUndefined: none
+  vk::Format depth = vk::Format::eUndefined;  // every pixel passes, and its depth is kept
+};
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,
                                 const Attributes& attributes,
-                                const vk::raii::PipelineLayout& layout);
+                                const vk::raii::PipelineLayout& layout,
+                                const PipelineTargets& targets = {});
 
 }  // namespace clipc::draw::vulkan

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "tools/draw/inputs.h"
+#include "tools/draw/surface.h"
 #include "tools/draw/vulkan/spirv.h"
 
 namespace clipc::draw::vulkan {
@@ -54,6 +55,11 @@ class Runner {
   // order. Throws DrawError where the shader reads something that the draw call does not give.
   std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs,
                                 const DrawCall& call) const;
+
+  // Draws the surface with both shaders and returns the values of each target, in their order.
+  std::vector<Captured> DrawSurface(const Spirv& vertex, const Spirv& fragment,
+                                    const std::vector<SurfaceTarget>& targets,
+                                    const DrawCall& call) const;
 
  private:
   std::unique_ptr<Device> device_;

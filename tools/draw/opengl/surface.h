@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <vector>
+
+#include "tools/draw/surface.h"
+
+namespace clipc::draw {
+
+// Draws the surface with these shaders and returns the values of each target, in their order. A
+// context that VersionOf(fragment) names must be current.
+std::vector<Captured> DrawSurface(const std::string& vertex, const std::string& fragment,
+                                  const std::vector<SurfaceTarget>& targets, const Inputs& inputs,
+                                  const SurfaceSpace& space);
+
+}  // namespace clipc::draw
