@@ -22,7 +22,7 @@ struct clipc_compiler {
 };
 
 struct clipc_result {
-  std::array<std::string, CLIPC_PART_PIXEL_SPIRV + 1> parts;
+  std::array<std::string, CLIPC_PART_HLSL + 1> parts;
 };
 
 namespace {
@@ -109,8 +109,8 @@ void Fill(clipc::CompileResult compiled, clipc_result& to) {
   to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(compiled.messages);
   for (const std::string& file : compiled.dependencies)
     to.parts[CLIPC_PART_DEPENDENCIES] += file + '\n';
-  to.parts[CLIPC_PART_GLSL] =
-      compiled.hlsl ? std::move(*compiled.hlsl) : std::move(compiled.shaders.vertex);
+  to.parts[CLIPC_PART_GLSL] = std::move(compiled.shaders.vertex);
+  if (compiled.hlsl) to.parts[CLIPC_PART_HLSL] = std::move(*compiled.hlsl);
   to.parts[CLIPC_PART_DISCARD] = std::move(compiled.shaders.fragment);
   to.parts[CLIPC_PART_SPIRV].assign(reinterpret_cast<const char*>(compiled.spirv.data()),
                                     4 * compiled.spirv.size());

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** clipc as a library for C99 and for other languages: one HLSL vertex shader in; GLSL, SPIR-V, the
+/** clipc as a library for C99 and for other languages: one HLSL shader in; GLSL, SPIR-V, HLSL, the
  * clip table and the reflection out, all of it in memory. compiler/clipc.hpp is the same for C++.
  *
  * ABI: what this header declares is never changed or removed while CLIPC_ABI stays. New members of
@@ -93,7 +93,7 @@ typedef enum clipc_part {
   CLIPC_PART_MESSAGES = 0,  /**< as a terminal shows them, with the lines of the source */
   CLIPC_PART_MESSAGES_JSON, /**< {"version": 1, "diagnostics": [...]} */
   CLIPC_PART_DEPENDENCIES,  /**< the files that were read, each followed by a newline */
-  CLIPC_PART_GLSL,          /**< of the shader; HLSL with --target=hlsl */
+  CLIPC_PART_GLSL,          /**< of the shader; empty with --target=hlsl */
   /** With --lower=discard: GLSL that discards, for the fragment shader. With --pixel-output: the
    * GLSL of the pixel shader, whatever the lowering. */
   CLIPC_PART_DISCARD,
@@ -104,6 +104,7 @@ typedef enum clipc_part {
   CLIPC_PART_TABLE_BINARY, /**< Direct3D's record; empty for planes that it cannot say */
   CLIPC_PART_TABLE_HEADER, /**< a C++ header with `clip_table` */
   CLIPC_PART_PIXEL_SPIRV,  /**< with -spirv and --pixel-output: of the pixel shader */
+  CLIPC_PART_HLSL,         /**< with --target=hlsl: the same HLSL with clip distances */
   CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 

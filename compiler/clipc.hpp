@@ -45,6 +45,7 @@ class Result {
   }
   std::string_view messages() const { return Get(CLIPC_PART_MESSAGES); }
   std::string_view glsl() const { return Get(CLIPC_PART_GLSL); }
+  std::string_view hlsl() const { return Get(CLIPC_PART_HLSL); }
 
  private:
   friend class Compiler;

@@ -144,7 +144,14 @@ TEST_F(CInterface, RefusesOptionsThatItDoesNotKnowOrThatNameFiles) {
 
 TEST_F(CInterface, GivesTheHlslThatIsAskedFor) {
   EXPECT_EQ(Compile({"-Ilib", "--target=hlsl"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
-  EXPECT_THAT(Get(CLIPC_PART_GLSL), HasSubstr(": SV_ClipDistance0"));
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), HasSubstr(": SV_ClipDistance0"));
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), HasSubstr("#include \"planes.hlsli\""));
+  for (const clipc_part other : {CLIPC_PART_GLSL, CLIPC_PART_SPIRV, CLIPC_PART_TABLE_JSON})
+    EXPECT_THAT(Get(other), IsEmpty());
+  EXPECT_EQ(Compile({"-Ilib", "--target=hlsl", "--lower=discard"}), CLIPC_BAD_REQUEST);
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), IsEmpty());
+  EXPECT_EQ(Compile({"-Ilib"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), IsEmpty());
 }
 
 TEST_F(CInterface, EndsWhenTheCallerCancels) {

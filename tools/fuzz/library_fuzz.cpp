@@ -73,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   clipc_result* result = nullptr;
   const clipc_status status = clipc_compile(compiler, &request, &result);
   if (!result) std::abort();
-  for (int part = 0; part <= CLIPC_PART_TABLE_HEADER; ++part) {
+  for (int part = 0; part <= CLIPC_PART_HLSL; ++part) {
     const clipc_bytes bytes = clipc_result_get(result, static_cast<clipc_part>(part));
     if (!bytes.data || bytes.data[bytes.size] != '\0') std::abort();
     const bool is_output = part >= CLIPC_PART_GLSL;

@@ -14,6 +14,7 @@ const PART = {
   tableJson: 7,
   tableBinary: 8,
   tableHeader: 9,
+  hlsl: 11,
 };
 const STOPPED = 'clipc: error: the shader needs more stack or memory than WebAssembly gives\n';
 
@@ -175,6 +176,7 @@ export class Compiler {
       table: json(part('tableJson')),
       tableBinary: part('tableBinary'),
       tableHeader: text(part('tableHeader')),
+      hlsl: text(part('hlsl')),
     };
   }
 }
@@ -193,5 +195,6 @@ function stopped() {
     table: null,
     tableBinary: new Uint8Array(),
     tableHeader: '',
+    hlsl: '',
   };
 }

@@ -7,7 +7,7 @@ export interface CompileOptions {
   profile?: string;
   /** `-E`. Default: "main". */
   entry?: string;
-  /** `--target`: "glsl450", "vulkan", "webgl1", "webgl2" */
+  /** `--target`: "glsl450", "vulkan", "webgl1", "webgl2", "hlsl" */
   target?: string;
   /** `--lower`: how clip planes are lowered. */
   lower?: string;
@@ -70,6 +70,8 @@ export interface CompileResult {
   tableBinary: Uint8Array;
   /** The clip table as a C++ header. */
   tableHeader: string;
+  /** With `target: "hlsl"`: the same HLSL with clip distances; `glsl` is empty then. */
+  hlsl: string;
 }
 
 /** Compiles shaders one after the other, and keeps what they share. One for each worker. */

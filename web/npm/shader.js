@@ -35,9 +35,9 @@ export async function compileModule(path, text, query, configured) {
     path,
     readInclude,
   });
-  const exported = ['glsl', 'discard', 'table', 'reflection'];
+  const exported = ['glsl', 'hlsl', 'discard', 'table', 'reflection'];
   const code = exported
     .map((name) => `export const ${name} = ${JSON.stringify(result[name])};\n`)
     .join('');
-  return { result, files, code: `${code}export default glsl;\n` };
+  return { result, files, code: `${code}export default glsl || hlsl;\n` };
 }

@@ -2,6 +2,7 @@
 // The exports of a shader, `import { glsl } from './water.hlsl'`: /// <reference types="clipc/shaders" />
 declare module '*.hlsl' {
   export const glsl: string;
+  export const hlsl: string;
   export const discard: string;
   export const table: any;
   export const reflection: any;

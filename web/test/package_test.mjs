@@ -64,6 +64,13 @@ await test('every part of a result', () => {
   assert.deepEqual(result.dependencies, ['common.hlsli']);
 });
 
+await test('HLSL with clip distances', () => {
+  const result = compiler.compile(SHADER, { readInclude, target: 'hlsl' });
+  assert.equal(result.status, 'compiled', result.messages);
+  assert.match(result.hlsl, /#include "common.hlsli"[^]*SV_ClipDistance0/);
+  assert.equal(result.glsl, '');
+});
+
 await test('messages with their places', () => {
   const result = compiler.compile('float4 main() : SV_Position { return nothing; }', {
     profile: 'vs_5_0',
@@ -237,7 +244,7 @@ for (const { file, target, lower } of comparisons) {
   const isSame =
     result.ok === (theirs.status === 0) &&
     ours === theirs.stderr &&
-    (!result.ok || Buffer.from(result.glsl).toString('latin1') === theirs.stdout);
+    (!result.ok || Buffer.from(result.glsl + result.hlsl).toString('latin1') === theirs.stdout);
   if (isSame) ++same;
   else
     console.log(
