@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/check_lowering.h"
 
+#include <algorithm>
+
 #include "frontend/rules/position_input.h"
 #include "passes/outputs.h"
 
@@ -8,13 +10,15 @@ namespace clipc {
 namespace {
 
 // Planes that become clip distances share the eight distances with the shader's own cull distances.
-void CheckDistanceCount(const ir::Program& program, Diagnostics& diagnostics) {
-  constexpr std::uint32_t kMaxDistances = 8;
+void CheckDistanceCount(const ir::Program& program, std::uint32_t least, Diagnostics& diagnostics) {
+  const auto planes = static_cast<std::uint32_t>(program.clip_planes.size());
+  if (least > 0 && planes > least)
+    diagnostics.Report(program.clip_planes[least].span, diag::RewriteFewDistances, planes, least);
   const ir::VarId culls = passes::FindOutput(program, ir::Builtin::kCullDistance);
   if (!culls) return;
-  const auto planes = static_cast<std::uint32_t>(program.clip_planes.size());
-  const std::uint32_t count = planes + program.types[program.vars[culls].type].count;
-  if (count <= kMaxDistances) return;
+  const std::uint32_t count =
+      std::max(planes, least) + program.types[program.vars[culls].type].count;
+  if (count <= kMaxClipDistances) return;
   diagnostics.Report(program.clip_planes.front().span, diag::TooManyClipDistances, count)
       .Note(program.vars[culls].span, diag::CullDistanceWrittenHere);
 }
@@ -48,7 +52,8 @@ ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& reque
     diagnostics.Report(planes[1].span, diag::ClipPlanesForNearPlane, planes.size());
     return {};
   }
-  if (request.lowering == Lowering::kClipDistance) CheckDistanceCount(program, diagnostics);
+  if (request.lowering == Lowering::kClipDistance)
+    CheckDistanceCount(program, request.distances, diagnostics);
   if (request.plane_space != PlaneSpace::kObject) return {};
   const std::string& semantic = request.position_input;
   return rules::CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);

@@ -20,7 +20,11 @@ struct LoweringRequest {
   PlaneSpace plane_space = PlaneSpace::kClip;
   // The semantic of the vertex's position, for plane space kObject; empty: POSITION0.
   std::string position_input;
+  std::uint32_t distances = 0;  // the least number of clip distances, for kClipDistance
 };
+
+// Direct3D's and Vulkan's limit, with cull distances.
+inline constexpr std::uint32_t kMaxClipDistances = 8;
 
 // The lowering of a shader that is compiled for `profile` when the user names none: kLevel9 for the
 // level_9_x profiles, kClipDistance for the others.

@@ -119,8 +119,9 @@ struct LinkOptions {
 // HLSL instead of GLSL: the main file with the planes of its entry points as clip distances.
 struct HlslOptions {
   bool wanted = false;
-  std::vector<std::string> entries;  // beside LanguageOptions::entry
-  std::string wrapper_entry;         // rewrite::Options
+  std::vector<std::string> entries;   // beside LanguageOptions::entry
+  std::string wrapper_entry;          // rewrite::Options
+  std::uint32_t plane_distances = 0;  // the least number of clip distances; 0: as many as planes
 };
 
 // The parts of the result that are filled besides the shaders and the table.

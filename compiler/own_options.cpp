@@ -191,6 +191,8 @@ constexpr Option kOwnOptions[] = {
      "one shader for each number of clip planes: x.0.vert, x.1.vert .."},
     {"--variants=", kJoined, SetNumber<&PlaneOptions::variants, 0, kMaxClipPlanes>, "<N>",
      "the same, up to N planes"},
+    {"--plane-distances", kEquals, SetNumber<&HlslOptions::plane_distances, 1, kMaxClipDistances>,
+     "<N>", "with --target=hlsl: N clip distances, 0 for those without a plane"},
     Topic("position", "the position, and numbers of vertices"),
     {"--depth-range", kEquals, Choose<&passes::ClipSpaceOptions::negative_one_to_one, kDepthRanges>,
      "<RANGE>", "zero-to-one (as the HLSL writes it, the default) or negative-one-to-one"},

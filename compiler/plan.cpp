@@ -103,7 +103,7 @@ Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
   plan.write = WriteOptionsOf(request.style, diagnostics);
   CheckPassNames(request.debug, diagnostics);
   plan.lowering = {planes.lowering.value_or(DefaultLowering(plan.check.profile)), planes.space,
-                   planes.position_input};
+                   planes.position_input, request.hlsl.plane_distances};
   CheckRequest(plan.lowering, diagnostics);
   if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
   CheckStage(request, plan.check.profile, diagnostics);

@@ -150,7 +150,8 @@ std::string RewriteHlsl(const CompileRequest& request, const Plan& plan, Source&
     diagnostics.Append(of_entry);
     if (!is_known || entry.point.planes.empty()) continue;
     const ir::VarId position = CheckLowering(entry.point.program, plan.lowering, diagnostics);
-    entry.form = {plan.lowering.lowering, plan.lowering.plane_space, position};
+    entry.form = {plan.lowering.lowering, plan.lowering.plane_space, position,
+                  plan.lowering.distances};
     entry.uses = uses[i];
     CheckNewNames(request, file, entry.point, diagnostics);
     entries.push_back(std::move(entry));

@@ -60,6 +60,10 @@ std::string CheckCommand(const CommandLine& command) {
   const HlslOptions& hlsl = request.hlsl;
   if (!hlsl.wanted && !hlsl.wrapper_entry.empty())
     return "--wrapper-entry is for --target=hlsl; GLSL has one entry function, `main`";
+  if (hlsl.plane_distances > 0 &&
+      (!hlsl.wanted ||
+       request.planes.lowering.value_or(Lowering::kClipDistance) != Lowering::kClipDistance))
+    return "--plane-distances is for --target=hlsl with clip distances, of which it writes more";
   if (hlsl.wanted && !hlsl.wrapper_entry.empty() && hlsl.entries.size() > 1)
     return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
   if (const std::string_view option = NotForHlsl(command); hlsl.wanted && !option.empty())

@@ -18,6 +18,7 @@ class Wrapper {
       : entry_(entry),
         form_(form),
         planes_(planes),
+        distances_(form.lowering == Lowering::kClipDistance ? std::max(planes, form.distances) : 0),
         has_result_(entry.return_type != "void"),
         result_(entry.prefix + "result") {
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) names_.push_back(NameOf(i));
@@ -30,20 +31,21 @@ class Wrapper {
   }
 
   std::string Write(const std::string& name, const std::string& inner) const {
-    std::vector<std::string> parameters;
+    std::vector<std::string> parameters, with_default;
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const EntryParameterText& text = entry_.parameters[i];
-      parameters.push_back(text.before + names_[i] + text.after);
+      (text.initial.empty() ? parameters : with_default)
+          .push_back(text.before + names_[i] + text.after + text.initial);
     }
     if (has_result_ && !returns_) {
       parameters.push_back(
           fmt::format("out {} {}{}", entry_.return_type, result_, entry_.return_semantic));
     }
-    const bool writes_distances = form_.lowering == Lowering::kClipDistance;
-    for (std::size_t i = 0; writes_distances && i < planes_; i += 4) {
+    for (std::size_t i = 0; i < distances_; i += 4) {
       parameters.push_back(
           fmt::format("out {} {} : SV_ClipDistance{}", TypeFrom(i), DistancesFrom(i), i / 4));
     }
+    parameters.insert(parameters.end(), with_default.begin(), with_default.end());
     return fmt::format("{}{} {}({}){}\n{{\n{}}}\n", entry_.attributes,
                        returns_ ? entry_.return_type : "void", name, fmt::join(parameters, ", "),
                        returns_ ? entry_.return_semantic : "", Body(inner));
@@ -66,11 +68,11 @@ class Wrapper {
     return (access.parameter < names_.size() ? names_[access.parameter] : result_) + access.path;
   }
 
-  std::string DistancesFrom(std::size_t plane) const {
-    return fmt::format("{}distances{}", entry_.prefix, plane / 4);
+  std::string DistancesFrom(std::size_t first) const {
+    return fmt::format("{}distances{}", entry_.prefix, first / 4);
   }
-  std::string TypeFrom(std::size_t plane) const {
-    const std::size_t width = std::min<std::size_t>(planes_ - plane, 4);
+  std::string TypeFrom(std::size_t first) const {
+    const std::size_t width = std::min<std::size_t>(distances_ - first, 4);
     return width == 1 ? "float" : fmt::format("float{}", width);
   }
 
@@ -111,13 +113,13 @@ class Wrapper {
 
   std::string Distances(const std::string& vertex) const {
     std::string body;
-    for (std::size_t first = 0; first < planes_; first += 4) {
-      std::vector<std::string> dots;
-      for (std::size_t i = first; i < std::min(first + 4, planes_); ++i)
-        dots.push_back(Dot(vertex, i));
-      const std::string value = dots.size() == 1
-                                    ? dots.front()
-                                    : fmt::format("{}({})", TypeFrom(first), fmt::join(dots, ", "));
+    for (std::size_t first = 0; first < distances_; first += 4) {
+      std::vector<std::string> values;
+      for (std::size_t i = first; i < std::min(first + 4, distances_); ++i)
+        values.push_back(i < planes_ ? Dot(vertex, i) : "0.0");
+      const std::string value =
+          values.size() == 1 ? values.front()
+                             : fmt::format("{}({})", TypeFrom(first), fmt::join(values, ", "));
       body += fmt::format("    {} = {};\n", DistancesFrom(first), value);
     }
     return body;
@@ -133,6 +135,7 @@ class Wrapper {
   const EntryPoint& entry_;
   const PlaneForm& form_;
   std::size_t planes_;
+  std::size_t distances_;  // at least as many, or none where none are written
   bool has_result_;
   bool returns_ = false;  // whether the wrapper returns the result; else it is an out parameter
   std::string result_;

@@ -14,6 +14,9 @@ struct PlaneForm {
   Lowering lowering = Lowering::kClipDistance;  // or kNearPlane
   PlaneSpace space = PlaneSpace::kClip;
   ir::VarId position_input = {};  // the input with the position, for kObject
+  // The least number of clip distances, for kClipDistance: those without a plane are 0, which keeps
+  // everything.
+  std::size_t distances = 0;
 };
 
 // Returns a function `name` that has the signature of the entry function, which is called `inner`
@@ -28,7 +31,8 @@ struct PlaneForm {
 //
 // The distances are the last outputs, so that the registers and locations of the others stay as
 // they were: a struct that is returned comes before out parameters in DXC and glslang. A returned
-// position comes after them in DXC, and is an out parameter here where there are others.
+// position comes after them in DXC, and is an out parameter here where there are others. Parameters
+// with a default value come last, since none without one may follow them (fxc X3044).
 // It has the first `planes` planes.
 std::string WriteWrapper(const EntryPoint& entry, const PlaneForm& form, const std::string& name,
                          const std::string& inner, std::size_t planes);

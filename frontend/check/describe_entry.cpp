@@ -15,20 +15,6 @@
 namespace clipc::check {
 namespace {
 
-std::string TypeText(const Context& context, ast::TypeId id) {
-  const ast::Type& type = context[id];
-  std::string text = type.outer ? TypeText(context, type.outer) + "::" : "";
-  text += QualifiedText(context, type.name);
-  if (!type.has_arguments) return text;
-  const char* separator = "<";
-  for (const ast::ExprId argument : context[type.arguments]) {
-    const auto* nested = context.GetIf<ast::TypeExpr>(argument);
-    text += separator + (nested ? TypeText(context, nested->type) : TextOf(context, argument));
-    separator = ", ";
-  }
-  return text + ">";
-}
-
 // The qualifiers that change what a value is, or how it passes to the next stage.
 std::string QualifierText(ast::Qualifiers qualifiers) {
   constexpr ast::Qualifiers kOfFunctions =
@@ -38,13 +24,6 @@ std::string QualifierText(ast::Qualifiers qualifiers) {
     text += word;
     text += ' ';
   }
-  return text;
-}
-
-std::string DimensionText(const Context& context, List<ast::ExprId> dimensions) {
-  std::string text;
-  for (const ast::ExprId dimension : context[dimensions])
-    text += fmt::format("[{}]", dimension ? TextOf(context, dimension) : "");
   return text;
 }
 
@@ -186,9 +165,13 @@ EntryPoint Describe(const Context& context, FunctionInfoId function,
   entry.return_semantic = SemanticText(context, decl.return_semantic);
   if (decl.return_dimensions.size > 0) entry.unnamed_type = "the result";
   entry.not_hidden.emplace_back(context[context[decl.return_type].name.name]);
+  const auto parameters = context[info.parameters];
   for (const ast::DeclId id : context[decl.parameters]) {
     const auto& var = context.Get<ast::VarDecl>(id);
-    entry.parameters.push_back(ParameterText(context, var));
+    const ast::DeclId with_default = parameters[entry.parameters.size()].with_default;
+    EntryParameterText& text = entry.parameters.emplace_back(ParameterText(context, var));
+    if (with_default)
+      text.initial = " = " + TextOf(context, context.Get<ast::VarDecl>(with_default).init);
     note_unnamed(var.type, fmt::format("`{}`", context[var.name]));
   }
   DescribeAttributes(context, attributes, entry);

@@ -11,10 +11,11 @@
 // The entry point alone, for a tool that leaves the rest of the file as it is.
 namespace clipc {
 
-// A parameter of the entry function, as HLSL: "inout float4x4 m[2] : NORMAL" is `before` + name +
-// `after`.
+// A parameter of the entry function, as HLSL: "uniform float4x4 m[2] : NORMAL = 1" is `before` +
+// name + `after` + `initial`.
 struct EntryParameterText {
   std::string before, name, after;  // the name of an unnamed parameter is empty
+  std::string initial;              // " = 1", or empty
   bool is_out = false;              // out or inout
   bool is_in = true;                // in or inout
 };
