@@ -8,10 +8,35 @@
         profile = "vs_5_0",
     )
 
-writes water.vert, water.shader.h (`static const char water_vert[]`) and water.clip.h (`clipc::StaticClipTable water_clip_table`). An
-include that is not among `hdrs` is not in the sandbox, and the build fails. The action reads its inputs, writes its outputs and knows
-nothing else, so it may run on any machine of the same kind.
+writes water.vert, water.shader.h (`static const char water_vert[]`) and water.clip.h (`clipc::StaticClipTable water_clip_table`).
+
+    clipc_hlsl(
+        name = "water_clipped",
+        src = "water.hlsl",
+        hdrs = ["planes.hlsli"],
+        entries = ["main"],
+    )
+
+writes water_clipped.hlsl, with clip distances in place of the clip planes, for a compiler that drops these.
+
+An include that is not among `hdrs` is not in the sandbox, and the build fails. The actions read their inputs, write their outputs and
+know nothing else, so they may run on any machine of the same kind.
 """
+
+def _run_clipc(ctx, outputs, arguments, mnemonic, message):
+    arguments.add("-T", ctx.attr.profile)
+    arguments.add("-I.")
+    arguments.add_all(ctx.attr.defines, before_each = "-D")
+    arguments.add_all(ctx.attr.options)
+    ctx.actions.run(
+        executable = ctx.executable.clipc,
+        inputs = [ctx.file.src] + ctx.files.hdrs,
+        outputs = outputs,
+        arguments = [arguments],
+        env = {},
+        mnemonic = mnemonic,
+        progress_message = message + ctx.label.name,
+    )
 
 def _clipc_shader_impl(ctx):
     name = ctx.label.name
@@ -24,21 +49,9 @@ def _clipc_shader_impl(ctx):
     arguments.add("-Fh", header)
     arguments.add("-Vn", name + "_vert")
     arguments.add(table, format = "--table=%s")
-    arguments.add("-T", ctx.attr.profile)
     arguments.add("-E", ctx.attr.entry)
     arguments.add(ctx.attr.target, format = "--target=%s")
-    arguments.add("-I.")
-    arguments.add_all(ctx.attr.defines, before_each = "-D")
-    arguments.add_all(ctx.attr.options)
-    ctx.actions.run(
-        executable = ctx.executable.clipc,
-        inputs = [ctx.file.src] + ctx.files.hdrs,
-        outputs = [glsl, header, table],
-        arguments = [arguments],
-        env = {},
-        mnemonic = "ClipcShader",
-        progress_message = "Compiling shader " + name,
-    )
+    _run_clipc(ctx, [glsl, header, table], arguments, "ClipcShader", "Compiling shader ")
     headers = depset([header, table])
     return [
         DefaultInfo(files = depset([glsl, header, table])),
@@ -48,16 +61,35 @@ def _clipc_shader_impl(ctx):
         )),
     ]
 
+def _clipc_hlsl_impl(ctx):
+    hlsl = ctx.actions.declare_file(ctx.label.name + ".hlsl")
+    arguments = ctx.actions.args()
+    arguments.add(ctx.file.src)
+    arguments.add("--target=hlsl")
+    arguments.add("-o", hlsl)
+    arguments.add_all(ctx.attr.entries, before_each = "-E")
+    _run_clipc(ctx, [hlsl], arguments, "ClipcHlsl", "Writing the clip planes as clip distances of ")
+    return [DefaultInfo(files = depset([hlsl]))]
+
+_ATTRIBUTES = {
+    "src": attr.label(allow_single_file = True, mandatory = True),
+    "hdrs": attr.label_list(allow_files = True),
+    "profile": attr.string(default = "vs_5_0"),
+    "defines": attr.string_list(),
+    "options": attr.string_list(),
+    "clipc": attr.label(default = "@clipc//:clipc", allow_single_file = True, executable = True, cfg = "exec"),
+}
+
 clipc_shader = rule(
     implementation = _clipc_shader_impl,
-    attrs = {
-        "src": attr.label(allow_single_file = True, mandatory = True),
-        "hdrs": attr.label_list(allow_files = True),
-        "profile": attr.string(default = "vs_5_0"),
-        "entry": attr.string(default = "main"),
-        "target": attr.string(default = "glsl450"),
-        "defines": attr.string_list(),
-        "options": attr.string_list(),
-        "clipc": attr.label(default = "@clipc//:clipc", allow_single_file = True, executable = True, cfg = "exec"),
-    },
+    attrs = dict(
+        _ATTRIBUTES,
+        entry = attr.string(default = "main"),
+        target = attr.string(default = "glsl450"),
+    ),
+)
+
+clipc_hlsl = rule(
+    implementation = _clipc_hlsl_impl,
+    attrs = dict(_ATTRIBUTES, entries = attr.string_list()),
 )

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Builds the shaders of examples/builds with each build system that is installed, outside the tree: once, again without a change, and
-after an include has changed.
+after an include has changed. MSBuild is in no package, so its files are only read.
 
 usage: check_builds.py BUILD_FOLDER SCRATCH_FOLDER
 """
@@ -14,6 +14,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -63,14 +64,24 @@ def expect(condition, what):
         sys.exit(f"expected: {what}")
 
 
+def has_distances(hlsl, spirv):
+    """Checks the pass: clipc's HLSL, and another compiler's SPIR-V, which says that an output is ClipDistance."""
+    expect(": SV_ClipDistance0" in hlsl.read_text(), f"clip distances in {hlsl.name}")
+    words = memoryview(spirv.read_bytes()).cast("I").tolist()
+    expect((11, 3) in zip(words, words[1:]), f"BuiltIn ClipDistance in {spirv.name}")
+
+
 def make(builds):
     folder = builds.folder("make")
     builds.run(["make"], folder)
     table = folder / "build/water.clip.h"
+    has_distances(folder / "build/water.hlsl", folder / "build/water.spv")
     expect('0u, 0u, "' in table.read_text(), "the plane at byte 0")
     expect("clipc" not in builds.run(["make"], folder), "nothing to do")
     change(folder)
-    expect("clipc" in builds.run(["make"], folder), "the shader again")
+    said = builds.run(["make"], folder)
+    expect("clipc -T" in said and "clipc --target=hlsl" in said, "the shader again")
+    expect("glslangValidator" in said, "the other compiler again")
     expect('1u, 16u, "' in table.read_text(), "the plane at byte 16")
 
 
@@ -79,9 +90,15 @@ def meson(builds):
     builds.run(["meson", "setup", "build"], folder)
     builds.run(["ninja", "-C", "build"], folder)
     expect("byte 0" in builds.run(["build/application"], folder), "the plane at byte 0")
+    has_distances(folder / "build/water.clipped.hlsl", folder / "build/water.spv")
     expect("no work to do" in builds.run(["ninja", "-C", "build"], folder), "nothing to do")
     change(folder)
     builds.run(["ninja", "-C", "build"], folder)
+    spirv, clipped = (folder / "build" / name for name in ("water.spv", "water.clipped.hlsl"))
+    expect(
+        (folder / "planes.hlsli").stat().st_mtime < clipped.stat().st_mtime < spirv.stat().st_mtime,
+        "the pass again",
+    )
     expect("byte 16" in builds.run(["build/application"], folder), "the plane at byte 16")
 
 
@@ -94,7 +111,8 @@ def bazel(builds):
         shutil.copytree(builds.installed, folder / "installed")
         start = ["bazel", f"--output_user_root={builds.scratch}/bazel_root{number}", "--batch"]
         options = ["--spawn_strategy=sandboxed", "--curses=no"]
-        builds.run([*start, "build", *options, "//:water"], folder)
+        builds.run([*start, "build", *options, "//:water", "//:water_spv"], folder)
+        has_distances(folder / "bazel-bin/water_clipped.hlsl", folder / "bazel-bin/water.spv")
         outputs = [
             folder / "bazel-bin" / f"water.{kind}" for kind in ("vert", "shader.h", "clip.h")
         ]
@@ -111,13 +129,83 @@ def fastbuild(builds):
     folder = builds.folder("fastbuild")
     (folder / "build").mkdir()
     text = (folder / "fbuild.bff").read_text()
-    builds.run(["clipc", *shlex.split(re.search(r"\.ExecArguments\s*= '(.*)'", text)[1])], folder)
-    expect((folder / re.search(r"\.ExecOutput\s*= '(.*)'", text)[1]).exists(), "the output")
+    lines = (
+        re.findall(rf"\.{name}\s*= '(.*)'", text)
+        for name in ("ExecExecutable", "ExecArguments", "ExecOutput")
+    )
+    for program, arguments, output in zip(*lines):
+        builds.run([program, *shlex.split(arguments)], folder)
+        expect((folder / output).exists(), output)
+    has_distances(folder / "build/water.hlsl", folder / "build/water.spv")
+
+
+# What MSBuild and the FxCompile of Visual C++ know, by their references.
+ELEMENTS = "Project PropertyGroup ItemDefinitionGroup ItemGroup Target MakeDir Exec FxCompile"
+METADATA = (
+    "FullPath RootDir Directory Filename Extension ShaderType ShaderModel EntryPointName "
+    "PreprocessorDefinitions AdditionalIncludeDirectories ExcludedFromBuild"
+)
+
+
+def expand(text, values):
+    """What MSBuild makes of a text: metadata, properties, and the one function that the files call."""
+    text = re.sub(r"%\((?:\w+\.)?(\w+)\)", lambda name: values[name[1]], text)
+    text = re.sub(
+        r"\$\(\[System\.String\]::Copy\('(.*?)'\)\.Replace\('(.*?)', '(.*?)'\)\)",
+        lambda call: call[1].replace(call[2], call[3]),
+        text,
+    )
+    return re.sub(r"\$\((\w+)\)", lambda name: values[name[1]], text)
+
+
+def msbuild(builds):
+    """Reads MSBuild's files: what they name is there, and the command that they make writes the HLSL."""
+    folder = builds.folder("msbuild")
+    (folder / "obj/clipc").mkdir(parents=True)
+    trees = [xml.etree.ElementTree.parse(folder / f"clipc.{kind}") for kind in ("props", "targets")]
+    elements = [element for tree in trees for element in tree.iter()]
+    space = "{http://schemas.microsoft.com/developer/msbuild/2003}"
+    names = {element.tag.removeprefix(space) for element in elements}
+    own = {name for name in names if name.startswith("Clipc")}
+    expect(names - own <= {*ELEMENTS.split(), *METADATA.split()}, f"known elements, not {names}")
+    texts = [text for element in elements for text in (element.text or "", *element.attrib.values())]
+    used = {name for text in texts for name in re.findall(r"%\((?:\w+\.)?(\w+)\)", text)}
+    expect(used <= own | set(METADATA.split()), f"known metadata, not {used}")
+    targets = [element.attrib for element in elements if element.tag == space + "Target"]
+    named = {target.get("DependsOnTargets") for target in targets} - {None}
+    expect(named < {target["Name"] for target in targets}, f"targets that are there, not {named}")
+    values = dict.fromkeys(own, "") | {
+        "IntDir": "obj/",
+        "FullPath": "water.hlsl",
+        "RootDir": "",
+        "Directory": "",
+        "Filename": "water",
+        "Extension": ".hlsl",
+        "ShaderModel": "5.0",
+        "EntryPointName": "main",
+        "PreprocessorDefinitions": "A=1;B",
+        "AdditionalIncludeDirectories": "one two;three",
+    }
+    for element in elements:
+        if element.tag.startswith(space + "Clipc") and element.text and element.text.strip():
+            values[element.tag.removeprefix(space)] = expand(element.text, values).replace("\\", "/")
+    command = next(element for element in elements if element.tag == space + "Exec").get("Command")
+    words = shlex.split(expand(command, values))
+    expect(words[0] == "clipc.exe", f"clipc.exe, not {words}")
+    expect({"-D", "A=1", "B", "one two/.", "three/."} < set(words), f"macros and folders in {words}")
+    builds.run(["clipc", *words[1:]], folder)
+    expect("SV_ClipDistance" in (folder / "obj/clipc/water.hlsl").read_text(), "clip distances")
 
 
 def main():
     builds = Builds(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())
-    for tool, check in (("make", make), ("meson", meson), ("bazel", bazel), ("clipc", fastbuild)):
+    for tool, check in (
+        ("make", make),
+        ("meson", meson),
+        ("bazel", bazel),
+        ("clipc", fastbuild),
+        ("clipc", msbuild),
+    ):
         if shutil.which(tool, path=builds.environment["PATH"]):
             check(builds)
             print(f"{check.__name__}: passed")

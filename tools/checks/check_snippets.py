@@ -13,7 +13,7 @@ A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 - a block of `js` is JavaScript, where there is node; the tests `web.*` run what it shows;
 - a command, in a block that is indented or in backticks, is run if it calls clipc or glslangValidator; of other commands the program
   exists, and so do the options and presets that it is given;
-- a row of limits.md that names a constant has its value.
+- a row of limits.md that names a constant has its value, and the line in a row of pass.md that names a file is in that file.
 
 Whatever has no rule is a mistake. tools/checks/snippets/files is the folder in which the commands run.
 """
@@ -228,6 +228,14 @@ def check_limits(run, page):
         run.count += 1
 
 
+def check_lines(run, page):
+    for line, rest in re.findall(r"^\| [^|]+ \| `([^`]+)` \| (.*) \|$", page.read_text(), re.M):
+        for file in re.findall(r"`([^`]+/[\w.]+)`", rest)[:1]:
+            if line.split() not in [text.split() for text in (ROOT / file).read_text().splitlines()]:
+                run.problems.append(f"{page.name}: {file} has no line `{line}`")
+            run.count += 1
+
+
 def check_page(run, page):
     text = page.read_text()
     folder = run.folder(page)
@@ -262,6 +270,8 @@ def check_page(run, page):
         check_command(run, page, line, folder)
     if page.name == "limits.md":
         check_limits(run, page)
+    if page.name == "pass.md":
+        check_lines(run, page)
 
 
 def main():
