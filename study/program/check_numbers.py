@@ -184,6 +184,7 @@ SPOKEN = [
         "in one process, to glslang + SPIRV-Cross",
     ),
     ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
+    ("`--target=hlsl`, to GLSL of the same shader", "--target=hlsl, to GLSL of the same shader"),
     ("validation of each in a batch, milliseconds", "validation of one shader in a batch"),
     ("cost a byte at 10 MB, to that at 100 kB", "cost a byte at 10 MB, to that at 100 kB"),
     ("cost a byte at 10 MB, to that at 1 MB", "cost a byte at 10 MB, to that at 1 MB"),

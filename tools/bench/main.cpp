@@ -101,6 +101,26 @@ void BenchPixelShader() {
          harness::Median(fitted) / harness::Median(alone), "x", 2);
 }
 
+// Measures HLSL with clip distances against the GLSL of the same shader.
+void BenchRewrite() {
+  constexpr unsigned kShaders = 200;
+  std::vector<double> glsl, hlsl;
+  Compiler compiler;
+  for (unsigned i = 0; i < kShaders; ++i) {
+    CompileRequest request;
+    request.path = "shader.hlsl";
+    request.text = SixtyLineShader(i);
+    for (std::vector<double>* times : {&glsl, &hlsl}) {
+      request.hlsl.wanted = times == &hlsl;
+      const double start = harness::ProcessSeconds();
+      if (!compiler.Compile(request).ok()) std::exit(1);
+      times->push_back(harness::ProcessSeconds() - start);
+    }
+  }
+  Report("--target=hlsl, to GLSL of the same shader", harness::Median(hlsl) / harness::Median(glsl),
+         "x", 1.2);
+}
+
 void BenchBatchValidation() {
   constexpr unsigned kShaders = 100;
   std::vector<double> plain, validated;
@@ -230,6 +250,7 @@ int main(int argc, char** argv) {
   clipc::bench::BenchCold(argv[1], argv[2], argv[3], folder);
   clipc::bench::BenchWarm();
   clipc::bench::BenchPixelShader();
+  clipc::bench::BenchRewrite();
   clipc::bench::BenchBatchValidation();
   std::printf("\n%d limits missed\n", clipc::bench::g_missed);
   return clipc::bench::g_missed != 0;

@@ -1,0 +1,3 @@
+//1
+float4 plane;
+[ ClipPlanes (plane) /**/ ] float4 main(float4 p : POSITION) : SV_Position { return p; }
