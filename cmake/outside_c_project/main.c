@@ -47,9 +47,10 @@ int main(void) {
   static const char* const options[] = {"-T", "vs_5_0", "--target=vulkan", "-spirv"};
   clipc_compiler* compiler = clipc_compiler_create();
   clipc_result* result = NULL;
-  clipc_request request = {sizeof(clipc_request), 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  clipc_request request = {0};
   int status;
   if (clipc_abi() != CLIPC_ABI || compiler == NULL) return Fail("clipc", "another ABI");
+  request.size = sizeof request;
   request.path = "shaders/water.hlsl";
   request.text = kShader;
   request.text_size = sizeof kShader - 1;
