@@ -34,6 +34,10 @@ struct Shared {
   std::vector<const IoVar*> outputs;  // by VarId
 };
 
+bool AreAllWritten(std::span<const Written> values) {
+  return std::ranges::all_of(values, [](Written value) { return value == kAllWritten; });
+}
+
 // Walks a function in the order in which it runs.
 class WrittenWalk {
  public:
@@ -65,11 +69,14 @@ class WrittenWalk {
 
   // ---- expressions
   void Visit(ExprId expr);
-  void VisitTarget(ExprId target);
+  bool VisitTarget(ExprId path);
   void VisitAssign(const Assign& node);
   void VisitCall(ExprId expr, const Call& node);
   void CheckRead(ExprId path);
   void Report(const Read& read);
+  void Track(VarId var);
+  void Unwrite(VarId var);
+  void WriteTo(ExprId target, std::span<const Written> values);
   void Write(const WrittenPlace& place, std::span<const Written> values = {});
   // What the parts of a value are that an assignment copies; empty: all are written.
   std::vector<Written> ValueOf(ExprId value);
@@ -91,15 +98,10 @@ class WrittenWalk {
 void WrittenWalk::Run() {
   const Function& function = program_.functions[function_];
   summary_.parameters.resize(function.parameters.size());
-  const std::size_t mark = state_.Mark();
   for (const VarId parameter : function.parameters) {
-    const WrittenPlace place = shared_.slots.Whole(parameter);
-    const bool is_out = program_.vars[parameter].storage == Storage::kOut;
-    for (std::size_t i = 0; i < place.count; ++i)
-      state_.Set(place.first + i, is_out ? Written{} : kAllWritten);
+    if (program_.vars[parameter].storage == Storage::kOut) Unwrite(parameter);
   }
   if (Walk(function.body) == Flow::kNext) Leave();
-  state_.TakeSince(mark);
   for (std::size_t i = 0; i < function.parameters.size() && !IsEntry(); ++i) {
     const VarId parameter = function.parameters[i];
     if (summary_.parameters[i].empty() || shared_.is_reported[parameter.index]) continue;
@@ -175,6 +177,12 @@ Flow WrittenWalk::WalkIf(const If& node) {
 
 Flow WrittenWalk::WalkSwitch(const Switch& node) {
   Visit(node.value);
+  // What one arm declares, the arms after it may name, and control may come there without it.
+  for (const SwitchCase& arm : program_.switch_cases[node.cases]) {
+    for (const StmtId stmt : program_.stmt_lists[arm.body]) {
+      if (const auto* declare = As<Declare>(program_, stmt)) Unwrite(declare->var);
+    }
+  }
   const std::size_t mark = state_.Mark();
   // The changes of all arms that control leaves the switch from.
   WrittenState::Changes left;
@@ -257,23 +265,17 @@ Flow WrittenWalk::WalkLoop(StmtId stmt) {
 }
 
 void WrittenWalk::WalkDeclare(const Declare& node) {
-  const WrittenPlace place = shared_.slots.Whole(node.var);
-  if (!node.init) {
-    for (std::size_t i = 0; i < place.count; ++i) state_.Set(place.first + i, {});
-    return;
-  }
-  Write(place, ValueOf(node.init));
+  if (!node.init) return Unwrite(node.var);
+  const std::vector<Written> values = ValueOf(node.init);
+  if (!AreAllWritten(values)) Track(node.var);
+  if (shared_.slots.IsTracked(node.var)) Write(shared_.slots.Whole(node.var), values);
 }
 
 void WrittenWalk::WalkReturn(ExprId value) {
-  if (value) {
-    const bool is_copied = IsEntry() || !TypeOf(program_, value).IsNumeric();
-    std::vector<Written> values;
-    if (is_copied) {
-      values = ValueOf(value);
-    } else {
-      Visit(value);
-    }
+  if (value && !IsEntry() && TypeOf(program_, value).IsNumeric()) {
+    Visit(value);  // reports what is unwritten, so that callers need not
+  } else if (value) {
+    std::vector<Written> values = ValueOf(value);
     const std::size_t count = shared_.slots.CountOf(TypeIdOf(program_, value));
     values.resize(count, kAllWritten);
     if (!has_returned_) summary_.result.assign(count, {0, 0xffff});
@@ -306,13 +308,12 @@ void WrittenWalk::Leave() {
 void WrittenWalk::Visit(ExprId expr) {
   clipc::Visit(Overloaded{
                    [&](const OneOf<VarRef, FieldRef, Index, Swizzle, MatrixSwizzle> auto&) {
-                     VisitTarget(expr);
-                     if (TypeOf(program_, expr).IsNumeric()) CheckRead(expr);
+                     if (VisitTarget(expr) && TypeOf(program_, expr).IsNumeric()) CheckRead(expr);
                    },
                    [&](const Unary& node) {
                      Visit(node.operand);
                      if (!ChangesOperand(node.op)) return;
-                     if (const auto place = shared_.slots.Find(node.operand)) Write(*place);
+                     WriteTo(node.operand, {});
                    },
                    [&](const Assign& node) { VisitAssign(node); },
                    [&](const Call& node) { VisitCall(expr, node); },
@@ -322,51 +323,51 @@ void WrittenWalk::Visit(ExprId expr) {
                        const bool is_written = WritesOperand(program_, expr, i++);
                        if (!is_written) return Visit(operand);
                        VisitTarget(operand);
-                       if (const auto place = shared_.slots.Find(operand)) Write(*place);
+                       WriteTo(operand, {});
                      });
                    },
                },
                program_.exprs[expr].node);
 }
 
-// Visits the indices of a path, and what it is a part of if that is no variable.
-void WrittenWalk::VisitTarget(ExprId path) {
+// Visits the indices of a path, and what it is a part of if that is no variable. Returns whether it
+// is a variable that is tracked.
+bool WrittenWalk::VisitTarget(ExprId path) {
+  bool is_tracked = false;
   if (const ExprId whole = WholeOf(program_, path)) {
-    VisitTarget(whole);
-  } else if (!As<VarRef>(program_, path)) {
+    is_tracked = VisitTarget(whole);
+  } else if (const auto* ref = As<VarRef>(program_, path)) {
+    is_tracked = shared_.slots.IsTracked(ref->var);
+  } else {
     Visit(path);
   }
   if (const auto* index = As<Index>(program_, path)) Visit(index->index);
+  return is_tracked;
 }
 
 void WrittenWalk::VisitAssign(const Assign& node) {
   if (IsMain()) CheckOutput(node);
   VisitTarget(node.target);
-  const auto place = shared_.slots.Find(node.target);
-  if (node.op) {
-    Visit(node.value);
-    if (TypeOf(program_, node.target).IsNumeric()) CheckRead(node.target);
-    if (place) Write(*place);
-    return;
-  }
-  const std::vector<Written> values = ValueOf(node.value);
-  if (place) Write(*place, values);
+  if (!node.op) return WriteTo(node.target, ValueOf(node.value));
+  Visit(node.value);
+  if (TypeOf(program_, node.target).IsNumeric()) CheckRead(node.target);
+  WriteTo(node.target, {});
 }
 
 void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
   const Summary& summary = shared_.summaries[node.function.index];
   const bool is_of_entry = node.function == program_.entry;
   std::size_t i = 0;
-  std::vector<std::pair<WrittenPlace, std::size_t>> written;
+  std::vector<std::pair<ExprId, std::size_t>> written;
   ForEachOperand(program_, expr, [&](ExprId argument) {
     const std::size_t number = i++;
     if (!WritesOperand(program_, expr, number)) return Visit(argument);
     VisitTarget(argument);
-    if (const auto place = shared_.slots.Find(argument)) written.emplace_back(*place, number);
+    written.emplace_back(argument, number);
   });
-  for (const auto& [place, number] : written) {
-    Write(place, is_of_entry ? std::span<const Written>(summary.parameters[number])
-                             : std::span<const Written>());
+  for (const auto& [target, number] : written) {
+    WriteTo(target, is_of_entry ? std::span<const Written>(summary.parameters[number])
+                                : std::span<const Written>());
   }
 }
 
@@ -387,6 +388,26 @@ std::vector<Written> WrittenWalk::ValueOf(ExprId value) {
   std::vector<Written> values;
   for (std::size_t i = 0; i < place->count; ++i) values.push_back(state_[place->first + i]);
   return values;
+}
+
+void WrittenWalk::Track(VarId var) {
+  shared_.slots.Track(var);
+  state_.Grow(shared_.slots.size());
+}
+
+// Makes a variable what it is where it is declared without a value.
+void WrittenWalk::Unwrite(VarId var) {
+  Track(var);
+  if (!shared_.slots.IsTracked(var)) return;
+  const WrittenPlace place = shared_.slots.Whole(var);
+  for (std::size_t i = 0; i < place.count; ++i) state_.Set(place.first + i, {});
+}
+
+// Gives the values to a path; no values: it is written.
+void WrittenWalk::WriteTo(ExprId target, std::span<const Written> values) {
+  const VarId root = AreAllWritten(values) ? VarId{} : RootOf(program_, target);
+  if (root) Track(root);
+  if (const auto place = shared_.slots.Find(target)) Write(*place, values);
 }
 
 void WrittenWalk::Write(const WrittenPlace& place, std::span<const Written> values) {
@@ -459,7 +480,7 @@ void CheckWritten(const Program& program, Diagnostics& diagnostics) {
                 std::vector<bool>(program.vars.size()),
                 std::vector<const IoVar*>(program.vars.size())};
   for (const IoVar& output : program.outputs) shared.outputs[output.var.index] = &output;
-  WrittenState state(shared.slots.size());
+  WrittenState state;
   for (const FunctionId function : CalleesFirst(program))
     WrittenWalk(shared, state, function).Run();
 }

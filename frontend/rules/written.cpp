@@ -21,12 +21,10 @@ std::uint16_t Bits(std::uint32_t count) {
 
 // ---- slots
 
-WrittenSlots::WrittenSlots(const Program& program)
-    : program_(program), counts_(program.types.size()), first_(program.vars.size()) {
-  for (const VarId var : program.vars.ids()) {
-    first_[var.index] = size_;
-    if (IsLocal(program.vars[var].storage)) size_ += CountOf(program.vars[var].type);
-  }
+void WrittenSlots::Track(VarId var) {
+  if (IsTracked(var) || !IsLocal(program_.vars[var].storage)) return;
+  first_[var.index] = size_;
+  size_ += CountOf(program_.vars[var].type);
 }
 
 std::uint32_t WrittenSlots::CountOf(TypeId type) const {
@@ -80,7 +78,7 @@ WrittenPlace WrittenSlots::Whole(VarId var) const {
 
 std::optional<WrittenPlace> WrittenSlots::Find(ExprId path) const {
   if (const auto* ref = As<VarRef>(program_, path)) {
-    if (!IsLocal(program_.vars[ref->var].storage)) return std::nullopt;
+    if (!IsTracked(ref->var)) return std::nullopt;
     return Whole(ref->var);
   }
   const ExprId whole = WholeOf(program_, path);

@@ -27,22 +27,30 @@ struct WrittenPlace {
   bool is_coarse = false;       // its parts cannot be told apart: they are taken for the whole
 };
 
-// The slots of the variables. A field that is a number, a vector, a matrix or an array is a slot,
-// with a bit for each component or element; a variable with more than kMostSlots of them, or an
-// array of more than 16 elements, has one slot whose bits are all written together.
+// The slots of the variables that are tracked. A field that is a number, a vector, a matrix or an
+// array is a slot, with a bit for each component or element; a variable with more than kMostSlots
+// of them, or an array of more than 16 elements, has one slot whose bits are all written together.
+//
+// A variable is tracked from the first point on where a part of it may be unwritten. Most never
+// are: they begin with a value.
 class WrittenSlots {
  public:
-  explicit WrittenSlots(const Program& program);
+  explicit WrittenSlots(const Program& program)
+      : program_(program), counts_(program.types.size()), first_(program.vars.size(), kUntracked) {}
 
   static constexpr std::uint32_t kMostSlots = 64;
 
   std::size_t size() const { return size_; }
+  bool IsTracked(VarId var) const { return first_[var.index] != kUntracked; }
+  // Gives slots to a local variable or a parameter that has none yet. Other variables get none.
+  void Track(VarId var);
   // The slots of a value of the type; 1 for one with too many.
   std::uint32_t CountOf(TypeId type) const;
   // The bits of each slot of the type.
   std::vector<std::uint16_t> MasksOf(TypeId type) const;
+  // Requires that the variable is tracked.
   WrittenPlace Whole(VarId var) const;
-  // The place of a path in a local variable or a parameter; nullopt for every other expression.
+  // The place of a path in a variable that is tracked; nullopt for every other expression.
   std::optional<WrittenPlace> Find(ExprId path) const;
 
  private:
@@ -51,6 +59,8 @@ class WrittenSlots {
   std::uint16_t MaskOf(TypeId type) const;
   void TakeField(WrittenPlace& place, const FieldRef& field) const;
   void TakeElement(WrittenPlace& place, const Index& index) const;
+
+  static constexpr std::size_t kUntracked = SIZE_MAX;
 
   const Program& program_;
   mutable std::vector<std::uint32_t> counts_;  // by TypeId; 0: not known yet
@@ -67,8 +77,11 @@ class WrittenState {
   };
   using Changes = std::vector<Change>;
 
-  explicit WrittenState(std::size_t slots) : now_(slots), seen_(slots) {}
-
+  // Adds slots up to the number `slots`, all of them written.
+  void Grow(std::size_t slots) {
+    now_.resize(slots, kAllWritten);
+    seen_.resize(slots);
+  }
   const Written& operator[](std::size_t slot) const { return now_[slot]; }
   void Set(std::size_t slot, Written value);
   void Add(std::size_t slot, std::uint16_t mask) {
