@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,6 +22,7 @@ class DiagnosticOptions;
 class LangOptions;
 class MacroArgs;
 class MacroInfo;
+class IdentifierInfo;
 class IdentifierInfoLookup;
 class PPCallbacks;
 class Preprocessor;
@@ -65,14 +67,18 @@ std::unique_ptr<clang::IdentifierInfoLookup> AddMacrosAndPragmasOnFirstUse(
 std::unique_ptr<clang::PPCallbacks> RecordMacros(const clang::SourceManager& sources,
                                                  std::set<std::string>& used);
 
-// During its life, `guard` counts every token that a preprocessor of this thread reads.
+// The run of one preprocessor: during its life, `guard` counts every token that this thread reads.
 class GuardScope : NotCopied {
  public:
   explicit GuardScope(PreprocessGuard& guard);
   ~GuardScope();
 
+  PreprocessGuard& guard;
+  // The identifiers of words read before, by a hash of the word; null: none yet.
+  mutable std::array<clang::IdentifierInfo*, 128> words{};
+
  private:
-  PreprocessGuard* outer_;
+  const GuardScope* outer_;
 };
 
 // During its life, preprocessors of this thread read the operands of `##` in one way. At each use

@@ -24,16 +24,37 @@ namespace {
 namespace tok = clang::tok;
 using Limit = PreprocessGuard::Limit;
 
-thread_local PreprocessGuard* current_guard = nullptr;
+thread_local const GuardScope* current_run = nullptr;
+
+// What happens seldom is in functions of its own, so that reading a token needs no stack frame.
+[[gnu::noinline]] void StopHere(PreprocessGuard& guard, Limit limit,
+                                const clang::Preprocessor& preprocessor) {
+  auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentFileLexer());
+  guard.Stop(limit, file ? file->getSourceLocation().getRawEncoding() : 0);
+}
+
+// Makes the token that ends what Clang reads. Some of its loops wait for the end of a line, some
+// for the end of the file: both come by turns.
+[[gnu::noinline]] void MakeEnd(clang::Token& token) {
+  thread_local bool end_of_line = false;
+  token.startToken();
+  token.setKind(end_of_line ? tok::eod : tok::eof);
+  end_of_line = !end_of_line;
+}
 
 // Whether the preprocessor may read one more token.
 bool MayRead(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
   if (guard.stopped()) return false;
   const Limit limit = guard.CountToken();
-  if (limit == Limit::kNone) return true;
-  auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentFileLexer());
-  guard.Stop(limit, file ? file->getSourceLocation().getRawEncoding() : 0);
-  return false;
+  if (limit != Limit::kNone) StopHere(guard, limit, preprocessor);
+  return limit == Limit::kNone;
+}
+
+// A hash of the length and three letters, of a word that is not empty.
+std::size_t HashOf(llvm::StringRef word) {
+  const auto letter = [&](std::size_t i) { return static_cast<unsigned char>(word[i]); };
+  return word.size() + 5u * letter(0) + 17u * letter(word.size() / 2) +
+         3u * letter(word.size() - 1);
 }
 
 // Whether the token stands in `#line 1 "x"` or `# 1 "x"`.
@@ -52,8 +73,9 @@ bool IsInLineDirective(const clang::Token& token, const clang::SourceManager& so
 
 }  // namespace
 
-GuardScope::GuardScope(PreprocessGuard& guard) : outer_(std::exchange(current_guard, &guard)) {}
-GuardScope::~GuardScope() { current_guard = outer_; }
+GuardScope::GuardScope(PreprocessGuard& guard)
+    : guard(guard), outer_(std::exchange(current_run, this)) {}
+GuardScope::~GuardScope() { current_run = outer_; }
 
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the linker's names.
 extern "C" {
@@ -64,16 +86,35 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang:
 // clang::Preprocessor::Lex, which Clang itself calls too.
 void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preprocessor,
                                                     clang::Token& token) {
-  PreprocessGuard* guard = current_guard;
-  if (!guard || MayRead(*guard, *preprocessor)) {
+  const GuardScope* scope = current_run;
+  if (!scope || MayRead(scope->guard, *preprocessor)) {
     return __real__ZN5clang12Preprocessor3LexERNS_5TokenE(preprocessor, token);
   }
-  // Some of Clang's loops wait for the end of a line, some for the end of the file: both come by
-  // turns.
-  thread_local bool end_of_line = false;
-  token.startToken();
-  token.setKind(end_of_line ? tok::eod : tok::eof);
-  end_of_line = !end_of_line;
+  MakeEnd(token);
+}
+
+clang::IdentifierInfo* __real__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(
+    const clang::Preprocessor*, clang::Token&) __attribute__((weak));
+clang::IdentifierInfo* __wrap__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(
+    const clang::Preprocessor*, clang::Token&);
+
+// Preprocessor::LookUpIdentifierInfo, which makes an identifier of a word: most words of a shader
+// were read before, and a comparison is faster than Clang's table.
+clang::IdentifierInfo* __wrap__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(
+    const clang::Preprocessor* preprocessor, clang::Token& token) {
+  const GuardScope* scope = current_run;
+  if (!scope || token.needsCleaning() || token.hasUCN()) {
+    return __real__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(preprocessor, token);
+  }
+  const llvm::StringRef word = token.getRawIdentifier();
+  clang::IdentifierInfo*& known = scope->words[HashOf(word) % scope->words.size()];
+  if (!known || known->getName() != word) {
+    known = __real__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(preprocessor, token);
+    return known;
+  }
+  token.setIdentifierInfo(known);
+  token.setKind(known->getTokenID());
+  return known;
 }
 
 // IdentifierTable::AddKeywords: to clipc all words are identifiers, so C's keywords are not

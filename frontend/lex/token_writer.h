@@ -36,7 +36,7 @@ class TokenWriter {
   // The kind of the token that was added last, as far as the next token depends on it.
   enum class After : std::uint8_t { kOther, kNumberWithDot, kHash, kString };
 
-  void Add(Token token, After after) {
+  [[gnu::always_inline]] void Add(Token token, After after) {
     if (after_ == After::kString) EndString();
     after_ = after;
     tokens_.list.push_back(token);
