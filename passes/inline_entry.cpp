@@ -93,7 +93,7 @@ class Inliner {
     if (has_return_) all.pop_back();
     if (Result(call, outputs)) all.push_back(call);
     all.insert(all.end(), outputs.begin(), outputs.end());
-    for (const StmtId id : all) Rename(id);
+    Rename();
     SetMainBody(program_, all);
   }
 
@@ -126,12 +126,13 @@ class Inliner {
            !AssignedIn(program_, outputs)[result.index];
   }
 
-  void Rename(StmtId stmt) {
-    ForEachExpr(program_, stmt, [&](ExprId id) {
+  // Only the entry function and `main` name what is renamed.
+  void Rename() {
+    for (const ExprId id : program_.exprs.ids()) {
       auto* ref = std::get_if<VarRef>(&program_.exprs[id].node);
-      if (!ref) return;
+      if (!ref) continue;
       while (const VarId name = renamed_[ref->var.index]) ref->var = name;
-    });
+    }
   }
 
   // Removes all of the entry function but its name.

@@ -97,10 +97,19 @@ class Splitter {
 
   // ---- candidates and their uses
 
+  // The variables that inputs are put into or that outputs are taken from: no other is replaced.
   void FindCandidates() {
+    std::vector<bool> is_output(program_.vars.size());
+    for (std::size_t i = after_begin_; i < stmts_.size(); ++i) {
+      const Assign* assign = AssignmentAt(i);
+      const auto* field = assign ? As<FieldRef>(program_, assign->value) : nullptr;
+      const auto* ref =
+          assign ? As<VarRef>(program_, field ? field->base : assign->value) : nullptr;
+      if (ref) is_output[ref->var.index] = true;
+    }
     for (std::size_t i = 0; i < stmts_.size(); ++i) {
       const auto* declare = As<Declare>(program_, stmts_[i]);
-      if (!declare) continue;
+      if (!declare || (i >= before_end_ && !is_output[declare->var.index])) continue;
       const Var& var = program_.vars[declare->var];
       if (var.storage != Storage::kLocal || var.precise) continue;
       Candidate candidate{declare->var, program_.types[var.type].kind == TypeKind::kStruct, false,
