@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "backend-glsl/reserved_words.h"
 #include "base/invariant.h"
@@ -10,15 +11,21 @@
 namespace clipc::glsl {
 namespace {
 
-constexpr auto kLettersAndDigits = [] {
-  std::array<bool, 256> chosen{};
+// What a character is in a name: a letter or a digit, an underscore, which may not stand beside
+// another one, or neither.
+constexpr unsigned kLetterOrDigit = 0, kUnderscore = 1, kNeither = 2;
+constexpr auto kCharacters = [] {
+  std::array<std::uint8_t, 256> kinds{};
+  kinds.fill(kNeither);
+  kinds['_'] = kUnderscore;
   for (const char c :
        std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789")) {
-    chosen[static_cast<unsigned char>(c)] = true;
+    kinds[static_cast<unsigned char>(c)] = kLetterOrDigit;
   }
-  return chosen;
+  return kinds;
 }();
-bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned char>(c)]; }
+unsigned KindOf(char c) { return kCharacters[static_cast<unsigned char>(c)]; }
+bool IsLetterOrDigit(char c) { return KindOf(c) == kLetterOrDigit; }
 
 constexpr std::string_view kOfWebGl = "webgl_";
 
@@ -26,11 +33,11 @@ constexpr std::string_view kOfWebGl = "webgl_";
 bool IsPlain(std::string_view name) {
   if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_')
     return false;
-  bool is_after_underscore = false;
+  unsigned before = kLetterOrDigit;
   for (const char c : name) {
-    const bool is_underscore = c == '_';
-    if (is_underscore ? is_after_underscore : !IsLetterOrDigit(c)) return false;
-    is_after_underscore = is_underscore;
+    const unsigned kind = KindOf(c);
+    if (kind & (before | kNeither)) return false;
+    before = kind;
   }
   return !name.starts_with(kOfWebGl);
 }
@@ -64,13 +71,13 @@ std::string WithSuffix(std::string_view name, std::string_view suffix) {
 
 std::string LegalName(std::string_view wanted, std::string_view fallback) {
   std::string name = Spelling(wanted, fallback);
-  if (IsKeyword(name) || IsBuiltinFunction(name)) return WithSuffix(name, "");
+  if (IsKeyword(name) || IsBuiltinFunction(name)) name = WithSuffix(name, "");
   return name;
 }
 
 std::string LegalFieldName(std::string_view wanted) {
   std::string name = Spelling(wanted, "field");
-  if (IsKeyword(name) || name == "length") return WithSuffix(name, "");
+  if (IsKeyword(name) || name == "length") name = WithSuffix(name, "");
   return name;
 }
 

@@ -268,7 +268,8 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
   std::string out;
   out.reserve(2 * snippet.text.size());
   for (std::size_t i = 0; i < snippet.text.size(); ++i) {
-    const std::size_t place = std::min(snippet.text.find_first_of("@$", i), snippet.text.size());
+    const std::size_t place =
+        std::min({snippet.text.find('@', i), snippet.text.find('$', i), snippet.text.size()});
     out += snippet.text.substr(i, place - i);
     i = place;
     if (i == snippet.text.size()) break;

@@ -67,6 +67,7 @@ glsl::WriteOptions WriteOptionsOf(const StyleOptions& style, Diagnostics& diagno
 }
 
 void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
+  if (debug.dump_after.empty() && debug.stop_after.empty()) return;
   const std::vector<std::string_view> passes = LowerPasses();
   const auto check = [&](const std::string& name) {
     if (std::ranges::find(passes, name) == passes.end())

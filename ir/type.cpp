@@ -62,7 +62,7 @@ std::uint32_t TypeTable::NumericIndex(const Type& type) {
 
 TypeId TypeTable::WithScalar(TypeId type, Scalar kind) {
   Type copy = (*this)[type];
-  if (!copy.IsNumeric()) return type;
+  if (!copy.IsNumeric() || copy.scalar == kind) return type;
   copy.scalar = kind;
   return Intern(copy);
 }

@@ -36,20 +36,16 @@ bool MayWrite(const Program& program, ExprId expr, bool has_static) {
 }
 
 // Whether an operand may write what another one reads. In most programs each write is a statement
-// by itself, and there is nothing to lower.
+// by itself, and there is nothing to lower. Expressions that were replaced are asked too, since
+// that is faster than a walk.
 bool HasWritingOperand(const Program& program) {
   bool has_static = false;
   for (const VarId var : program.vars.ids())
     has_static |= program.vars[var].storage == Storage::kStatic;
   bool found = false;
-  for (const FunctionId function : program.functions.ids()) {
-    ForEachStmt(program, program.functions[function].body, [&](StmtId stmt) {
-      const auto look_at = [&](ExprId whole) {
-        found = found || AnyExpr(program, whole, [&](ExprId expr) {
-                  return expr != whole && MayWrite(program, expr, has_static);
-                });
-      };
-      ForEachPart(program, stmt, look_at, [](StmtId) {});
+  for (const ExprId expr : program.exprs.ids()) {
+    ForEachOperand(program, expr, [&](ExprId operand) {
+      found = found || (operand && MayWrite(program, operand, has_static));
     });
   }
   return found;
