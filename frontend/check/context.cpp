@@ -5,17 +5,6 @@
 #include <utility>
 
 namespace clipc::check {
-namespace {
-
-// The limit on the levels of expressions, statements and declarations inside each other. The
-// checker's frames are small enough for a stack of 8 MiB, with sanitizers too.
-constexpr int kMaxCheckDepth = 2500;
-
-// The limit on the expressions of a program. A cast of a struct is an expression for each of its
-// leaves, so a short text may make many.
-constexpr std::size_t kMaxCheckedExpressions = std::size_t{1} << 22;
-
-}  // namespace
 
 Context::Context(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics)
     : file(file),
@@ -45,15 +34,11 @@ TemporaryMaker::Temporary Context::Make(ExprId value) {
   return {var, at.AssignTo(at.Ref(var), value)};
 }
 
-RecursionGuard::RecursionGuard(Context& context, Span where, int weight)
-    : context_(context), weight_(weight) {
-  context.depth += weight;
-  const bool is_deep = context.depth > kMaxCheckDepth;
-  const bool is_large = context.program.exprs.size() > kMaxCheckedExpressions;
-  ok_ = !is_deep && !is_large;
-  if (is_deep) context.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
-  if (is_large && !std::exchange(context.is_too_large, true))
-    context.Report(where, diag::CheckTooLarge, kMaxCheckedExpressions);
+void RecursionGuard::Report(Span where) {
+  if (context_.depth > kMaxCheckDepth) context_.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
+  const bool is_large = context_.program.exprs.size() > kMaxCheckedExpressions;
+  if (is_large && !std::exchange(context_.is_too_large, true))
+    context_.Report(where, diag::CheckTooLarge, kMaxCheckedExpressions);
 }
 
 }  // namespace clipc::check

@@ -207,11 +207,25 @@ class RecursionGuard : NotCopied {
   // The weight of a declaration that is resolved on the way; the weight of an expression is 1.
   static constexpr int kDeclaration = 8;
 
-  RecursionGuard(Context& context, Span where, int weight = 1);
+  RecursionGuard(Context& context, Span where, int weight = 1)
+      : context_(context), weight_(weight) {
+    context.depth += weight;
+    ok_ = context.depth <= kMaxCheckDepth && context.program.exprs.size() <= kMaxCheckedExpressions;
+    if (!ok_) Report(where);
+  }
   ~RecursionGuard() { context_.depth -= weight_; }
   bool ok() const { return ok_; }
 
  private:
+  // The limit on the levels of expressions, statements and declarations inside each other. The
+  // checker's frames are small enough for a stack of 8 MiB, with sanitizers too.
+  static constexpr int kMaxCheckDepth = 2500;
+  // The limit on the expressions of a program. A cast of a struct is an expression for each of its
+  // leaves, so a short text may make many.
+  static constexpr std::size_t kMaxCheckedExpressions = std::size_t{1} << 22;
+
+  void Report(Span where);
+
   Context& context_;
   int weight_;
   bool ok_;

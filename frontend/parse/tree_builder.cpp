@@ -4,33 +4,11 @@
 #include <algorithm>
 
 namespace clipc::ast {
-namespace {
 
-// The limit on the levels of brackets, blocks and prefix operators together, which bounds the stack
-// that the parser's recursion takes.
-constexpr int kMaxNesting = 256;
-// The limit on the nodes of statements and declarations on one path.
-constexpr int kMaxStatementDepth = kMaxDepth / 2;
-// The limit on the nodes of expressions and types on one path.
-constexpr std::uint32_t kMaxHeight = kMaxDepth / 2 - 20;
-
-}  // namespace
-
-TreeBuilder::Nesting::Nesting(TreeBuilder& builder, int weight)
-    : builder_(builder), weight_(weight) {
-  ++builder_.nesting_;
-  builder_.depth_ += weight_;
-  builder_.deepest_ = std::max(builder_.deepest_, builder_.depth_);
-  ok_ = builder_.nesting_ <= kMaxNesting && builder_.depth_ <= kMaxStatementDepth;
-  if (ok_) return;
-  const int limit = builder_.nesting_ > kMaxNesting ? kMaxNesting : kMaxStatementDepth;
-  builder_.Error(builder_.Here(), diag::NestedTooDeeply, limit);
-  builder_.Abort();
-}
-
-TreeBuilder::Nesting::~Nesting() {
-  --builder_.nesting_;
-  builder_.depth_ -= weight_;
+void TreeBuilder::ReportNesting() {
+  const int limit = nesting_ > kMaxNesting ? kMaxNesting : kMaxStatementDepth;
+  Error(Here(), diag::NestedTooDeeply, limit);
+  Abort();
 }
 
 TreeBuilder::TreeBuilder(Tokens&& tokens, Diagnostics& diagnostics)
@@ -51,14 +29,6 @@ bool TreeBuilder::CheckHeight(std::uint32_t height, Span span) {
   Error(span, diag::ExpressionTooLong, static_cast<int>(kMaxHeight));
   Abort();
   return false;
-}
-
-bool TreeBuilder::AddHeight(std::uint32_t height, Span span) {
-  const bool fits = CheckHeight(height, span);
-  if (!fits) height = 1;
-  tallest_ = std::max(tallest_, height);
-  heights_.push_back(static_cast<std::uint16_t>(height));
-  return fits;
 }
 
 TypeId TreeBuilder::AddType(Type type, std::uint32_t height_of_definition) {

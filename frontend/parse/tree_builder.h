@@ -25,8 +25,17 @@ class TreeBuilder : protected Lookahead {
   // path.
   class Nesting : NotCopied {
    public:
-    explicit Nesting(TreeBuilder& builder, int weight = 1);
-    ~Nesting();
+    explicit Nesting(TreeBuilder& builder, int weight = 1) : builder_(builder), weight_(weight) {
+      ++builder_.nesting_;
+      builder_.depth_ += weight_;
+      builder_.deepest_ = std::max(builder_.deepest_, builder_.depth_);
+      ok_ = builder_.nesting_ <= kMaxNesting && builder_.depth_ <= kMaxStatementDepth;
+      if (!ok_) builder_.ReportNesting();
+    }
+    ~Nesting() {
+      --builder_.nesting_;
+      builder_.depth_ -= weight_;
+    }
     // Whether no limit was passed; one that was passed has been reported.
     bool ok() const { return ok_; }
 
@@ -125,9 +134,25 @@ class TreeBuilder : protected Lookahead {
   int depth_ = 0;  // the weights of the Nestings that are open
 
  private:
+  // The limit on the levels of brackets, blocks and prefix operators together, which bounds the
+  // stack that the parser's recursion takes.
+  static constexpr int kMaxNesting = 256;
+  // The limit on the nodes of statements and declarations on one path.
+  static constexpr int kMaxStatementDepth = kMaxDepth / 2;
+  // The limit on the nodes of expressions and types on one path.
+  static constexpr std::uint32_t kMaxHeight = kMaxDepth / 2 - 20;
+
+  // Reports the limit that the Nestings have passed, and ends the parse.
+  void ReportNesting();
   // Notes the height of the next expression. Returns false if no node may be so high: then the next
   // expression must be an ErrorExpr.
-  bool AddHeight(std::uint32_t height, Span span);
+  bool AddHeight(std::uint32_t height, Span span) {
+    const bool fits = height <= kMaxHeight || CheckHeight(height, span);
+    if (!fits) height = 1;
+    tallest_ = std::max(tallest_, height);
+    heights_.push_back(static_cast<std::uint16_t>(height));
+    return fits;
+  }
   // Returns true if a node of the height `height` may be made; otherwise reports, and ends the
   // parse.
   bool CheckHeight(std::uint32_t height, Span span);
