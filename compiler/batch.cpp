@@ -244,7 +244,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   CommandLine command = GroupOf(jobs_[at]).command;
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
   command.output =
-      fmt::format("{}{}{}.{}", command_.output, slash, entry.name, ExtensionOf(command.request));
+      fmt::format("{}{}{}{}", command_.output, slash, entry.name, ExtensionOf(command.request));
   command.write_dependencies = false;
   const Outputs outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
   std::vector<OutputPiece> pieces;

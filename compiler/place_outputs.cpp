@@ -7,7 +7,9 @@
 
 #include "base/path.h"
 #include "base/spelling.h"
+#include "base/stage.h"
 #include "compiler/output_files.h"
+#include "ir/profile.h"
 
 namespace clipc {
 namespace {
@@ -23,11 +25,18 @@ std::string NameAfter(const std::string& value, const std::string& name) {
   return IsExtension(value) ? WithoutExtension(name) + value : value;
 }
 
+// The extension of the GLSL: that of a vertex shader where the profile is unknown, an error.
+std::string_view GlslExtension(const CompileRequest& request) {
+  const auto profile = ir::ParseProfile(request.language.profile);
+  return InfoOf(profile && profile->stage ? *profile->stage : Stage::kVertex).extension;
+}
+
 // The file of the input's shader in `place`, which may be a folder.
-std::string InFolder(const std::string& place, const std::string& input, const char* extension) {
+std::string InFolder(const std::string& place, const std::string& input,
+                     std::string_view extension) {
   if (!EndsWithSlash(place) && (place == "-" || !IsDirectory(place))) return place;
   const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
-  return fmt::format("{}{}{}.{}", place, EndsWithSlash(place) ? "" : "/", stem, extension);
+  return fmt::format("{}{}{}{}", place, EndsWithSlash(place) ? "" : "/", stem, extension);
 }
 
 // The GLSL goes to standard output unless something else is asked for: the program or a dump takes
@@ -45,7 +54,7 @@ std::string PlacePixel(const CommandLine& command, const std::string& input,
                        const std::string& name) {
   const std::string& output = command.pixel_output;
   if (IsExtension(output)) return NameAfter(output, name);
-  return InFolder(output, input, command.request.outputs.spirv ? "frag.spv" : "frag");
+  return InFolder(output, input, command.request.outputs.spirv ? ".frag.spv" : ".frag");
 }
 
 }  // namespace
@@ -59,8 +68,8 @@ std::vector<std::string> Outputs::Named() const {
   return named;
 }
 
-const char* ExtensionOf(const CompileRequest& request) {
-  return request.hlsl.wanted ? "hlsl" : request.outputs.spirv ? "spv" : "vert";
+std::string_view ExtensionOf(const CompileRequest& request) {
+  return request.hlsl.wanted ? ".hlsl" : request.outputs.spirv ? ".spv" : GlslExtension(request);
 }
 
 std::string WithoutExtension(const std::string& path) {
@@ -85,9 +94,10 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
     if (!file.empty() && file != "-" && !IsExtension(file)) name = file;
   }
   const bool is_written = name != input && input != "-";
-  outputs.dependency_target = !command.dependency_target.empty() ? command.dependency_target
-                              : is_written                       ? name
-                                                                 : WithoutExtension(name) + ".vert";
+  outputs.dependency_target =
+      !command.dependency_target.empty() ? command.dependency_target
+      : is_written                       ? name
+                   : fmt::format("{}{}", WithoutExtension(name), GlslExtension(command.request));
   const std::string rule = command.dependency_file.empty() ? ".d" : command.dependency_file;
   if (command.only_dependencies) {
     outputs.dependencies = command.dependency_file.empty() ? "-" : NameAfter(rule, name);

@@ -23,8 +23,8 @@ struct Outputs {
 
 Outputs PlaceOutputs(const CommandLine& command, const std::string& input);
 
-// The extension of a shader that is named after its input: "vert".
-const char* ExtensionOf(const CompileRequest& request);
+// The extension of a shader that is named after its input: ".vert", ".frag" of a pixel shader.
+std::string_view ExtensionOf(const CompileRequest& request);
 
 // "water.vert" => "water"; a dot at the start of a file's name begins no extension.
 std::string WithoutExtension(const std::string& path);
