@@ -72,6 +72,16 @@ bool IsLikelyEntry(const Context& context, const ast::FunctionDecl& decl) {
   return decl.body && (!decl.attributes.empty() || MayBeEntry(context, decl));
 }
 
+// The first functions that techniques of the file compile for the stage.
+std::vector<std::string_view> CompiledByTechniques(const Context& context) {
+  constexpr std::size_t kMost = 5;
+  std::vector<std::string_view> names;
+  for (const auto& [function, stage] : context.file.technique_shaders) {
+    if (stage == context.program.stage && names.size() < kMost) names.push_back(context[function]);
+  }
+  return names;
+}
+
 void ReportNoEntry(Context& context) {
   std::vector<std::string> names, likely;
   std::vector<Span> places;
@@ -89,13 +99,10 @@ void ReportNoEntry(Context& context) {
   std::vector<std::string_view> near = NearNames(context.options.entry, candidates);
   if (near.empty() && likely.size() == 1) near = {likely.front()};
   if (near.empty() && candidates.size() == 1) near = candidates;
-  const bool has_hints = near.empty() && !context.file.technique_vertex_shaders.empty();
-  constexpr std::size_t kMaxHints = 5;
-  for (std::size_t i = 0;
-       has_hints && i < context.file.technique_vertex_shaders.size() && near.size() < kMaxHints;
-       ++i) {
-    const std::string_view hint = context[context.file.technique_vertex_shaders[i]];
-    if (std::ranges::find(near, hint) == near.end()) near.push_back(hint);
+  bool has_hints = false;
+  if (near.empty()) {
+    near = CompiledByTechniques(context);
+    has_hints = !near.empty();
   }
   const std::string text = QuotedList(near);
   constexpr std::size_t kMaxCandidates = 8;

@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "base/name.h"
+#include "base/stage.h"
 #include "frontend/parse/ast_decl.h"
 #include "frontend/parse/ast_expr.h"
 #include "frontend/parse/ast_stmt.h"
@@ -33,9 +34,13 @@ struct File {
   Pool<Enumerator> enumerators;
   Pool<TemplateParameter> template_parameters;
   std::vector<DeclId> top_level;
-  // The functions that techniques compile as vertex shaders, each once: hints for a message about
-  // an entry function that does not exist.
-  std::vector<Name> technique_vertex_shaders;
+  // A function that a technique compiles.
+  struct TechniqueShader {
+    Name function;
+    Stage stage;
+  };
+  // Each once: hints for a message about an entry function that does not exist.
+  std::vector<TechniqueShader> technique_shaders;
 };
 
 }  // namespace clipc::ast

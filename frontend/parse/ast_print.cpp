@@ -46,7 +46,8 @@ class Printer {
 
   std::string Print() {
     for (DeclId id : file_.top_level) PutDecl(id, "variable");
-    for (Name name : file_.technique_vertex_shaders) Line("technique compiles ", name);
+    for (const auto& [function, stage] : file_.technique_shaders)
+      Line("technique compiles ", InfoOf(stage).prefix, " ", function);
     return std::move(out_);
   }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "base/spelling.h"
 #include "frontend/parse/parser.h"
 
 // The effects framework: techniques, passes, state blocks and annotations. They have no meaning for
-// a vertex shader, so they are skipped with their brackets matched, as fxc does under a shader
-// profile; only the names of vertex shaders are kept.
+// a shader, so they are skipped with their brackets matched, as fxc does under a shader profile;
+// only the names of shaders are kept.
 namespace clipc::ast {
 
 // technique10 Name <annotation> {...}, fxgroup Name {...}
@@ -83,13 +84,14 @@ void Parser::NoteCompile() {
     return;
   }
   const std::string_view text = TextAt(profile);
-  if (!text.starts_with("vs_") && !text.starts_with("VS_")) return;
-  if (!At(kIdentifier, function)) return;
+  const std::optional<Stage> stage = StageOf(ToLower(text.substr(0, text.find('_'))));
+  if (!stage || !At(kIdentifier, function)) return;
   const Name name = Peek(LastOfQualifiedName(function)).name();
-  if (technique_names_.size() <= name.index) technique_names_.resize(names_.size());
-  if (technique_names_[name.index]) return;
-  technique_names_[name.index] = true;
-  file_.technique_vertex_shaders.push_back(name);
+  if (technique_stages_.size() <= name.index) technique_stages_.resize(names_.size());
+  const auto bit = static_cast<std::uint8_t>(1 << static_cast<int>(*stage));
+  if (technique_stages_[name.index] & bit) return;
+  technique_stages_[name.index] |= bit;
+  file_.technique_shaders.push_back({name, *stage});
 }
 
 }  // namespace clipc::ast

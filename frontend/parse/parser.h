@@ -202,7 +202,8 @@ class Parser : private TreeBuilder {
   // blocks end here.
   bool leaving_function_ = false;
   std::vector<bool> noted_attributes_;  // by Name
-  std::vector<bool> technique_names_;   // by Name: whether it is in File::technique_vertex_shaders
+  // By Name: the stages for which it is in File::technique_shaders, a bit each.
+  std::vector<std::uint8_t> technique_stages_;
 };
 
 }  // namespace clipc::ast

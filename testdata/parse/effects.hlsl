@@ -1,6 +1,6 @@
 // RUN: %clipc --dump=ast %s | FileCheck %s
 // AUTOUPDATE
-// The effects framework is read past; the vertex shaders that it compiles are remembered.
+// The effects framework is read past; the shaders that it compiles are remembered.
 float4 tint : DIFFUSE <string UIName = "Tint"; float UIMin = 0; bool on = true;> = {1, 1, 1, 1};
 float4x4 world : WORLD <>;
 texture base <string name = "a.dds"; vector<float, 4> v = {1, 2, 3, 4};>;
@@ -59,10 +59,11 @@ float4 after() : SV_Position { return 0; }
 // CHECK-NEXT: function after : float4 semantic SV_Position
 // CHECK-NEXT:   block
 // CHECK-NEXT:     return 0
-// CHECK-NEXT: technique compiles old_main
-// CHECK-NEXT: technique compiles array_a
-// CHECK-NEXT: technique compiles array_b
-// CHECK-NEXT: technique compiles stream_main
-// CHECK-NEXT: technique compiles two_main
-// CHECK-NEXT: technique compiles ten_main
-// CHECK-NEXT: technique compiles eleven_main
+// CHECK-NEXT: technique compiles vs old_main
+// CHECK-NEXT: technique compiles vs array_a
+// CHECK-NEXT: technique compiles vs array_b
+// CHECK-NEXT: technique compiles ps old_pixel
+// CHECK-NEXT: technique compiles vs stream_main
+// CHECK-NEXT: technique compiles vs two_main
+// CHECK-NEXT: technique compiles vs ten_main
+// CHECK-NEXT: technique compiles vs eleven_main
