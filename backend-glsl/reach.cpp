@@ -30,8 +30,8 @@ class Walker {
 
  private:
   void Functions() {
-    const auto order = CalleesFirst(program_, [&](FunctionId function, ExprId expr) {
-      const auto* ref = As<VarRef>(program_, expr);
+    const auto order = CalleesFirst(program_, [&](FunctionId function, const Expr& expr) {
+      const auto* ref = std::get_if<VarRef>(&expr.node);
       if (ref && !program_.functions[function].is_helper) Variable(ref->var);
     });
     for (const FunctionId id : order) {

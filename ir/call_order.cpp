@@ -4,7 +4,7 @@
 namespace clipc::ir {
 
 std::vector<FunctionId> CalleesFirst(const Program& program) {
-  return CalleesFirst(program, [](FunctionId, ExprId) {});
+  return CalleesFirst(program, [](FunctionId, const Expr&) {});
 }
 
 }  // namespace clipc::ir

@@ -15,8 +15,8 @@ namespace clipc::ir {
 // length. Requires functions without recursion.
 std::vector<FunctionId> CalleesFirst(const Program& program);
 
-// The same, and calls visit(FunctionId, ExprId) for every expression of each function before those
-// of its callees.
+// The same, and calls visit(FunctionId, const Expr&) for every expression of each function before
+// those of its callees.
 template <typename OnExpr>
 std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit) {
   struct Begun {
@@ -26,15 +26,18 @@ std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit) {
   };
   const auto begin = [&](FunctionId function) {
     Begun begun{function, {}};
-    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
+    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
+      const Expr& expr = program.exprs[id];
       visit(function, expr);
-      if (const auto* call = As<Call>(program, expr)) begun.callees.push_back(call->function);
+      if (const auto* call = std::get_if<Call>(&expr.node)) begun.callees.push_back(call->function);
     });
     return begun;
   };
   std::vector<FunctionId> order;
   std::vector<bool> is_begun(program.functions.size());
-  std::vector<Begun> path{begin(program.main)};
+  std::vector<Begun> path;
+  order.reserve(is_begun.size()), path.reserve(8);
+  path.push_back(begin(program.main));
   while (!path.empty()) {
     Begun& top = path.back();
     if (top.next == top.callees.size()) {

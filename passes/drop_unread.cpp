@@ -20,11 +20,13 @@ class Dropper {
       : program_(program), reads_(program.vars.size()), lines_of_(program.vars.size()) {}
 
   void Run() {
+    lines_.reserve(MainBody(program_).size());
     for (const StmtId id : MainBody(program_)) AddLine(id);
     FindUnread();
     if (unread_.empty()) return;
     DropLines();
     std::vector<StmtId> left;
+    left.reserve(lines_.size());
     for (const Line& line : lines_) {
       if (line.stmt) left.push_back(line.stmt);
     }

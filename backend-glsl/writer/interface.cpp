@@ -215,8 +215,10 @@ std::uint32_t WrittenElements(const Context& context, VarId array) {
     return ref && ref->var == array;
   };
   ForEachExpr(context.program, context[context.program.main].body, [&](ExprId id) {
-    references += is_array(id) ? 1 : 0;
-    const auto* assign = context.As<Assign>(id);
+    const auto& node = context[id].node;
+    const auto* ref = std::get_if<VarRef>(&node);
+    references += ref && ref->var == array ? 1 : 0;
+    const auto* assign = std::get_if<Assign>(&node);
     const auto* index = assign ? context.As<Index>(assign->target) : nullptr;
     const auto* element = index ? context.As<Literal>(index->index) : nullptr;
     if (!element || !is_array(index->base)) return;

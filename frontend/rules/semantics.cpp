@@ -100,7 +100,7 @@ SystemValue OtherName(Stage stage, Direction direction) {
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage stage,
                            Direction direction, bool is_old, PositionName position) {
   for (const Semantic& row : kSemantics) {
-    if (!EqualIgnoringCase(row.name, name)) continue;
+    if (row.name.size() != name.size() || !EqualIgnoringCase(row.name, name)) continue;
     const SystemValue& value = row.Of(stage, direction);
     const bool counts =
         !row.is_old ||
