@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""libclipc in Python, by ctypes: one HLSL shader in, GLSL, SPIR-V, reflection and clip table out, all in memory.
+
+    compiler = clipc.Compiler()
+    result = compiler.compile(text, path="water.hlsl", options=["-T", "vs_5_0"])
+    print(result.glsl if result.ok else result.messages)
+
+The library is `libclipc.so.1` where the system's linker finds it, or the file that the environment variable
+CLIPC_LIBRARY names. One Compiler serves one thread at a time.
+"""
+
+import ctypes
+import dataclasses
+import json
+import os
+
+ABI = 1
+_STATUS = ("compiled", "has-errors", "bad-request", "no-memory", "cancelled")
+# The numbers of clipc_part.
+_PARTS = {
+    "messages": 0,
+    "messages_json": 1,
+    "dependencies": 2,
+    "glsl": 3,
+    "pixel": 4,
+    "spirv": 5,
+    "reflection": 6,
+    "table_json": 7,
+    "pixel_spirv": 10,
+    "hlsl": 11,
+}
+
+
+class _Bytes(ctypes.Structure):
+    _fields_ = (("data", ctypes.c_void_p), ("size", ctypes.c_size_t))
+
+
+_ReadInclude = ctypes.CFUNCTYPE(
+    ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(_Bytes)
+)
+_IsCancelled = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+
+
+class _Request(ctypes.Structure):
+    _fields_ = (
+        ("size", ctypes.c_size_t),
+        ("path", ctypes.c_char_p),
+        ("text", ctypes.c_char_p),
+        ("text_size", ctypes.c_size_t),
+        ("options", ctypes.POINTER(ctypes.c_char_p)),
+        ("option_count", ctypes.c_size_t),
+        ("read_include", _ReadInclude),
+        ("read_include_context", ctypes.c_void_p),
+        ("is_cancelled", _IsCancelled),
+        ("is_cancelled_context", ctypes.c_void_p),
+    )
+
+
+@dataclasses.dataclass
+class Result:
+    """What a compile gave. After an error only the messages and the dependencies are filled."""
+
+    status: str  # compiled, has-errors, bad-request or cancelled
+    messages: str  # as a terminal shows them
+    diagnostics: list  # dictionaries: severity, name, code, message, file, line, column, ...
+    dependencies: list  # the files that were read
+    glsl: str
+    pixel: str  # the pixel shader of a pair; with --lower=discard alone: GLSL that discards
+    hlsl: str  # with --target=hlsl
+    spirv: bytes
+    pixel_spirv: bytes
+    reflection: dict
+    table: dict  # the clip table
+
+    @property
+    def ok(self):
+        return self.status == "compiled"
+
+
+def _load():
+    library = ctypes.CDLL(os.environ.get("CLIPC_LIBRARY", "libclipc.so.1"))
+    library.clipc_compiler_create.restype = ctypes.c_void_p
+    library.clipc_compiler_free.argtypes = (ctypes.c_void_p,)
+    library.clipc_compile.argtypes = (
+        ctypes.c_void_p,
+        ctypes.POINTER(_Request),
+        ctypes.POINTER(ctypes.c_void_p),
+    )
+    library.clipc_result_free.argtypes = (ctypes.c_void_p,)
+    library.clipc_result_get.argtypes = (ctypes.c_void_p, ctypes.c_int)
+    library.clipc_result_get.restype = _Bytes
+    if library.clipc_abi() != ABI:
+        raise ImportError(f"this is written for ABI {ABI}, and libclipc has {library.clipc_abi()}")
+    return library
+
+
+class Compiler:
+    """A compiler of many shaders that keeps the data that they share."""
+
+    def __init__(self):
+        self._library = _load()
+        self._compiler = self._library.clipc_compiler_create()
+        if not self._compiler:
+            raise MemoryError("clipc_compiler_create")
+
+    def __del__(self):
+        if getattr(self, "_compiler", None):
+            self._library.clipc_compiler_free(self._compiler)
+
+    def compile(self, text, path="shader.hlsl", options=(), read_include=None):
+        """Compiles a shader. `options` are the command line's, but none that names files.
+
+        `read_include`, if there is one, gets the path of each include file and returns its text, or None where there is
+        no such file.
+        """
+        source = text.encode()
+        words = [word.encode() for word in options]
+        request = _Request(size=ctypes.sizeof(_Request), path=path.encode())
+        request.text, request.text_size = source, len(source)
+        request.options = (ctypes.c_char_p * len(words))(*words)
+        request.option_count = len(words)
+        kept = []  # the text of an include lives until the compile ends
+
+        def read(_, include, to):
+            found = read_include(os.fsdecode(include))
+            if found is None:
+                return 0
+            kept.append(ctypes.create_string_buffer(found.encode()))
+            to.contents.data = ctypes.addressof(kept[-1])
+            to.contents.size = len(kept[-1]) - 1
+            return 1
+
+        if read_include:
+            request.read_include = _ReadInclude(read)
+        made = ctypes.c_void_p()
+        status = self._library.clipc_compile(
+            self._compiler, ctypes.byref(request), ctypes.byref(made)
+        )
+        if not made:
+            raise MemoryError("clipc_compile")
+        try:
+            parts = {name: self._part(made, number) for name, number in _PARTS.items()}
+        finally:
+            self._library.clipc_result_free(made)
+        return self._result(_STATUS[status], parts)
+
+    def _part(self, result, number):
+        part = self._library.clipc_result_get(result, number)
+        return ctypes.string_at(part.data, part.size)
+
+    @staticmethod
+    def _result(status, parts):
+        document = json.loads(parts["messages_json"] or b"{}")
+        return Result(
+            status=status,
+            messages=parts["messages"].decode(errors="replace"),
+            diagnostics=document.get("diagnostics", []),
+            dependencies=os.fsdecode(parts["dependencies"]).splitlines(),
+            glsl=parts["glsl"].decode(),
+            pixel=parts["pixel"].decode(),
+            hlsl=parts["hlsl"].decode(),
+            spirv=parts["spirv"],
+            pixel_spirv=parts["pixel_spirv"],
+            reflection=json.loads(parts["reflection"] or b"{}"),
+            table=json.loads(parts["table_json"] or b"{}"),
+        )
