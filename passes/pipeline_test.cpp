@@ -212,12 +212,12 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
     return true;
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(
-      seen,
-      ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
-                  "split-variables flipped", "drop-idle-clip-distances flipped",
-                  "drop-unread-arguments flipped", "drop-unwritten flipped", "drop-unread flipped",
-                  "defer-discards flipped", "spread-precise flipped", "hoist-loop-bounds flipped"));
+  EXPECT_THAT(seen,
+              ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
+                          "split-variables flipped", "drop-idle-clip-distances flipped",
+                          "drop-unread-arguments flipped", "drop-unwritten flipped",
+                          "drop-unread flipped", "discard-planes flipped", "defer-discards flipped",
+                          "spread-precise flipped", "hoist-loop-bounds flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
