@@ -3,7 +3,7 @@
 #
 #   clipc_add_shader(TARGET SHADER water.hlsl
 #     [NAME water]               # of what is written; the shader's file name without its extension
-#     [ENTRY main] [PROFILE vs_5_0]
+#     [ENTRY main] [PROFILE vs_5_0]   # or ps_5_0: the shader is then NAME.frag, and has no clip table
 #     [LOWER clip-distance|level9|near-plane|discard|none]
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
@@ -83,7 +83,11 @@ function(clipc_add_shader target)
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
   file(MAKE_DIRECTORY ${folder})
-  set(glsl ${folder}/${shader_NAME}.vert)
+  set(stage vert)
+  if(shader_PROFILE MATCHES "^ps_")
+    set(stage frag)
+  endif()
+  set(glsl ${folder}/${shader_NAME}.${stage})
   set(header ${folder}/${shader_NAME}.shader.h)
 
   set(arguments)
@@ -104,7 +108,7 @@ function(clipc_add_shader target)
       list(APPEND stems ${folder}/${shader_NAME}.${count})
     endforeach()
   endif()
-  list(TRANSFORM stems APPEND .vert OUTPUT_VARIABLE written)
+  list(TRANSFORM stems APPEND .${stage} OUTPUT_VARIABLE written)
   set(fragment)
   if(shader_FRAGMENT)
     cmake_path(ABSOLUTE_PATH shader_FRAGMENT)
@@ -134,9 +138,14 @@ function(clipc_add_shader target)
   if(shader_TABLE AND NOT shader_TABLE STREQUAL ".h")
     list(APPEND tables ${folder}/${shader_NAME}.clip${shader_TABLE})
   endif()
+  list(TRANSFORM tables PREPEND --table= OUTPUT_VARIABLE table_options)
+  if(stage STREQUAL "frag")
+    set(tables)
+    set(table_options -MD)
+  endif()
   set(commands)
-  foreach(table IN LISTS tables)
-    list(APPEND commands COMMAND ${compile} --table=${table} -MD -MF ${header}.d -MT ${header})
+  foreach(option IN LISTS table_options)
+    list(APPEND commands COMMAND ${compile} ${option} -MD -MF ${header}.d -MT ${header})
     list(APPEND compile -w)
   endforeach()
   set(spirv)
@@ -147,16 +156,19 @@ function(clipc_add_shader target)
       set(kind -G)
     endif()
     list(GET spirv 1 words)
-    list(GET tables 0 table)  # of the same contents; under level9 clipc wants one
-    list(APPEND commands COMMAND ${compiler} ${source} ${kind} -w ${spirv_arguments} ${shader_OPTIONS} --table=${table}
+    set(option)
+    if(tables)
+      list(GET table_options 0 option)  # a table of the same contents; under level9 clipc wants one
+    endif()
+    list(APPEND commands COMMAND ${compiler} ${source} ${kind} -w ${spirv_arguments} ${shader_OPTIONS} ${option}
       -o ${words} -Fh ${words}.h -Vn ${shader_NAME}_spv)
   endif()
-  string(JOIN "|" vertex_list ${written})
+  string(JOIN "|" glsl_list ${written})
   string(JOIN "|" fragment_list ${fragment})
   add_custom_command(OUTPUT ${header}
     BYPRODUCTS ${written} ${fragment} ${tables} ${reflection} ${spirv}
     ${commands}
-    COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DVERTEX=${vertex_list}" "-DFRAGMENT=${fragment_list}"
+    COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DSTAGE=${stage}" "-DGLSL=${glsl_list}" "-DFRAGMENT=${fragment_list}"
       "-DVARIANTS=${shader_VARIANTS}" "-DTABLE=${folder}/${shader_NAME}.clip.h" "-DSPIRV=${shader_SPIRV}" "-DHEADER=${header}"
       -P ${CLIPC_EMBED_SCRIPT}
     DEPENDS ${source} ${shader_FRAGMENT} ${shader_PIXEL_SHADER} ${compiler} ${CLIPC_EMBED_SCRIPT}

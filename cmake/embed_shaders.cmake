@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Writes HEADER with GLSL as C++ constants; clipc_add_shader() runs it at build time.
-#   cmake -DNAME= -DVERTEX=file|file -DFRAGMENT=file|file -DVARIANTS= -DTABLE=file.clip.h -DSPIRV= -DHEADER= -P embed_shaders.cmake
+#   cmake -DNAME= -DSTAGE=vert -DGLSL=file|file -DFRAGMENT=file|file -DVARIANTS= -DTABLE=file.clip.h -DSPIRV= -DHEADER= -P embed_shaders.cmake
 
 set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n")
 
@@ -30,7 +30,7 @@ function(add_constant name files)
   set(out "${out}" PARENT_SCOPE)
 endfunction()
 
-add_constant(${NAME}_vert "${VERTEX}")
+add_constant(${NAME}_${STAGE} "${GLSL}")
 if(FRAGMENT)
   add_constant(${NAME}_frag "${FRAGMENT}")
 endif()
