@@ -26,6 +26,7 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
   struct Taken {
     std::string name;
     ObjectCategory category;
+    bool is_chosen;  // [[vk::binding]] gives the place
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
   const auto take = [&](const Register& reg, const std::string& name, Span span,
@@ -34,9 +35,12 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
     if (at.binding > kHighestBinding || at.set > kHighestSet)
       diagnostics.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
                          kHighestBinding, kHighestSet);
-    const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, Taken{name, category});
+    const auto [found, is_free] =
+        taken.try_emplace({at.set, at.binding}, Taken{name, category, reg.descriptor.has_value()});
     Taken& other = found->second;
-    if (!is_free && target.bindings.combines_samplers &&
+    const bool may_combine =
+        target.bindings.combines_samplers || (other.is_chosen && reg.descriptor.has_value());
+    if (!is_free && may_combine &&
         std::minmax({other.category, category}) ==
             std::pair(ObjectCategory::kTexture, ObjectCategory::kSampler)) {
       other.category = ObjectCategory::kCombinedSampler;

@@ -53,6 +53,7 @@ class TargetCheck {
       if (!reached_.Has(resource.var)) continue;
       Object(program_.vars[resource.var]);
       if (!target_.IsVulkan()) TextureUnit(resource);
+      SubpassInput(resource);
     }
     if (target_.IsVulkan()) CheckBindings(program_, reached_, target_, diagnostics_);
     ConstantIds();
@@ -89,14 +90,20 @@ class TargetCheck {
     if (need && !target_.Has(need->feature)) Lack(*need, span, name);
   }
   void Check(Feature feature, const Need::Plain& message, Span span) {
-    if (!target_.Has(feature)) Report(span, message);
+    if (!target_.Has(feature)) Lack(feature, span, message);
   }
   void Check(Feature feature, const Need::Named& message, Span span, std::string_view name) {
-    if (!target_.Has(feature)) Report(span, message, name);
+    if (!target_.Has(feature)) Lack(feature, span, message, name);
   }
   void Lack(const Need& need, Span span, std::string_view name) {
-    if (need.plain) return Report(span, *need.plain);
-    Report(span, *need.named, need.what.empty() ? name : need.what);
+    if (need.plain) return Lack(need.feature, span, *need.plain);
+    Lack(need.feature, span, *need.named, need.what.empty() ? name : need.what);
+  }
+  // Reports a missing feature, and the nearest target that has it.
+  void Lack(Feature feature, Span span, const auto& kind, const auto&... names) {
+    Diagnostic& report = diagnostics_.Report(span, kind, names..., target_.name());
+    const std::string_view nearest = target_.NearestWith(feature);
+    if (!nearest.empty()) report.Note({}, diag::TargetNearest, nearest);
   }
 
   // ---- inputs and outputs
@@ -113,10 +120,8 @@ class TargetCheck {
   }
 
   void PixelPosition(const IoVar& input) {
-    const bool reads_y = (ComponentsRead(program_)[input.var.index] & 0b10) != 0;
-    if (reads_y && !target_.HasUpperLeftOrigin())
-      Check(Feature::kUpperLeftOrigin, diag::TargetOrigin, program_.vars[input.var].span,
-            input.semantic);
+    if (NeedsFramebufferHeight(program_, target_, input))
+      Report(program_.vars[input.var].span, diag::TargetOrigin, input.semantic);
   }
 
   // Checks an output to a render target.
@@ -247,6 +252,14 @@ class TargetCheck {
         resource.reg.descriptor->binding >= target_.TextureUnits())
       diagnostics_.Report(var.span, diag::TargetTextureUnit, var.name,
                           resource.reg.descriptor->binding, target_.name(), target_.TextureUnits());
+  }
+
+  // Reports a subpass input without the number of its attachment, which Vulkan's GLSL asks for.
+  void SubpassInput(const Resource& resource) {
+    const Var& var = program_.vars[resource.var];
+    if (InfoOf(Innermost(var.type).object).category == ObjectCategory::kSubpass &&
+        target_.IsVulkan() && !resource.input_attachment)
+      Report(var.span, diag::TargetSubpassInput, var.name);
   }
 
   // ---- types, each missing one reported once
@@ -385,7 +398,7 @@ class TargetCheck {
   }
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
-    if (call.op == Intrinsic::kClip) diagnostics_.Report(span, diag::ClipInExpression);
+    if (CategoryOf(call.op) == IntrinsicCategory::kInterpolants) Interpolant(call, span);
     if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
       Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
     }
@@ -394,17 +407,23 @@ class TargetCheck {
       Report(span, diag::TargetNonUniform);
   }
 
+  // Checks the evaluation of an input at another place: the argument is that input.
+  void Interpolant(const IntrinsicCall& call, Span span) {
+    Check(Feature::kInterpolants, diag::TargetInterpolant, span, NameOf(call.op));
+    ExprId place = program_.expr_lists[call.arguments][0];
+    const auto* swizzle = As<Swizzle>(place);
+    if (swizzle && TypeOf(swizzle->base).Components() > 1) place = swizzle->base;
+    const auto* ref = As<VarRef>(place);
+    if (!ref || program_.vars[ref->var].storage != Storage::kInput)
+      diagnostics_.Report(span, diag::InterpolantNotInput, NameOf(call.op));
+  }
+
   void ObjectUse(const ObjectCall& call, Span span) {
     const auto arguments = program_.expr_lists[call.arguments];
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
     if (call.op == ObjectOp::kStore) StoreUse(arguments[0], span);
-    if (WritesObject(call.op) && program_.defers_discards &&
-        !std::exchange(discard_reported_, true))
-      Report(span, diag::TargetDiscard);
-    const bool compares_array =
-        object == ObjectKind::kTextureCubeArray && call.op == ObjectOp::kSampleCmpLevelZero;
-    if (compares_array && clipc::InfoOf(program_.stage).has_neighbours)
+    if (!HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
       Report(span, diag::TargetSampleCompare);
     if (call.op == ObjectOp::kSampleLevel && arguments.size() > 4)
       Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
@@ -459,7 +478,6 @@ class TargetCheck {
   std::vector<char> seen_types_;  // by TypeId
   bool reported_[2] = {};         // the lack of double; of 64-bit integers
   bool uint_reported_ = false;
-  bool discard_reported_ = false;
   bool non_uniform_reported_ = false;
 };
 

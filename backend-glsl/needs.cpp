@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ir/access.h"
+
 namespace clipc::glsl {
 
 using ir::Builtin;
@@ -39,9 +41,16 @@ constexpr Row<Builtin> kBuiltins[] = {
     {Builtin::kPrimitiveId, {Feature::kPrimitiveIdInput, nullptr, &diag::TargetPixelValue}},
     {Builtin::kLayerInput, {Feature::kLayerInput, nullptr, &diag::TargetPixelValue}},
     {Builtin::kViewportInput, {Feature::kViewportInput, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kBarycentrics, {Feature::kBarycentrics, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kBarycentricsNoPerspective,
+     {Feature::kBarycentrics, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kShadingRateInput, {Feature::kShadingRate, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kClipDistanceInput, {Feature::kClipDistance, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kCullDistanceInput, {Feature::kCullDistance, nullptr, &diag::TargetPixelValue}},
     {Builtin::kDepth, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
-    {Builtin::kDepthGreaterEqual, {Feature::kConservativeDepth, nullptr, &diag::TargetPixelValue}},
-    {Builtin::kDepthLessEqual, {Feature::kConservativeDepth, nullptr, &diag::TargetPixelValue}},
+    // That the depth is on one side only is a promise, which a target may do without.
+    {Builtin::kDepthGreaterEqual, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kDepthLessEqual, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
     {Builtin::kCoverage, {Feature::kSampleVariables, nullptr, &diag::TargetPixelValue}},
     {Builtin::kStencilRef, {Feature::kStencilOutput, nullptr, &diag::TargetPixelValue}},
 };
@@ -60,6 +69,7 @@ constexpr Row<ObjectKind> kObjects[] = {
     {ObjectKind::kTexture2DMS, {Feature::kMultisample, nullptr, &diag::TargetMultisample}},
     {ObjectKind::kTexture2DMSArray,
      {Feature::kMultisampleArrays, nullptr, &diag::TargetMultisample}},
+    {ObjectKind::kSubpassInputMS, {Feature::kMultisample, nullptr, &diag::TargetMultisample}},
     {ObjectKind::kBuffer, {Feature::kTextureBuffers, nullptr, &diag::TargetTextureBuffer}},
 };
 
@@ -71,10 +81,15 @@ constexpr Row<ObjectOp> kObjectOps[] = {
     {ObjectOp::kLevelOfDetailUnclamped,
      {Feature::kLevelQueries, nullptr, &diag::TargetTextureQuery, "level of detail"}},
     {ObjectOp::kSampleCmpLevelZero, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
+    {ObjectOp::kSampleCmpLevel, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
+    {ObjectOp::kSampleCmpBias, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
+    {ObjectOp::kSampleCmpGrad, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
     {ObjectOp::kGather, {Feature::kGather, &diag::TargetGather}},
     {ObjectOp::kGatherGreen, {Feature::kGather, &diag::TargetGather}},
     {ObjectOp::kGatherBlue, {Feature::kGather, &diag::TargetGather}},
     {ObjectOp::kGatherAlpha, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kGatherCmp, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kSubpassLoad, {Feature::kTextureFunctions, &diag::TargetTextureLoad}},
     {ObjectOp::kTextureLoad, {Feature::kTextureFunctions, &diag::TargetTextureLoad}},
     {ObjectOp::kTextureSize,
      {Feature::kTextureFunctions, nullptr, &diag::TargetTextureQuery, "size"}},
@@ -96,6 +111,29 @@ const Need* Find(const Row<Part> (&rows)[N], Part part) {
 }
 
 }  // namespace
+
+bool NeedsFramebufferHeight(const ir::Program& program, const Target& target,
+                            const ir::IoVar& input) {
+  return input.builtin == Builtin::kPixelPosition && !target.HasUpperLeftOrigin() &&
+         !target.Has(Feature::kUpperLeftOrigin) &&
+         (ComponentsRead(program)[input.var.index] & 0b10) != 0;
+}
+
+bool HasShadowLevels(ObjectKind kind) {
+  return kind == ObjectKind::kTexture1D || kind == ObjectKind::kTexture2D ||
+         kind == ObjectKind::kTexture1DArray;
+}
+
+bool HasComparison(ObjectOp op, ObjectKind kind, const StageInfo& stage) {
+  const bool is_cube_array = kind == ObjectKind::kTextureCubeArray;
+  switch (op) {
+    case ObjectOp::kSampleCmpLevelZero: return !is_cube_array || !stage.has_neighbours;
+    case ObjectOp::kSampleCmpGrad: return !is_cube_array;
+    case ObjectOp::kSampleCmpLevel: return HasShadowLevels(kind);
+    case ObjectOp::kSampleCmpBias: return !is_cube_array && kind != ObjectKind::kTexture2DArray;
+    default: return true;
+  }
+}
 
 const Need* NeedOf(Builtin builtin) { return Find(kBuiltins, builtin); }
 

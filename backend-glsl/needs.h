@@ -23,6 +23,21 @@ struct Need {
   std::string_view what = {};
 };
 
+// The name of the uniform with the height of the framebuffer, where a target counts the y of a
+// pixel from the lower edge and Direct3D from the upper one.
+inline constexpr std::string_view kFramebufferHeight = "framebuffer_height";
+
+// Whether the shader reads the y of the input, a pixel's position, and the target needs that height
+// for it.
+bool NeedsFramebufferHeight(const ir::Program& program, const Target& target,
+                            const ir::IoVar& input);
+
+// Whether GLSL has textureLod of the texture with a sampler that compares.
+bool HasShadowLevels(ir::ObjectKind kind);
+// Whether GLSL has a function for the operation on a texture of this kind in the stage, if it is
+// one that compares.
+bool HasComparison(ir::ObjectOp op, ir::ObjectKind kind, const StageInfo& stage);
+
 // Returns the need of an input or output, an object, an operation or a type; null if every target
 // has it.
 const Need* NeedOf(ir::Builtin builtin);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/target.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -94,9 +95,8 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kLayerInput, {430}, {320, 310, "GL_EXT_geometry_shader"}},
     {Feature::kViewportInput, {430}, {}},
     {Feature::kDepthOutput, {110}, {300, 100, "GL_EXT_frag_depth"}},
-    {Feature::kConservativeDepth,
-     {420, 130, "GL_ARB_conservative_depth"},
-     {kNever, 300, "GL_EXT_conservative_depth"}},
+    // OpenGL ES has GL_EXT_conservative_depth, which glslang 12 does not know.
+    {Feature::kConservativeDepth, {420, 130, "GL_ARB_conservative_depth"}, {}},
     {Feature::kStencilOutput, {kNever, 140, "GL_ARB_shader_stencil_export"}, {}},
     {Feature::kEarlyTests, {420}, {310}},
     {Feature::kDerivatives, {110}, {300, 100, "GL_OES_standard_derivatives"}},
@@ -105,6 +105,8 @@ constexpr FeatureRow kFeatures[] = {
      {130, 110, "GL_ARB_shader_texture_lod"},
      {300, 100, "GL_EXT_shader_texture_lod"}},
     {Feature::kLevelQueries, {400}, {}},
+    {Feature::kInterpolants, {400}, {320, 300, "GL_OES_shader_multisample_interpolation"}},
+    {Feature::kBarycentrics, {}, {}},  // Vulkan: GL_EXT_fragment_shader_barycentric
     {Feature::kUnsigned, {130}, {300}},
     {Feature::kSwitch, {130}, {300}},
     {Feature::kFreeLoops, {110}, {300}},
@@ -162,6 +164,17 @@ std::optional<Target> Target::Parse(std::string_view name) {
 
 std::span<const std::string_view> Target::Names() { return kNames; }
 
+std::string_view Target::NearestWith(Feature feature) const {
+  const auto has = [&](const Profile& profile) {
+    return Target(profile.name, profile.api, profile.version).Has(feature);
+  };
+  for (const Profile& profile : kProfiles) {
+    if (profile.api == api_ && has(profile)) return profile.name;
+  }
+  const auto found = std::ranges::find_if(kProfiles, has);
+  return found == kProfiles.end() ? "" : found->name;
+}
+
 std::string Target::VersionLine() const {
   return "#version " + std::to_string(version_) + (IsEs() && version_ >= 300 ? " es" : "");
 }
@@ -169,6 +182,8 @@ std::string Target::VersionLine() const {
 Support Target::Of(Feature feature) const {
   if (feature == Feature::kClipVertex && (version_ > 130 || IsVulkan())) return {};
   if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
+  if (feature == Feature::kBarycentrics && IsVulkan())
+    return {true, "GL_EXT_fragment_shader_barycentric"};
   if (api_ == Api::kWebGL && version_ >= 300) {
     // Browsers have two of the extensions of ES 3.00, WEBGL_clip_cull_distance and OVR_multiview2.
     if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)

@@ -69,6 +69,8 @@ enum class Feature : std::uint8_t {
   kFineDerivatives,    // dFdxFine and the like
   kExplicitLevels,     // textureLod and textureGrad in a fragment shader
   kLevelQueries,       // textureQueryLod
+  kInterpolants,       // interpolateAtCentroid and the like
+  kBarycentrics,       // gl_BaryCoordEXT
   // ---- types and expressions
   kUnsigned,            // uint, % << >> & | ^ ~, and int overloads of functions
   kSwitch,              // `switch`
@@ -140,7 +142,9 @@ class Target {
   bool IsVulkan() const { return api_ == Api::kVulkan; }
   bool IsEs() const { return api_ == Api::kOpenGLES || api_ == Api::kWebGL; }
   int version() const { return version_; }  // as in the #version line
-  std::string VersionLine() const;          // "#version 300 es", "#version 100"
+  // The first target that has the feature, of the same API if any; empty: none has it.
+  std::string_view NearestWith(Feature feature) const;
+  std::string VersionLine() const;  // "#version 300 es", "#version 100"
 
   Support Of(Feature feature) const;
   bool Has(Feature feature) const { return Of(feature).has; }

@@ -80,7 +80,8 @@ Written WriteGlsl(const Program& program, const Target& target, const WriteOptio
   return {Concat(Header(code), code.structs, blocks.text, objects.text, inputs.text, outputs.text,
                  code.helpers, globals.text, functions),
           {std::move(inputs.info), std::move(outputs.info), std::move(blocks.info),
-           std::move(objects.info), outputs.clip_distance_mask, outputs.cull_distance_mask}};
+           std::move(objects.info), outputs.clip_distance_mask, outputs.cull_distance_mask,
+           code.names.framebuffer_height}};
 }
 
 }  // namespace clipc::glsl

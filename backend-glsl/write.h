@@ -97,6 +97,9 @@ struct GlslInfo {
   std::vector<Object> objects;
   std::uint32_t clip_distance_mask = 0;  // bit i: gl_ClipDistance[i] is written
   std::uint32_t cull_distance_mask = 0;
+  // The uniform of a float that the host sets to the height of the framebuffer in pixels; empty:
+  // the shader has none.
+  std::string framebuffer_height;
 
   // The block of a cbuffer; null if the shader does not reach the cbuffer.
   const Block* BlockOf(ir::CbufferId cbuffer) const {

@@ -43,6 +43,9 @@ Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Vari
                {"type", program.types.Name(program.vars[io.var].type)},
                {"name", written.name}};
   if (written.location) json["location"] = *written.location;
+  const bool is_target = program.vars[io.var].storage == ir::Storage::kOutput &&
+                         io.builtin == ir::Builtin::kNone && !InfoOf(program.stage).has_stage_after;
+  if (is_target) json["renderTarget"] = io.location;
   if (written.needs_base_vertex_zero) json["needsBaseVertexZero"] = true;
   if (written.needs_base_instance_zero) json["needsBaseInstanceZero"] = true;
   if (written.integer_as_float) json["integerAsFloat"] = true;
@@ -206,14 +209,44 @@ Json Planes(const ClipTable& table) {
   return list;
 }
 
+// Whether an input that the shader reads passes the test.
+bool ReadsInput(const Program& program, const GlslInfo& info, auto&& test) {
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    if (info.inputs[i].is_used && test(program.inputs[i])) return true;
+  }
+  return false;
+}
+
+// What the host sets so that a stage that draws pixels gets Direct3D's values.
+Json Host(const Lowered& lowered, const GlslInfo& info) {
+  const Program& program = lowered.program;
+  const glsl::Target& target = lowered.target;
+  Json json = Json::object();
+  if (!info.framebuffer_height.empty()) json["framebufferHeight"] = info.framebuffer_height;
+  if (ReadsInput(program, info,
+                 [](const IoVar& input) { return input.builtin == ir::Builtin::kFrontFacing; })) {
+    const bool is_turned = target.flips_y && !target.IsVulkan();
+    json["frontFace"] = is_turned ? "counterclockwise" : "clockwise";
+  }
+  const bool is_flat = ReadsInput(program, info, [&](const IoVar& input) {
+    return input.builtin == ir::Builtin::kNone &&
+           (input.interpolation == ir::Interpolation::kNoInterpolation ||
+            ir::IsInteger(program.types[program.vars[input.var].type].scalar));
+  });
+  if (is_flat && !target.IsVulkan()) json["provokingVertex"] = "first";
+  return json;
+}
+
 // What is said of each stage.
 Json StageJson(const ReflectedStage& stage) {
   const Program& program = stage.lowered.program;
   const GlslInfo& info = stage.info;
+  const StageInfo& traits = InfoOf(program.stage);
   Json json = {{"version", 1},
                {"entry", stage.table.entry},
                {"profile", stage.table.profile},
                {"target", stage.lowered.target.name()}};
+  if (traits.draws_pixels) json["stage"] = traits.name;
   json["inputs"] = Signature(program, program.inputs, info.inputs, true);
   json["outputs"] = Signature(program, program.outputs, info.outputs, false);
   json["cbuffers"] = Json::array();
@@ -221,15 +254,14 @@ Json StageJson(const ReflectedStage& stage) {
     json["cbuffers"].push_back(CbufferJson(program, id, info));
   json["structs"] = Structs(program);
   json["resources"] = Objects(program, info);
+  if (traits.draws_pixels) json["host"] = Host(stage.lowered, info);
+  if (program.tests_early) json["earlyTests"] = true;
   return json;
 }
 
-}  // namespace
-
-std::string Reflect(const ReflectedStage& stage, std::optional<int> position_matrices,
-                    const ReflectedStage* pixel) {
+// The part about clip planes and the position, of a stage with a stage after it.
+void AddPlanes(const ReflectedStage& stage, std::optional<int> position_matrices, Json& json) {
   const ClipTable& table = stage.table;
-  Json json = StageJson(stage);
   json["lowering"] = NameOf(table.lowering);
   json["positionSpace"] = clip_table::TableNameOf(table.plane_space);
   json["positionMatrices"] = position_matrices ? Json(*position_matrices) : Json(nullptr);
@@ -237,6 +269,15 @@ std::string Reflect(const ReflectedStage& stage, std::optional<int> position_mat
   json["enableMask"] = table.enable_mask;
   json["clipDistanceMask"] = stage.info.clip_distance_mask;
   json["cullDistanceMask"] = stage.info.cull_distance_mask;
+}
+
+}  // namespace
+
+std::string Reflect(const ReflectedStage& stage, std::optional<int> position_matrices,
+                    const ReflectedStage* pixel) {
+  Json json = StageJson(stage);
+  if (InfoOf(stage.lowered.program.stage).has_stage_after)
+    AddPlanes(stage, position_matrices, json);
   if (pixel) {
     Json& half = json["pixelShader"] = StageJson(*pixel);
     half.erase("version");

@@ -135,6 +135,14 @@ ExprId Builder::CallOf(FunctionId function, std::span<const ExprId> arguments) {
              Call{function, program_.expr_lists.Add(arguments)});
 }
 
+ExprId Builder::ClipsAt(ExprId value) {
+  const TypeId type = TypeOf(value), one = program_.types.Make(Scalar::kBool);
+  ExprId zero = LiteralOf(program_.types[type].scalar, 0);
+  if (TypeOf(zero) != type) zero = SplatTo(type, zero);
+  const ExprId is_below = BinaryOf(BinaryOp::kLess, value, zero);
+  return TypeOf(is_below) == one ? is_below : IntrinsicOf(Intrinsic::kAny, one, {is_below});
+}
+
 ExprId Builder::CommaOf(ExprId first, ExprId second) {
   return Add(TypeOf(second), Comma{first, second});
 }

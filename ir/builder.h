@@ -46,6 +46,8 @@ class Builder {
   ExprId IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<ExprId> arguments);
   ExprId CallOf(FunctionId function, std::span<const ExprId> arguments);
   ExprId CommaOf(ExprId first, ExprId second);
+  // Whether clip(value) discards: a component is below zero, which NaN is not.
+  ExprId ClipsAt(ExprId value);
   template <typename Node>
   ExprId Add(TypeId type, const Node& node) {
     if constexpr (std::is_same_v<Node, ObjectCall>) program_.calls_objects = true;

@@ -56,6 +56,11 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
     is_constant_ = false;
     return PushZeros(WordsOf(expr));
   }
+  if (category == IntrinsicCategory::kInterpolants) {
+    if (error_.empty()) error_ = std::string(NameOf(node.op)) + " needs the input's other values";
+    is_constant_ = false;
+    return PushZeros(WordsOf(expr));
+  }
   const std::size_t base = stack_.size();
   std::array<ExprId, 3> arguments{};
   std::array<std::size_t, 3> starts{base, base, base};

@@ -133,12 +133,21 @@ enum class ObjectOp : std::uint8_t {
   kLevelOfDetailUnclamped,
   // (texture, comparison sampler, coordinate, reference [, offset])
   kSampleCmpLevelZero,
+  // (texture, comparison sampler, coordinate, reference, level [, offset])
+  kSampleCmpLevel,
+  // (texture, comparison sampler, coordinate, reference, bias [, offset])
+  kSampleCmpBias,
+  // (texture, comparison sampler, coordinate, reference, ddx, ddy [, offset])
+  kSampleCmpGrad,
   // (texture, sampler, coordinate [, offset, or one for each texel of the four]): component 0
   kGather,
   // (as kGather): components 1, 2 and 3
   kGatherGreen,
   kGatherBlue,
   kGatherAlpha,
+  // (texture, comparison sampler, coordinate, reference [, offsets as of kGather]): 0 or 1 for each
+  // texel
+  kGatherCmp,
   // (texture, coordinate int{1..3} without level, level int [, offset]); of a multisampled texture
   // the level is the sample
   kTextureLoad,
@@ -166,6 +175,8 @@ enum class ObjectOp : std::uint8_t {
   kD3d9SampleGrad,
   // (sampler of a texture that is no cube, float4): the coordinate is divided by w
   kD3d9SampleProjected,
+  // (subpass input [, sample int]): the value of an earlier subpass in the pixel's place
+  kSubpassLoad,
   // (RWTexture, coordinate int{1..3})
   kImageLoad,
   // (a writable object, place as the load of that object has it, value): void; the place in an
@@ -200,10 +211,11 @@ constexpr bool IsAtomic(ObjectOp op) {
 }
 // Whether the operation changes the contents of the object.
 constexpr bool WritesObject(ObjectOp op) { return op == ObjectOp::kStore || IsAtomic(op); }
-// Whether the operation reads one component of four texels.
+// Whether the operation reads one component of four texels, or compares it.
 constexpr bool IsGather(ObjectOp op) {
   using enum ObjectOp;
-  return op == kGather || op == kGatherGreen || op == kGatherBlue || op == kGatherAlpha;
+  return op == kGather || op == kGatherGreen || op == kGatherBlue || op == kGatherAlpha ||
+         op == kGatherCmp;
 }
 // Whether the operation takes the level of detail from neighbouring pixels.
 constexpr bool AsksNeighbours(ObjectOp op) {
@@ -212,6 +224,7 @@ constexpr bool AsksNeighbours(ObjectOp op) {
     case kSample:
     case kSampleBias:
     case kSampleCmp:
+    case kSampleCmpBias:
     case kLevelOfDetail:
     case kLevelOfDetailUnclamped:
     case kD3d9Sample:
@@ -230,6 +243,9 @@ constexpr bool TakesSampler(ObjectOp op) {
     case kSampleBias:
     case kSampleCmp:
     case kSampleCmpLevelZero:
+    case kSampleCmpLevel:
+    case kSampleCmpBias:
+    case kSampleCmpGrad:
     case kLevelOfDetail:
     case kLevelOfDetailUnclamped: return true;
     default: return IsGather(op);

@@ -79,6 +79,8 @@ struct Resource {
   VarId var;
   Register reg;             // its letter is t, s or u
   std::string format = {};  // [[vk::image_format("rgba8")]] in GLSL's spelling; empty: none
+  // [[vk::input_attachment_index(..)]]
+  std::optional<std::uint32_t> input_attachment = {};
 };
 
 // The meaning of an input or output to the pipeline.
@@ -108,14 +110,19 @@ enum class Builtin : std::uint8_t {
   kViewportIndex,  // uint
 
   // Inputs of a pixel shader.
-  kPixelPosition,  // float4: SV_Position, with Direct3D's y and w
-  kFrontFacing,    // bool
-  kSampleIndex,    // uint
-  kCoverageInput,  // uint
-  kPrimitiveId,    // uint
-  kLayerInput,     // uint
-  kViewportInput,  // uint
-  kUntranslated,   // no target has the input; it may be declared, and is not read
+  kPixelPosition,              // float4: SV_Position, with Direct3D's y and w
+  kFrontFacing,                // bool
+  kSampleIndex,                // uint
+  kCoverageInput,              // uint
+  kPrimitiveId,                // uint
+  kLayerInput,                 // uint
+  kViewportInput,              // uint
+  kBarycentrics,               // float3
+  kBarycentricsNoPerspective,  // float3
+  kShadingRateInput,           // uint, as kShadingRate
+  kClipDistanceInput,          // float[n], n <= 8, as the vertex shader writes them
+  kCullDistanceInput,          // float[n]
+  kUntranslated,               // no target has the input; it may be declared, and is not read
 
   // Outputs of a pixel shader.
   kDepth,              // float

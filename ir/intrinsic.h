@@ -30,11 +30,12 @@ struct IntrinsicSignature {
 };
 
 enum class IntrinsicCategory : std::uint8_t {
-  kComponents,  // component i of the result depends on component i of each argument
-  kBits,        // as kComponents, but on the bit patterns of the components
-  kVectors,     // the components of an argument are combined
-  kWriting,     // an argument is written
-  kNeighbours,  // component i of the result is a difference of components i between pixels
+  kComponents,    // component i of the result depends on component i of each argument
+  kBits,          // as kComponents, but on the bit patterns of the components
+  kVectors,       // the components of an argument are combined
+  kWriting,       // an argument is written
+  kNeighbours,    // component i of the result is a difference of components i between pixels
+  kInterpolants,  // the first argument, an input, at another place of the pixel
 };
 
 // The requirements that an intrinsic makes of a GLSL target.

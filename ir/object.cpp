@@ -46,8 +46,8 @@ bool IsStructured(ObjectKind kind) { return IsOf(kind, ObjectCategory::kStructur
 bool IsByteAddress(ObjectKind kind) { return IsOf(kind, ObjectCategory::kByteAddressBuffer); }
 bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
 bool HasElement(ObjectKind kind) {
-  return IsOf(kind, ObjectCategory::kTexture) || IsOf(kind, ObjectCategory::kTypedBuffer) ||
-         IsStructured(kind);
+  return IsOf(kind, ObjectCategory::kTexture) || IsOf(kind, ObjectCategory::kSubpass) ||
+         IsOf(kind, ObjectCategory::kTypedBuffer) || IsStructured(kind);
 }
 char RegisterLetter(ObjectKind kind) {
   return IsSampler(kind) ? 's' : IsWritable(kind) ? 'u' : 't';

@@ -17,6 +17,7 @@ enum class ObjectCategory : std::uint8_t {
   kSampler,          // SamplerState and SamplerComparisonState; Direct3D 9's `sampler` before its
                      // first use
   kCombinedSampler,  // Direct3D 9's sampler2D and the like: a texture and its sampler in one
+  kSubpass,          // SubpassInput<T>: the pixel's own place of what an earlier subpass drew
   kTypedBuffer,      // Buffer<T>
   kStructuredBuffer,
   kByteAddressBuffer,

@@ -59,8 +59,6 @@ struct Program {
   std::vector<Resource> resources;  // the objects that are reached, in order of declaration
   std::vector<ClipPlane> clip_planes;
   bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
-  // Discards wait for the end of main: passes/defer_discards.h.
-  bool defers_discards = false;
   Form form = Form::kTyped;
   // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
   // for such calls need not look at the nodes of other programs.

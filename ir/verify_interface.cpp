@@ -107,7 +107,11 @@ class InterfaceVerifier {
                base == Scalar::kFloat;
       case kClipDistance:
       case kCullDistance:
-        return storage == kOutput && type.kind == TypeKind::kArray && type.count >= 1 &&
+      case kClipDistanceInput:
+      case kCullDistanceInput:
+        return storage ==
+                   (builtin == kClipDistance || builtin == kCullDistance ? kOutput : kInput) &&
+               type.kind == TypeKind::kArray && type.count >= 1 &&
                type.count <= kMaxClipDistances && program_.types.Name(type.element) == "float";
       case kPointSize:
       case kDepth:
@@ -115,6 +119,10 @@ class InterfaceVerifier {
       case kDepthLessEqual: return storage == kOutput && is_scalar && base == Scalar::kFloat;
       case kPixelPosition:
         return storage == kInput && type.kind == TypeKind::kVector && type.columns == 4 &&
+               base == Scalar::kFloat;
+      case kBarycentrics:
+      case kBarycentricsNoPerspective:
+        return storage == kInput && type.kind == TypeKind::kVector && type.columns == 3 &&
                base == Scalar::kFloat;
       case kFrontFacing: return storage == kInput && is_scalar && base == Scalar::kBool;
       case kUntranslated: return storage == kInput && type.IsScalarOrVector();

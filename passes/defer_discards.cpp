@@ -2,6 +2,9 @@
 #include "passes/defer_discards.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "base/invariant.h"
@@ -14,6 +17,79 @@ using namespace ir;
 
 namespace {
 
+// Returns a function that discards where clip() of a value of this type does.
+FunctionId ClipFunction(Program& program, TypeId type) {
+  Builder b(program);
+  const VarId value = program.vars.Add({.name = "value", .type = type, .storage = Storage::kIn});
+  const StmtId discard = b.Stmt(Discard{});
+  const ExprId condition = b.ClipsAt(b.Ref(value));
+  const StmtId test = b.Stmt(If{condition, b.BlockOf({&discard, 1}), {}});
+  return program.functions.Add({"clip", program.types.Void(), {value}, b.BlockOf({&test, 1}), {}});
+}
+
+// Makes each clip() that is a part of an expression a call of a function.
+void CallClipFunctions(Program& program, std::span<const ExprId> clips) {
+  std::map<std::uint32_t, FunctionId> functions;  // by TypeId of the value
+  for (const ExprId clip : clips) {
+    const auto& call = std::get<IntrinsicCall>(program.exprs[clip].node);
+    const ExprId value = program.expr_lists[call.arguments][0];
+    const TypeId type = TypeIdOf(program, value);
+    FunctionId& function = functions[type.index];
+    if (!function) function = ClipFunction(program, type);
+    Builder b(program, program.exprs[clip].span);
+    program.exprs[clip].node = program.exprs[b.CallOf(function, {&value, 1})].node;
+  }
+}
+
+// Keeps the stores and atomic operations of a pixel whose discard waits from happening after it.
+class StoreGuard {
+ public:
+  StoreGuard(Program& program, VarId flag) : program_(program), flag_(flag) {}
+
+  void Run() {
+    for (const FunctionId function : program_.functions.ids()) {
+      ForEachStmt(program_, program_.functions[function].body, [&](StmtId id) { Statement(id); });
+      ForEachExpr(program_, program_.functions[function].body, [&](ExprId id) { Value(id); });
+    }
+    for (const StmtId id : stores_) Guard(id);
+    for (const ExprId id : values_) Guard(id);
+  }
+
+ private:
+  void Statement(StmtId id) {
+    const auto* evaluate = As<Evaluate>(program_, id);
+    if (evaluate && IsStore(evaluate->expr)) stores_.push_back(id);
+  }
+  bool IsStore(ExprId id) const {
+    const auto* call = As<ObjectCall>(program_, id);
+    return call && WritesObject(call->op) && TypeIdOf(program_, id) == program_.types.Void();
+  }
+  void Value(ExprId id) {
+    const auto* call = As<ObjectCall>(program_, id);
+    if (call && WritesObject(call->op) && !IsStore(id)) values_.push_back(id);
+  }
+
+  void Guard(StmtId id) {
+    Builder b(program_, program_.stmts[id].span);
+    const StmtId store = b.Eval(std::get<Evaluate>(program_.stmts[id].node).expr);
+    const ExprId is_alive = b.UnaryOf(UnaryOp::kNot, b.Ref(flag_));
+    program_.stmts[id].node = If{is_alive, b.BlockOf({&store, 1}), {}};
+  }
+  // The value of an atomic operation that does not happen is undefined, and zero here.
+  void Guard(ExprId id) {
+    const TypeId type = TypeIdOf(program_, id);
+    Builder b(program_, program_.exprs[id].span);
+    const ObjectCall call = std::get<ObjectCall>(program_.exprs[id].node);
+    const ExprId atomic = b.Add(type, call);
+    program_.exprs[id].node = Conditional{b.Ref(flag_), b.ZeroOf(type), atomic};
+  }
+
+  Program& program_;
+  VarId flag_;
+  std::vector<StmtId> stores_;
+  std::vector<ExprId> values_;
+};
+
 // The search for discards that must wait: it follows the program backwards, with the answer whether
 // neighbours may be asked after a place.
 class Search {
@@ -22,6 +98,9 @@ class Search {
       : program_(program),
         asks_(program.functions.size(), Answer::kUnknown),
         asked_after_(program.functions.size()) {}
+
+  // The calls of clip() in expressions, once Run is done.
+  const std::vector<ExprId>& clips() const { return clips_; }
 
   std::vector<StmtId> Run() {
     // Callers come before the functions that they call, so all places of a call are known.
@@ -42,6 +121,8 @@ class Search {
     seen[function.index] = true;
     ForEachExpr(program_, program_.functions[function].body, [&](ExprId id) {
       if (const auto* call = As<Call>(program_, id)) Order(call->function, seen, order);
+      const auto* intrinsic = As<IntrinsicCall>(program_, id);
+      if (intrinsic && intrinsic->op == Intrinsic::kClip) clips_.push_back(id);
     });
     order.push_back(function);
     const bool asks = AnyExpr(program_, program_.functions[function].body,
@@ -121,6 +202,7 @@ class Search {
   std::vector<Answer> asks_;       // by FunctionId: whether its body, or a callee's, asks
   std::vector<bool> asked_after_;  // by FunctionId: whether any of its callers may ask after it
   std::vector<StmtId> waiting_;
+  std::vector<ExprId> clips_;
 };
 
 }  // namespace
@@ -128,16 +210,21 @@ class Search {
 void DeferDiscards(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
   if (!clipc::InfoOf(program.stage).draws_pixels) return;
-  const std::vector<StmtId> waiting = Search(program).Run();
+  Search search(program);
+  std::vector<StmtId> waiting = search.Run();
+  if (!search.clips().empty()) {
+    CallClipFunctions(program, search.clips());
+    waiting = Search(program).Run();
+  }
   if (waiting.empty()) return;
   Builder b(program);
-  program.defers_discards = true;
   const TypeId type = program.types.Make(Scalar::kBool);
   const VarId flag = program.vars.Add(
       {.name = "is_discarded", .type = type, .storage = Storage::kStatic, .init = b.Bool(false)});
   program.globals.push_back(flag);
   for (const StmtId id : waiting)
     program.stmts[id].node = Evaluate{b.AssignTo(b.Ref(flag), b.Bool(true))};
+  StoreGuard(program, flag).Run();
   const StmtId discard = b.Stmt(Discard{});
   const StmtId last = b.Stmt(If{b.Ref(flag), b.BlockOf({&discard, 1}), {}});
   AppendToBody(program, program.main, {&last, 1});

@@ -15,7 +15,10 @@ namespace clipc::passes {
 //                                               color = map.Sample(linear, uv);
 //                                               if (is_discarded) discard;
 //
-// Requires and ensures Form::kInlined. Program::defers_discards says whether any waits.
+// Stores and atomic operations happen only while the pixel is not discarded. A clip() that is a
+// part of an expression becomes a call of a function that discards.
+//
+// Requires and ensures Form::kInlined.
 void DeferDiscards(ir::Program& program);
 
 }  // namespace clipc::passes

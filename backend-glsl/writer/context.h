@@ -39,6 +39,7 @@ struct Names {
   std::vector<std::string> instances;            // by CbufferId; empty: members are global
   std::vector<std::string> rows;                 // by CbufferId
   std::vector<std::string> groups;  // the instances of Program::output_groups; may be empty
+  std::string framebuffer_height;   // of the uniform; empty: the shader does not need it
 };
 
 // The state that all subjects of the writer share. A subject is a header of free functions over it,
@@ -55,6 +56,7 @@ struct Context {
   const std::vector<BlockLayout> layouts;  // by CbufferId, of the reached ones
   Names names;
   std::vector<TextureUse> texture_uses;  // of global objects; none for Vulkan
+  bool has_upper_left_origin = false;    // gl_FragCoord is declared anew with that origin
 
   // The parts of the shader that come into being where they are first needed.
   Namer namer;

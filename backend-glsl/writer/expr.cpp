@@ -2,6 +2,7 @@
 #include "backend-glsl/writer/expr.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "backend-glsl/literal.h"
@@ -27,11 +28,44 @@ Binding Write(Code& code, const Text& text) {
   return text.binding;
 }
 
+constexpr std::uint8_t kFourComponents[] = {0, 1, 2, 3};
+
+// Writes components of a pixel's position, which are numbered from 0. GLSL has 1 / w where Direct3D
+// has w, and some targets count y from the lower edge.
+Binding WritePixelPosition(Code& code, const std::string& name,
+                           std::span<const std::uint8_t> components) {
+  const std::string& height = code.names.framebuffer_height;
+  const std::string y = height.empty() ? name + ".y" : Concat(height, " - ", name, ".y");
+  const std::string w = Concat("1.0 / ", name, ".w");
+  const auto has = [&](std::uint8_t component) {
+    return std::ranges::find(components, component) != components.end();
+  };
+  const bool changes_y = !height.empty() && has(1);
+  if (components.size() == 1 && (changes_y || has(3))) {
+    code.Put(changes_y ? y : w);
+    return changes_y ? Binding::kSum : Binding::kProduct;
+  }
+  const bool is_first =
+      std::ranges::equal(components, std::span(kFourComponents).first(components.size()));
+  if (changes_y && is_first && components.size() < 4) {
+    code.Put(components.size() == 2 ? "vec2(" : "vec3(", name, ".x, ", y,
+             components.size() == 2 ? "" : Concat(", ", name, ".z"), ")");
+    return Binding::kPostfix;
+  }
+  if (changes_y)
+    code.Put("vec4(", name, ".x, ", y, ", ", name, ".z, ", w, ")");
+  else
+    code.Put(has(3) ? Concat("vec4(", name, ".xyz, ", w, ")") : name);
+  if (is_first && components.size() == 4) return Binding::kPostfix;
+  code.Put(".");
+  for (const std::uint8_t each : components) code.Put(std::string_view("xyzw").substr(each, 1));
+  return Binding::kPostfix;
+}
+
 Binding WriteVar(Code& code, VarId id) {
   if (code[id].storage == Storage::kUniform) return WriteUniform(code, id);
   if (IsPixelPosition(code, id)) {
-    code.Put("vec4(", code.NameOf(id), ".xyz, 1.0 / ", code.NameOf(id), ".w)");
-    return Binding::kPostfix;
+    return WritePixelPosition(code, code.NameOf(id), kFourComponents);
   }
   code.Put(code.NameOf(id));
   return Binding::kPostfix;
@@ -75,26 +109,11 @@ Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
   return Binding::kPostfix;
 }
 
-// Writes components of a pixel's position. GLSL has 1 / w where Direct3D has w.
-Binding WritePixelPosition(Code& code, const std::string& name, const Swizzle& node) {
-  const auto end = node.components.begin() + node.count;
-  const bool has_w = std::find(node.components.begin(), end, 3) != end;
-  if (has_w && node.count == 1) {
-    code.Put("1.0 / ", name, ".w");
-    return Binding::kProduct;
-  }
-  if (has_w) code.Put("vec4(", name, ".xyz, 1.0 / ", name, ".w)");
-  if (!has_w) code.Put(name);
-  code.Put(".");
-  for (auto each = node.components.begin(); each != end; ++each)
-    code.Put(std::string_view("xyzw").substr(*each, 1));
-  return Binding::kPostfix;
-}
-
 Binding WriteSwizzle(Code& code, const Swizzle& node) {
   const auto* ref = code.As<VarRef>(node.base);
   if (ref && IsPixelPosition(code, ref->var))
-    return WritePixelPosition(code, code.NameOf(ref->var), node);
+    return WritePixelPosition(code, code.NameOf(ref->var),
+                              std::span(node.components).first(node.count));
   const Shape shape = code.ShapeAt(node.base);
   if (shape.IsScalar()) {
     if (node.count == 1) return WriteExpr(code, node.base);

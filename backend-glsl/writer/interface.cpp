@@ -63,6 +63,11 @@ std::string BuiltinInput(const Context& context, Builtin builtin) {
     case Builtin::kPrimitiveId: return "gl_PrimitiveID";
     case Builtin::kLayerInput: return "gl_Layer";
     case Builtin::kViewportInput: return "gl_ViewportIndex";
+    case Builtin::kBarycentrics: return "gl_BaryCoordEXT";
+    case Builtin::kBarycentricsNoPerspective: return "gl_BaryCoordNoPerspEXT";
+    case Builtin::kShadingRateInput: return "gl_ShadingRateEXT";
+    case Builtin::kClipDistanceInput: return "gl_ClipDistance";
+    case Builtin::kCullDistanceInput: return "gl_CullDistance";
     default: break;
   }
   CLIPC_CHECK(!"a built-in input");
@@ -81,12 +86,23 @@ void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
   }
   if (input.builtin == Builtin::kInstanceId)
     info.needs_base_instance_zero = KeepsBaseInstance(context);
-  if (input.builtin == Builtin::kPixelPosition && !context.target.HasUpperLeftOrigin() &&
-      (ComponentsRead(context.program)[input.var.index] & 0b10) != 0) {
+  const std::string& height = context.names.framebuffer_height;
+  if (input.builtin == Builtin::kPixelPosition && !height.empty()) {
+    Append(inputs.text, context.target.IsEs() ? "uniform highp float " : "uniform float ", height,
+           ";  // of the framebuffer, in pixels\n");
+  } else if (input.builtin == Builtin::kPixelPosition && !context.target.HasUpperLeftOrigin() &&
+             (ComponentsRead(context.program)[input.var.index] & 0b10) != 0) {
     context.Require(Feature::kUpperLeftOrigin);
+    context.has_upper_left_origin = true;
     inputs.text += "layout(origin_upper_left) in vec4 gl_FragCoord;\n";
   }
-  if (input.builtin == Builtin::kViewId && !is_vulkan) {
+  if (input.builtin == Builtin::kClipDistanceInput ||
+      input.builtin == Builtin::kCullDistanceInput) {
+    Append(inputs.text, context.target.IsEs() ? "in highp float " : "in float ",
+           BuiltinInput(context, input.builtin), Dimensions(context, input.var), ";\n");
+  }
+  const bool has_stage_before = InfoOf(context.program.stage).has_stage_before;
+  if (input.builtin == Builtin::kViewId && !is_vulkan && !has_stage_before) {
     inputs.text += fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input, ""));
   }
 }
@@ -259,9 +275,12 @@ void WritePerVertex(Context& context, Outputs& outputs) {
 // Writes the qualifiers of built-in outputs that are not declared anew.
 void QualifyBuiltins(Context& context, std::string& text) {
   for (const IoVar& output : context.program.outputs) {
-    if (output.builtin == Builtin::kDepthGreaterEqual || output.builtin == Builtin::kDepthLessEqual)
-      Append(text, "layout(depth_", output.builtin == Builtin::kDepthLessEqual ? "less" : "greater",
-             ") out ", context.target.IsEs() ? "highp " : "", "float gl_FragDepth;\n");
+    const bool is_less = output.builtin == Builtin::kDepthLessEqual;
+    if ((is_less || output.builtin == Builtin::kDepthGreaterEqual) &&
+        context.Has(Feature::kConservativeDepth)) {
+      context.Require(Feature::kConservativeDepth);
+      Append(text, "layout(depth_", is_less ? "less" : "greater", ") out float gl_FragDepth;\n");
+    }
     const bool is_position = output.builtin == Builtin::kPosition;
     if (!is_position && output.builtin != Builtin::kPointSize) continue;
     const std::string_view name = BuiltinOutput(output.builtin, context.target);
@@ -274,12 +293,14 @@ void QualifyBuiltins(Context& context, std::string& text) {
 }  // namespace
 
 std::string InputText(const Context& context, const IoVar& input, const std::string& attribute) {
+  const bool is_array = context.TypeOf(input.var).kind == TypeKind::kArray;
+  if (is_array) return BuiltinInput(context, input.builtin);
   const Shape shape = context.ShapeAt(input.var);
   const auto converted = [&](const std::string& value) {
     return Concat(GlslName(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
   };
   if (input.builtin == Builtin::kUntranslated) return "";
-  if (input.builtin == Builtin::kPixelPosition || input.builtin == Builtin::kFrontFacing)
+  if (input.builtin != Builtin::kNone && !IsInteger(shape.scalar))
     return BuiltinInput(context, input.builtin);
   if (input.builtin != Builtin::kNone) return converted(BuiltinInput(context, input.builtin));
   return IsIntegerAsFloat(context, input) ? converted(attribute) : attribute;

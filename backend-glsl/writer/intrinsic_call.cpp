@@ -110,6 +110,32 @@ Binding WriteDerivative(Code& code, Intrinsic op, ExprId operand) {
   }
 }
 
+// Writes an input's value at another place of the pixel. GLSL before 4.60 takes no components of an
+// input there. The offset of a snapped place is in sixteenths of a pixel, with y downwards.
+Binding WriteInterpolant(Code& code, Intrinsic op, std::span<const ExprId> arguments) {
+  code.Require(Feature::kInterpolants);
+  const auto* swizzle = code.As<Swizzle>(arguments[0]);
+  code.Put(op == Intrinsic::kEvaluateAtSample  ? "interpolateAtSample("
+           : op == Intrinsic::kEvaluateSnapped ? "interpolateAtOffset("
+                                               : "interpolateAtCentroid(");
+  WriteAt(code, swizzle ? swizzle->base : arguments[0], Binding::kAssignment);
+  if (op == Intrinsic::kEvaluateAtSample) {
+    code.Put(", int(");
+    WriteAt(code, arguments[1], Binding::kAssignment);
+    code.Put(")");
+  } else if (op == Intrinsic::kEvaluateSnapped) {
+    code.Put(", vec2(");
+    WriteAt(code, arguments[1], Binding::kAssignment);
+    code.Put(code.target.HasUpperLeftOrigin() ? ") * 0.0625" : ") * vec2(0.0625, -0.0625)");
+  }
+  code.Put(")");
+  if (!swizzle) return Binding::kPostfix;
+  code.Put(".");
+  for (int i = 0; i < swizzle->count; ++i)
+    code.Put(std::string_view("xyzw").substr(swizzle->components[i], 1));
+  return Binding::kPostfix;
+}
+
 }  // namespace
 
 Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
@@ -119,6 +145,8 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   const ExprId x = arguments[0];
   if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
     return WriteDerivative(code, node.op, x);
+  if (CategoryOf(node.op) == IntrinsicCategory::kInterpolants)
+    return WriteInterpolant(code, node.op, arguments);
   const Shape shape = code.ShapeAt(x);
   const auto call = [&](std::string_view function) { return WriteCall(code, function, arguments); };
   const auto snippet = [&](std::string_view name) {

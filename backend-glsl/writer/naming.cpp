@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "backend-glsl/needs.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/types.h"
@@ -140,6 +141,8 @@ class Naming {
             : input.reader ? ReadName(input)
                            : namer_.Global(StyledName(input));
       }
+      if (NeedsFramebufferHeight(context_.program, context_.target, input))
+        names_.framebuffer_height = namer_.Global(kFramebufferHeight);
       names_.vars[input.var.index] = InputText(context_, input, names_.attributes[i]);
     }
   }

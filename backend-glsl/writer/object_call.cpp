@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "backend-glsl/literal.h"
+#include "backend-glsl/needs.h"
 #include "backend-glsl/writer/buffer_call.h"
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/objects.h"
@@ -39,13 +40,17 @@ class ObjectCaller {
       case ObjectOp::kD3d9SampleGrad:
       case ObjectOp::kD3d9SampleProjected: return Sample();
       case ObjectOp::kSampleCmp:
-      case ObjectOp::kSampleCmpLevelZero: return Compare();
+      case ObjectOp::kSampleCmpLevelZero:
+      case ObjectOp::kSampleCmpLevel:
+      case ObjectOp::kSampleCmpBias:
+      case ObjectOp::kSampleCmpGrad: return Compare();
       case ObjectOp::kLevelOfDetail: return LevelOfDetail(".x");
       case ObjectOp::kLevelOfDetailUnclamped: return LevelOfDetail(".y");
       case ObjectOp::kGather:
       case ObjectOp::kGatherGreen:
       case ObjectOp::kGatherBlue:
-      case ObjectOp::kGatherAlpha: return Gather();
+      case ObjectOp::kGatherAlpha:
+      case ObjectOp::kGatherCmp: return Gather();
       case ObjectOp::kTextureLoad: return Texel();
       case ObjectOp::kBufferLoad:
         if (IsImage(kind_)) return Rest("imageLoad", 1);
@@ -53,6 +58,7 @@ class ObjectCaller {
         return Rest("texelFetch", 1);
       case ObjectOp::kStructuredLoad: return StructuredLoad(code_, node_);
       case ObjectOp::kByteLoad: return ByteLoad(code_, type_, node_);
+      case ObjectOp::kSubpassLoad: return SubpassLoad();
       case ObjectOp::kImageLoad: return Rest("imageLoad", 1);
       case ObjectOp::kStore: return IsImage(kind_) ? ImageStore() : BufferStore(code_, node_);
       case ObjectOp::kAtomicAdd: return Atomic("Add");
@@ -160,22 +166,29 @@ class ObjectCaller {
     const std::string place =
         components == 1 ? fmt::format("vec3({}, 0.0, {})", coordinate, reference)
                         : fmt::format("vec{}({}, {})", components + 1, coordinate, reference);
-    const bool has_level = kind_ == ObjectKind::kTexture1D || kind_ == ObjectKind::kTexture2D ||
-                           kind_ == ObjectKind::kTexture1DArray;
-    const bool has_offset = arguments_.size() > 4;
-    if (node_.op == ObjectOp::kSampleCmp) {
-      return has_offset ? Called("textureOffset", {object, place, ArgumentAt(4)})
-                        : Called("texture", {object, place});
+    const std::size_t more = node_.op == ObjectOp::kSampleCmpGrad    ? 2
+                             : node_.op == ObjectOp::kSampleCmpLevel ? 1
+                             : node_.op == ObjectOp::kSampleCmpBias  ? 1
+                                                                     : 0;
+    const bool has_offset = arguments_.size() > 4 + more;
+    const std::string offset = has_offset ? Concat(", ", ArgumentAt(4 + more)) : "";
+    const std::string_view end = has_offset ? "Offset" : "";
+    const auto call = [&](std::string_view function, std::string_view values) {
+      return Text{Concat(function, end, "(", object, ", ", place, values, offset, ")")};
+    };
+    switch (node_.op) {
+      case ObjectOp::kSampleCmp: return call("texture", "");
+      case ObjectOp::kSampleCmpLevel: return call("textureLod", Concat(", ", ArgumentAt(4)));
+      case ObjectOp::kSampleCmpGrad:
+        return call("textureGrad", Concat(", ", ArgumentAt(4), ", ", ArgumentAt(5)));
+      case ObjectOp::kSampleCmpBias:  // GLSL has the offset before the bias
+        return {Concat("texture", end, "(", object, ", ", place, offset, ", ", ArgumentAt(4), ")")};
+      default: break;
     }
-    if (!has_level && !has_offset) {
-      if (!InfoOf(code_.program.stage).has_neighbours) return Called("texture", {object, place});
-      const std::string_view zero = InfoOf(kind_).is_cube ? "vec3(0.0)" : "vec2(0.0)";
-      return Called("textureGrad", {object, place, zero, zero});
-    }
-    if (!has_offset) return Called("textureLod", {object, place, "0.0"});
-    const std::string offset = ArgumentAt(4);
-    if (has_level) return Called("textureLodOffset", {object, place, "0.0", offset});
-    return Called("textureGradOffset", {object, place, "vec2(0.0)", "vec2(0.0)", offset});
+    if (HasShadowLevels(kind_)) return call("textureLod", ", 0.0");
+    if (!has_offset && !InfoOf(code_.program.stage).has_neighbours) return call("texture", "");
+    return call("textureGrad",
+                InfoOf(kind_).is_cube ? ", vec3(0.0), vec3(0.0)" : ", vec2(0.0), vec2(0.0)");
   }
 
   Text LevelOfDetail(std::string_view component) {
@@ -185,26 +198,44 @@ class ObjectCaller {
   }
 
   Text Gather() {
-    const int component = static_cast<int>(node_.op) - static_cast<int>(ObjectOp::kGather);
+    const bool compares = node_.op == ObjectOp::kGatherCmp;
+    const int component =
+        compares ? 0 : static_cast<int>(node_.op) - static_cast<int>(ObjectOp::kGather);
     const std::string last = component > 0 ? fmt::format(", {}", component) : "";
-    if (arguments_.size() != 7) {
-      const bool has_offset = arguments_.size() > 3;
-      if (has_offset && !ConstantBits(code_.program, arguments_[3]))
+    const std::size_t first = compares ? 4 : 3;  // the first offset
+    if (arguments_.size() != first + 4) {
+      const bool has_offset = arguments_.size() > first;
+      if (has_offset && !ConstantBits(code_.program, arguments_[first]))
         code_.Require(Feature::kGatherOffsets);
       return Rest(has_offset ? "textureGatherOffset" : "textureGather", 2, arguments_[1], last);
     }
     code_.Require(Feature::kGatherOffsets);
     const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
-    const std::string coordinate = ArgumentAt(2);
+    const std::string place = compares ? Concat(ArgumentAt(2), ", ", ArgumentAt(3)) : ArgumentAt(2);
     return Narrow(fmt::format(
-        "textureGatherOffsets({}, {}, ivec2[4]({}){})", object, coordinate,
-        ListOf(arguments_.subspan(3), [&](ExprId offset) { return Argument(code_, offset); }),
+        "textureGatherOffsets({}, {}, ivec2[4]({}){})", object, place,
+        ListOf(arguments_.subspan(first), [&](ExprId offset) { return Argument(code_, offset); }),
         last));
   }
 
   Text Texel() {
     RequireSamplerless();
     return Rest(arguments_.size() > 3 ? "texelFetchOffset" : "texelFetch", 1);
+  }
+
+  // OpenGL has no subpasses: the host binds what was drawn as a texture. Its rows are counted as
+  // gl_FragCoord is unless that is declared anew.
+  Text SubpassLoad() {
+    const std::string name = ObjectName(code_, arguments_[0]);
+    const bool has_sample = arguments_.size() > 1;
+    if (code_.target.IsVulkan())
+      return Narrow(Concat("subpassLoad(", name, has_sample ? ", " + ArgumentAt(1) : "", ")"));
+    const std::string place = code_.has_upper_left_origin
+                                  ? Concat("ivec2(gl_FragCoord.x, float(textureSize(", name,
+                                           has_sample ? ").y" : ", 0).y", ") - gl_FragCoord.y)")
+                                  : "ivec2(gl_FragCoord.xy)";
+    return Narrow(
+        Concat("texelFetch(", name, ", ", place, ", ", has_sample ? ArgumentAt(1) : "0", ")"));
   }
 
   Text Query() {

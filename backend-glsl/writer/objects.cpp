@@ -125,12 +125,18 @@ class ObjectWriter {
     GlslInfo::Object& info = Add(resource);
     if (InfoOf(kind).category == ObjectCategory::kSampler) std::swap(info.texture, info.sampler);
     const std::string type =
-        kind == ObjectKind::kSampler ? "sampler"
-        : kind == ObjectKind::kSamplerComparison
-            ? "samplerShadow"
+        kind == ObjectKind::kSampler             ? "sampler"
+        : kind == ObjectKind::kSamplerComparison ? "samplerShadow"
+        : InfoOf(kind).category == ObjectCategory::kSubpass
+            ? Concat(PrefixOf(context_, ObjectTypeOf(context_, resource.var)),
+                     InfoOf(kind).is_multisampled ? "subpassInputMS" : "subpassInput")
             : TextureType(context_, resource.var, IsCombinedSampler(kind) ? "sampler" : "texture");
     const std::string place = Bind(context_, info, resource.reg, textures_, 1);
-    Append(text_, LayoutText({place}), "uniform ", type, " ", info.name,
+    const std::string attachment =
+        resource.input_attachment
+            ? Concat("input_attachment_index = ", std::to_string(*resource.input_attachment))
+            : "";
+    Append(text_, LayoutText({attachment, place}), "uniform ", type, " ", info.name,
            Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg), "\n");
   }
 

@@ -14,6 +14,7 @@
 #include "frontend/check/global.h"
 #include "frontend/check/self.h"
 #include "frontend/rules/build_main.h"
+#include "frontend/rules/check_gradients.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/check_written.h"
 #include "frontend/rules/known_offsets.h"
@@ -67,6 +68,7 @@ void Run(Context& context) {
   const bool has_limits = !InfoOf(program.stage).draws_pixels;
   if (has_limits && !context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
+  if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);
 }
 
 }  // namespace

@@ -60,8 +60,9 @@ struct Globals {
   BufferId params_buffer;  // the buffer $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
-  std::unordered_map<std::uint32_t, Register> registers;   // by VarId of a resource
-  std::unordered_map<std::uint32_t, std::string> formats;  // by VarId of an image
+  std::unordered_map<std::uint32_t, Register> registers;         // by VarId of a resource
+  std::unordered_map<std::uint32_t, std::string> formats;        // by VarId of an image
+  std::unordered_map<std::uint32_t, std::uint32_t> attachments;  // by VarId of a subpass input
   OutOfLine out_of_line;
   std::vector<bool> const_vars;  // by VarId
 };

@@ -16,16 +16,9 @@ std::vector<VarId> TakeAfter(Context& context, VarId var) {
   return later;
 }
 
-// Emits clip(x): the pixel is discarded if any component is below zero, which NaN is not.
 void EmitClip(Context& context, ExprId value, Span span) {
   Builder at = context.At(span);
-  const TypeId type = context.TypeIdOf(value);
-  const TypeId boolean = context.types.WithScalar(type, Scalar::kBool);
-  ExprId zero = at.LiteralOf(context.types[type].scalar, 0);
-  if (at.TypeOf(zero) != type) zero = at.SplatTo(type, zero);
-  ExprId condition = at.BinaryOf(BinaryOp::kLess, value, zero);
-  const TypeId one = context.types.Make(Scalar::kBool);
-  if (boolean != one) condition = at.IntrinsicOf(Intrinsic::kAny, one, {condition});
+  const ExprId condition = at.ClipsAt(value);
   const StmtId discard = at.Stmt(Discard{});
   Emit(context, span, If{condition, at.BlockOf({&discard, 1}), {}});
 }

@@ -179,6 +179,8 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   const Scalar components = texel ? BaseOf(context[texel].scalar) : Scalar::kFloat;
   std::string format = ImageFormatOf(context, var.attributes, components);
   if (!format.empty()) context.globals.formats.emplace(result.index, std::move(format));
+  if (const auto number = InputAttachmentOf(context, var.attributes))
+    context.globals.attachments.emplace(result.index, *number);
 }
 
 const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
@@ -242,9 +244,12 @@ void FinishGlobals(Context& context) {
   std::ranges::stable_sort(context.globals.resources, {}, &Globals::Ordered::order);
   for (const Globals::Ordered& resource : context.globals.resources) {
     const auto format = context.globals.formats.find(resource.var.index);
-    context.program.resources.push_back(
-        {resource.var, context.globals.registers.at(resource.var.index),
-         format == context.globals.formats.end() ? "" : format->second});
+    Resource& added = context.program.resources.emplace_back(
+        Resource{resource.var, context.globals.registers.at(resource.var.index),
+                 format == context.globals.formats.end() ? "" : format->second});
+    const auto attachment = context.globals.attachments.find(resource.var.index);
+    if (attachment != context.globals.attachments.end())
+      added.input_attachment = attachment->second;
   }
   if (!context.diagnostics.has_errors()) InitialiseInMain(context.program);
 }

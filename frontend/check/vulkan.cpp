@@ -9,11 +9,12 @@ namespace clipc::check {
 namespace {
 
 // The largest numbers that glslang takes: layoutLocationEnd, layoutSpecConstantIdEnd,
-// layoutBindingEnd.
+// layoutBindingEnd, layoutAttachmentEnd.
 constexpr std::int64_t kMaxLocation = rules::kLocations - 1;
 constexpr std::int64_t kMaxConstantId = 2046;
 constexpr std::int64_t kMaxBinding = 0xfffe;
 constexpr std::int64_t kMaxOffset = 65536;
+constexpr std::int64_t kMaxAttachment = 254;
 
 // The formats in "Format layout qualifiers" of the GLSL specification. DXC writes them without `_`.
 constexpr std::string_view kFormats[] = {
@@ -97,6 +98,11 @@ bool IsPushConstant(const Context& context, List<ast::Attr> attributes) {
 std::optional<std::uint32_t> ConstantIdOf(Context& context, List<ast::Attr> attributes) {
   return Number(context, attributes, VulkanAttribute::kConstantId, kMaxConstantId,
                 "a number from 0 to 2046");
+}
+
+std::optional<std::uint32_t> InputAttachmentOf(Context& context, List<ast::Attr> attributes) {
+  return Number(context, attributes, VulkanAttribute::kInputAttachment, kMaxAttachment,
+                "a number from 0 to 254");
 }
 
 std::optional<std::uint32_t> OffsetOf(Context& context, List<ast::Attr> attributes) {

@@ -68,9 +68,9 @@ constexpr StatementAttribute kOfStatements[] = {
 };
 
 // The names of the attributes in the order of VulkanAttribute.
-constexpr std::string_view kVulkanNames[] = {"vk::location",      "vk::builtin", "vk::binding",
-                                             "vk::push_constant", "vk::offset",  "vk::constant_id",
-                                             "vk::image_format"};
+constexpr std::string_view kVulkanNames[] = {
+    "vk::location", "vk::builtin",     "vk::binding",      "vk::push_constant",
+    "vk::offset",   "vk::constant_id", "vk::image_format", "vk::input_attachment_index"};
 
 }  // namespace
 
@@ -91,7 +91,8 @@ bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner) {
     case VulkanAttribute::kPushConstant: return owner == kVariable || owner == kBuffer;
     case VulkanAttribute::kOffset: return owner == kField;
     case VulkanAttribute::kConstantId:
-    case VulkanAttribute::kImageFormat: return owner == kVariable;
+    case VulkanAttribute::kImageFormat:
+    case VulkanAttribute::kInputAttachment: return owner == kVariable;
   }
   return false;
 }

@@ -42,6 +42,7 @@ enum class VulkanAttribute : std::uint8_t {
   kOffset,      // the offset of a field in push constants
   kConstantId,  // the number of a constant whose value is set when the pipeline is made
   kImageFormat,
+  kInputAttachment,  // the number of a subpass input among the attachments
 };
 std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name);
 // Whether the attribute has an effect at `owner`.

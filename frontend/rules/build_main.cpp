@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/spelling.h"
+#include "frontend/rules/distances.h"
 #include "frontend/rules/locations.h"
 #include "frontend/rules/semantics.h"
 #include "frontend/rules/signature_leaves.h"
@@ -36,13 +37,15 @@ class MainBuilder {
     leaves_.SetByRow(signature_.stages_match_by_row && stage_.has_stage_before);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
+    ReadDistances(Builtin::kClipDistanceInput, clip_reads_);
+    ReadDistances(Builtin::kCullDistanceInput, cull_reads_);
     CallEntry();
     leaves_.SetByRow(signature_.stages_match_by_row);
     for (const Carrier& output : pending_outputs_) {
       for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
     }
-    WriteDistances(Builtin::kClipDistance, "clip_distance");
-    WriteDistances(Builtin::kCullDistance, "cull_distance");
+    WriteDistances(Builtin::kClipDistance, clip_);
+    WriteDistances(Builtin::kCullDistance, cull_);
     CheckDistanceCount();
     CheckPosition();
     for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
@@ -51,15 +54,6 @@ class MainBuilder {
   }
 
  private:
-  // One piece of SV_ClipDistance or SV_CullDistance, waiting for its place in the merged array.
-  struct Distance {
-    std::uint32_t index = 0;  // of the semantic
-    PartNumber part = kNoPart;
-    int components = 0;
-    bool is_scalar = false;
-    Span span;
-  };
-
   // ---- parameters
 
   void PrepareParameter(VarId id, const EntryParameter& parameter) {
@@ -144,7 +138,16 @@ class MainBuilder {
         types.Make(value.builtin == Builtin::kBaseVertex ? Scalar::kInt : Scalar::kUint);
     std::string_view wanted = "a `uint`";
     bool fits = IsInteger(kind) && type.Components() == 1;
-    if (value.builtin == Builtin::kPixelPosition) {
+    Builtin builtin = value.builtin;
+    if (builtin == Builtin::kClipDistanceInput || builtin == Builtin::kCullDistanceInput)
+      return DistanceInput(leaf, builtin);
+    if (builtin == Builtin::kBarycentrics) {
+      if (leaf.cursor.interpolation == Interpolation::kNoPerspective)
+        builtin = Builtin::kBarycentricsNoPerspective;
+      stored = types.Vector(Scalar::kFloat, 3);
+      wanted = "a `float3`";
+      fits = kind == Scalar::kFloat && type.Components() == 3;
+    } else if (value.builtin == Builtin::kPixelPosition) {
       stored = types.Vector(Scalar::kFloat, 4);
       wanted = "a `float4`";
       fits = kind == Scalar::kFloat;
@@ -159,10 +162,9 @@ class MainBuilder {
       Refuse(leaf, wanted);
       return {};
     }
-    const auto known = std::ranges::find(program_.inputs, value.builtin, &IoVar::builtin);
-    const VarId input = known != program_.inputs.end()
-                            ? known->var
-                            : AddIo(program_.inputs, leaf, stored, value.builtin);
+    const auto known = std::ranges::find(program_.inputs, builtin, &IoVar::builtin);
+    const VarId input =
+        known != program_.inputs.end() ? known->var : AddIo(program_.inputs, leaf, stored, builtin);
     if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
     if (value.builtin == Builtin::kFrontFacing) return FrontFacing(input, leaf);
     return Fit(builder_.Ref(input), leaf.type);
@@ -311,52 +313,80 @@ class MainBuilder {
 
   // ---- clip and cull distances by hand
 
-  void AddDistance(const Carrier& leaf, Builtin builtin) {
-    const Type type = program_.types[leaf.type];
-    if (BaseOf(type.scalar) != Scalar::kFloat) return Refuse(leaf, "a `float` scalar or vector");
-    auto& list = builtin == Builtin::kClipDistance ? clip_ : cull_;
-    list.push_back({leaf.cursor.semantic.index, leaf.part, static_cast<int>(type.Components()),
-                    type.kind == TypeKind::kScalar, leaf.span});
+  // A pixel shader's distances lie in the array as the vertex shader packs them, so the places of
+  // these components follow when all pieces are known.
+  ExprId DistanceInput(const Carrier& leaf, Builtin builtin) {
+    const std::uint32_t count = program_.types[leaf.type].Components();
+    if (!IsDistance(leaf)) return {};
+    std::vector<ExprId> values;
+    for (std::uint32_t i = 0; i < count; ++i) values.push_back(builder_.Float(0));
+    auto& pieces = builtin == Builtin::kClipDistanceInput ? clip_reads_ : cull_reads_;
+    pieces.Add(leaf.cursor.semantic.index, values, leaf.span);
+    const TypeId vector = program_.types.Vector(Scalar::kFloat, static_cast<int>(count));
+    return Fit(count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
   }
 
-  // Writes the pieces in the order of their semantic index, each kept within a register of four as
-  // fxc packs a signature: two float3 are distances 0, 1, 2 and 4, 5, 6. Distances in a gap are 0,
-  // which clips nothing.
-  void WriteDistances(Builtin builtin, std::string name) {
-    auto& list = builtin == Builtin::kClipDistance ? clip_ : cull_;
-    if (list.empty()) return;
-    std::ranges::stable_sort(list, {}, &Distance::index);
-    std::vector<ExprId> values;
-    for (const Distance& piece : list) {
-      while (values.size() % 4 + static_cast<std::size_t>(piece.components) > 4)
-        values.push_back(builder_.Float(0));
-      for (int i = 0; i < piece.components; ++i) {
-        ExprId value = leaves_.ValueOf(piece.part);
-        if (!piece.is_scalar) value = builder_.Swizzled(value, {i});
-        values.push_back(builder_.ConvertTo(Scalar::kFloat, value));
-      }
-    }
-    distance_count_ += static_cast<std::uint32_t>(values.size());
-    const TypeId type = program_.types.Array(program_.types.Make(Scalar::kFloat),
-                                             static_cast<std::uint32_t>(values.size()));
-    Carrier leaf;
-    leaf.type = type;
-    leaf.name = name;
-    leaf.cursor.semantic.name =
-        builtin == Builtin::kClipDistance ? "SV_ClipDistance" : "SV_CullDistance";
-    leaf.span = list.front().span;
-    const VarId array = AddIo(program_.outputs, leaf, type, builtin);
-    program_.vars[array].name = std::move(name);
+  void ReadDistances(Builtin builtin, Distances& pieces) {
+    if (pieces.empty()) return;
+    const std::vector<ExprId> values = pieces.Packed();
+    const VarId array = AddDistances(program_.inputs, builtin, values.size(), pieces.span());
     for (std::uint32_t i = 0; i < values.size(); ++i) {
-      body_.push_back(
-          builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), values[i])));
+      const ExprId element = builder_.At(builder_.Ref(array), i);
+      if (values[i]) program_.exprs[values[i]].node = program_.exprs[element].node;
     }
+  }
+
+  void AddDistance(const Carrier& leaf, Builtin builtin) {
+    if (!IsDistance(leaf)) return;
+    std::vector<ExprId> values;
+    for (std::uint32_t i = 0; i < program_.types[leaf.type].Components(); ++i) {
+      ExprId value = leaves_.ValueOf(leaf.part);
+      if (program_.types[leaf.type].kind != TypeKind::kScalar)
+        value = builder_.Swizzled(value, {static_cast<int>(i)});
+      values.push_back(builder_.ConvertTo(Scalar::kFloat, value));
+    }
+    auto& pieces = builtin == Builtin::kClipDistance ? clip_ : cull_;
+    pieces.Add(leaf.cursor.semantic.index, std::move(values), leaf.span);
+  }
+
+  // Writes the pieces. Distances in a gap are 0, which clips nothing.
+  void WriteDistances(Builtin builtin, Distances& pieces) {
+    if (pieces.empty()) return;
+    const std::vector<ExprId> values = pieces.Packed();
+    const VarId array = AddDistances(program_.outputs, builtin, values.size(), pieces.span());
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+      const ExprId value = values[i] ? values[i] : builder_.Float(0);
+      body_.push_back(builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), value)));
+    }
+  }
+
+  // Reports and returns false unless the leaf can be distances.
+  bool IsDistance(const Carrier& leaf) {
+    if (BaseOf(program_.types[leaf.type].scalar) == Scalar::kFloat) return true;
+    Refuse(leaf, "a `float` scalar or vector");
+    return false;
+  }
+
+  // Adds the array of distances to the inputs or outputs.
+  VarId AddDistances(std::vector<IoVar>& list, Builtin builtin, std::size_t count, Span span) {
+    const bool is_clip =
+        builtin == Builtin::kClipDistance || builtin == Builtin::kClipDistanceInput;
+    distance_count_ += static_cast<std::uint32_t>(count);
+    distance_span_ = distance_span_ ? distance_span_ : span;
+    Carrier leaf;
+    leaf.type = program_.types.Array(program_.types.Make(Scalar::kFloat),
+                                     static_cast<std::uint32_t>(count));
+    leaf.name = is_clip ? "clip_distance" : "cull_distance";
+    leaf.cursor.semantic.name = is_clip ? "SV_ClipDistance" : "SV_CullDistance";
+    leaf.span = span;
+    const VarId array = AddIo(list, leaf, leaf.type, builtin);
+    program_.vars[array].name = leaf.name;
+    return array;
   }
 
   void CheckDistanceCount() {
     if (distance_count_ <= kMaxDistances) return;
-    diagnostics_.Report(clip_.empty() ? cull_.front().span : clip_.front().span,
-                        diag::TooManyClipDistances, distance_count_);
+    diagnostics_.Report(distance_span_, diag::TooManyClipDistances, distance_count_);
   }
 
   // Reports an output POSITION from 4.0 on, which is most likely meant to be the position.
@@ -435,7 +465,8 @@ class MainBuilder {
   std::vector<ExprId> arguments_;
   SignatureLeaves leaves_;
   std::vector<Carrier> pending_outputs_;
-  std::vector<Distance> clip_, cull_;
+  Distances clip_, cull_, clip_reads_, cull_reads_;
+  Span distance_span_;  // of the first distances
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
   Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
   std::uint32_t distance_count_ = 0;

@@ -118,6 +118,8 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   }
   if (info.category == IntrinsicCategory::kNeighbours && !call.ThisStage().has_neighbours)
     return Report(call, diag::IntrinsicDerivative);
+  if (info.category == IntrinsicCategory::kInterpolants && !call.ThisStage().draws_pixels)
+    return Report(call, diag::IntrinsicInterpolation);
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicDiscard);
   if (!info.signature.is_special) return CheckBySignature(call, op);

@@ -33,6 +33,10 @@ std::string_view MethodOf(ObjectOp op) {
     case kSampleBias: return "SampleBias";
     case kSampleCmp: return "SampleCmp";
     case kSampleCmpLevelZero: return "SampleCmpLevelZero";
+    case kSampleCmpLevel: return "SampleCmpLevel";
+    case kSampleCmpBias: return "SampleCmpBias";
+    case kSampleCmpGrad: return "SampleCmpGrad";
+    case kGatherCmp: return "GatherCmp";
     case kTextureLoad: return "Load";
     case kGatherGreen: return "GatherGreen";
     case kGatherBlue: return "GatherBlue";
@@ -49,8 +53,12 @@ std::uint32_t FirstOffset(ObjectOp op) {
     case kSampleLevel:
     case kSampleBias:
     case kSampleCmp:
-    case kSampleCmpLevelZero: return 4;
-    case kSampleGrad: return 5;
+    case kSampleCmpLevelZero:
+    case kGatherCmp: return 4;
+    case kSampleGrad:
+    case kSampleCmpLevel:
+    case kSampleCmpBias: return 5;
+    case kSampleCmpGrad: return 6;
     case kTextureLoad: return 3;
     default: return IsGather(op) ? 3 : ~0u;
   }

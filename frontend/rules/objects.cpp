@@ -68,19 +68,38 @@ class MethodCheck : IntrinsicCheck {
 
   ExprId SampleCmpLevelZero(int) { return Compare(ObjectOp::kSampleCmpLevelZero); }
 
+  // Checks a SampleCmpLevel or SampleCmpBias, which take one number after the reference.
+  ExprId SampleCmpWith(int op) {
+    if (!IsAtLeast(6, op == static_cast<int>(ObjectOp::kSampleCmpLevel) ? 7 : 8) ||
+        !TakeCompare(4) || !TakeFloats(3, 1) || !TakeOffset(4))
+      return Error();
+    return Finish(static_cast<ObjectOp>(op), program.types.Make(Scalar::kFloat));
+  }
+
+  ExprId SampleCmpBias(int op) {
+    return ThisStage().has_neighbours
+               ? SampleCmpWith(op)
+               : Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
+  }
+
+  ExprId SampleCmpGrad(int) {
+    if (!IsAtLeast(6, 8) || !TakeCompare(5) || !TakeFloats(3, traits_.gradient) ||
+        !TakeFloats(4, traits_.gradient) || !TakeOffset(5))
+      return Error();
+    return Finish(ObjectOp::kSampleCmpGrad, program.types.Make(Scalar::kFloat));
+  }
+
   // Checks a Gather, whose arguments are (sampler, coordinate), and perhaps an offset or an offset
   // for each of the four texels.
   ExprId Gather(int op) {
-    const std::size_t given = arguments.size();
-    const bool has_four = traits_.offset != 0 && given == 6;
-    if ((!has_four && !CheckCount(2)) || !TakeSampler(ObjectKind::kSampler) ||
-        !TakeFloats(1, traits_.coordinates))
-      return Error();
-    for (std::size_t i = 2; i < given; ++i) {
-      if (!TakeOffset(i)) return Error();
-    }
     const Scalar kind = program.types[Element()].scalar;
-    return Finish(static_cast<ObjectOp>(op), program.types.Vector(kind, 4));
+    return GatherAfter(2, ObjectKind::kSampler, static_cast<ObjectOp>(op), kind);
+  }
+
+  // Checks a GatherCmp, which has a reference value after the coordinate.
+  ExprId GatherCmp(int op) {
+    return GatherAfter(3, ObjectKind::kSamplerComparison, static_cast<ObjectOp>(op),
+                       Scalar::kFloat);
   }
 
   ExprId TextureLoad(int) {
@@ -126,11 +145,14 @@ class MethodCheck : IntrinsicCheck {
 
   ExprId GetDimensions(int) { return CheckGetDimensions(*this, object_); }
 
-  // Refuses a method that takes its level of detail from neighbouring pixels.
-  ExprId ImplicitLevel(int) {
-    if (ThisStage().has_neighbours) return Unsupported(0);
-    return Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
+  ExprId SubpassLoad(int) {
+    const std::size_t count = InfoOf(kind_).is_multisampled ? 1 : 0;
+    if (!ThisStage().draws_pixels) return Unusable(0);
+    if (!HasCount(count, count) || (count == 1 && !Take(0, program.types.Make(Scalar::kInt))))
+      return Error();
+    return Finish(ObjectOp::kSubpassLoad, Element());
   }
+
   ExprId Unsupported(int) { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
   ExprId Unusable(int) { return Fail(name_span, diag::ObjectUnusable, name, ThisStage().name); }
   // Refuses a method that the object does not have.
@@ -144,9 +166,33 @@ class MethodCheck : IntrinsicCheck {
     if (!ThisStage().has_neighbours)
       diagnostics.Report(name_span, diag::MethodLevelZero, name, ThisStage().name, level);
   }
-  ExprId Compare(ObjectOp op) {
-    if (!TakeSample(3, ObjectKind::kSamplerComparison) || !TakeFloats(2, 1) || !TakeOffset(3))
+  // Takes a sampler, a coordinate and a reference value, the first of `least` arguments.
+  bool TakeCompare(std::size_t least) {
+    return TakeSample(least, ObjectKind::kSamplerComparison) && TakeFloats(2, 1);
+  }
+  // Checks the gather of four components of this kind, whose arguments before the offsets are
+  // `least`.
+  ExprId GatherAfter(std::size_t least, ObjectKind sampler, ObjectOp op, Scalar kind) {
+    const std::size_t given = arguments.size();
+    const bool has_four = traits_.offset != 0 && given == least + 4;
+    if ((!has_four && !CheckCount(least)) || !TakeSampler(sampler) ||
+        !TakeFloats(1, traits_.coordinates) || (least == 3 && !TakeFloats(2, 1)))
       return Error();
+    for (std::size_t i = least; i < given; ++i) {
+      if (!TakeOffset(i)) return Error();
+    }
+    return Finish(op, program.types.Vector(kind, 4));
+  }
+  // Reports and returns false unless the profile has the method.
+  bool IsAtLeast(int major, int minor) const {
+    if (program.profile.IsAtLeast(major, minor)) return true;
+    diagnostics.Report(name_span, diag::IntrinsicProfile, name,
+                       fmt::format("{}_{}_{}", ThisStage().prefix, major, minor),
+                       program.profile.name);
+    return false;
+  }
+  ExprId Compare(ObjectOp op) {
+    if (!TakeCompare(3) || !TakeOffset(3)) return Error();
     return Finish(op, program.types.Make(Scalar::kFloat));
   }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
@@ -257,7 +303,7 @@ struct Method {
   std::string_view name;
   Needs needs;
   Check check;
-  int detail = 0;  // the ObjectOp of a Gather; the number of words of a ByteLoad or ByteStore
+  int detail = 0;  // the ObjectOp of the call; the number of words of a ByteLoad or ByteStore
   Staged staged = {};
 };
 
@@ -266,12 +312,8 @@ constexpr auto kTextureMethods = [] {
   const auto gather = [](std::string_view name, ObjectOp op) {
     return Method{name, kGathering, &MethodCheck::Gather, static_cast<int>(op)};
   };
-  const auto implicit = [](std::string_view name) {
-    return Method{name,
-                  kSampling,
-                  &MethodCheck::ImplicitLevel,
-                  0,
-                  {&StageInfo::has_neighbours, StandIn::kFloat}};
+  const auto gather_cmp = [](std::string_view name) {
+    return Method{name, kGathering, &MethodCheck::GatherCmp, static_cast<int>(kGatherCmp)};
   };
   const auto unsupported = [](std::string_view name, StandIn type) {
     return Method{name, kReading, &MethodCheck::Unsupported, 0, {&StageInfo::draws_pixels, type}};
@@ -290,15 +332,16 @@ constexpr auto kTextureMethods = [] {
       gather("GatherAlpha", kGatherAlpha),
       {"Load", kTexels, &MethodCheck::TextureLoad},
       {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
-      implicit("SampleCmpBias"),
+      {"SampleCmpBias", kComparison, &MethodCheck::SampleCmpBias, static_cast<int>(kSampleCmpBias)},
+      {"SampleCmpGrad", kComparison, &MethodCheck::SampleCmpGrad},
+      {"SampleCmpLevel", kComparison, &MethodCheck::SampleCmpWith,
+       static_cast<int>(kSampleCmpLevel)},
+      gather_cmp("GatherCmp"),
+      gather_cmp("GatherCmpRed"),
       {"CalculateLevelOfDetail", kSampling, &MethodCheck::LevelOfDetail,
        static_cast<int>(kLevelOfDetail)},
       {"CalculateLevelOfDetailUnclamped", kSampling, &MethodCheck::LevelOfDetail,
        static_cast<int>(kLevelOfDetailUnclamped)},
-      unsupported("SampleCmpGrad", StandIn::kFloat),
-      unsupported("SampleCmpLevel", StandIn::kFloat),
-      unsupported("GatherCmp", StandIn::kFloat4),
-      unsupported("GatherCmpRed", StandIn::kFloat4),
       unsupported("GatherCmpGreen", StandIn::kFloat4),
       unsupported("GatherCmpBlue", StandIn::kFloat4),
       unsupported("GatherCmpAlpha", StandIn::kFloat4),
@@ -334,14 +377,7 @@ constexpr Method kByteMethods[] = {
     {"InterlockedXor", kWriting, &MethodCheck::Atomic},
 };
 
-// The methods of objects that may only be declared.
-constexpr Method kOtherMethods[] = {
-    {"SubpassLoad",
-     kNothing,
-     &MethodCheck::Unusable,
-     0,
-     {&StageInfo::draws_pixels, StandIn::kFloat4}},
-};
+constexpr Method kSubpassMethods[] = {{"SubpassLoad", kNothing, &MethodCheck::SubpassLoad}};
 
 std::span<const Method> MethodsOf(ObjectKind kind) {
   switch (InfoOf(kind).category) {
@@ -349,7 +385,7 @@ std::span<const Method> MethodsOf(ObjectKind kind) {
     case ObjectCategory::kTypedBuffer:
     case ObjectCategory::kStructuredBuffer: return kBufferMethods;
     case ObjectCategory::kByteAddressBuffer: return kByteMethods;
-    case ObjectCategory::kOther: return kOtherMethods;
+    case ObjectCategory::kSubpass: return kSubpassMethods;
     default: return {};
   }
 }

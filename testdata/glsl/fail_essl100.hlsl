@@ -4,9 +4,10 @@
 // AUTOUPDATE
 #ifdef PLANES
 float4 plane;
-// PLANES: fail_essl100.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `webgl1` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` [target-clip-distance]
-// PLANES-NEXT:    [[#@LINE+2]] | [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
+// PLANES: fail_essl100.hlsl:[[#@LINE+4]]:13: error: the shader writes clip distances; target `webgl1` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` [target-clip-distance]
+// PLANES-NEXT:    [[#@LINE+3]] | [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 // PLANES-NEXT:       |             ^~~~~
+// PLANES-NEXT: clipc: note: target `webgl2` can
 [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 #else
 Texture3D<float4> volume;
@@ -21,23 +22,27 @@ struct Output {
 };
 float4 Sum(float4 values[300]) { return values[0]; }
 
-// CHECK: fail_essl100.hlsl:[[#@LINE+12]]:50: error: the shader reads `SV_InstanceID`; target `essl100` has no such input; an attribute of the instance can have the number [target-instance-id]
-// CHECK-NEXT:    [[#@LINE+11]] | Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
+// CHECK: fail_essl100.hlsl:[[#@LINE+15]]:50: error: the shader reads `SV_InstanceID`; target `essl100` has no such input; an attribute of the instance can have the number [target-instance-id]
+// CHECK-NEXT:    [[#@LINE+14]] | Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
 // CHECK-NEXT:       |                                                  ^~~~~~~~~~~~~
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-7]]:24: error: `TEXCOORD0` is interpolated at the centroid; target `essl100` cannot do that [target-centroid]
-// CHECK-NEXT:    [[#@LINE-8]] |   centroid float2 uv : TEXCOORD;
+// CHECK-NEXT: clipc: note: target `essl300` can
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-8]]:24: error: `TEXCOORD0` is interpolated at the centroid; target `essl100` cannot do that [target-centroid]
+// CHECK-NEXT:    [[#@LINE-9]] |   centroid float2 uv : TEXCOORD;
 // CHECK-NEXT:       |                        ^~~~~~~~
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-18]]:19: error: `volume` is a three-dimensional texture; target `essl100` has none [target-texture3-d]
-// CHECK-NEXT:    [[#@LINE-19]] | Texture3D<float4> volume;
+// CHECK-NEXT: clipc: note: target `essl300` can
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-20]]:19: error: `volume` is a three-dimensional texture; target `essl100` has none [target-texture3-d]
+// CHECK-NEXT:    [[#@LINE-21]] | Texture3D<float4> volume;
 // CHECK-NEXT:       |                   ^~~~~~
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-11]]:19: error: `values` has 300 elements; target `essl100` has no arrays of values but structs of at most 256 fields [target-long-array]
-// CHECK-NEXT:    [[#@LINE-12]] | float4 Sum(float4 values[300]) { return values[0]; }
+// CHECK-NEXT: clipc: note: target `essl300` can
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-14]]:19: error: `values` has 300 elements; target `essl100` has no arrays of values but structs of at most 256 fields [target-long-array]
+// CHECK-NEXT:    [[#@LINE-15]] | float4 Sum(float4 values[300]) { return values[0]; }
 // CHECK-NEXT:       |                   ^~~~~~
 Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
   Output o;
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:47: error: a texture is read at an offset; target `essl100` has no function for that [target-sample-offset]
-// CHECK-NEXT:    [[#@LINE+2]] |   o.uv = volume.SampleLevel(s, p.xyz, 0).xy + map.SampleLevel(s, p.xy, 0, int2(1, 1)).xy;
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+4]]:47: error: a texture is read at an offset; target `essl100` has no function for that [target-sample-offset]
+// CHECK-NEXT:    [[#@LINE+3]] |   o.uv = volume.SampleLevel(s, p.xyz, 0).xy + map.SampleLevel(s, p.xy, 0, int2(1, 1)).xy;
 // CHECK-NEXT:       |                                               ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// CHECK-NEXT: clipc: note: target `essl300` can
   o.uv = volume.SampleLevel(s, p.xyz, 0).xy + map.SampleLevel(s, p.xy, 0, int2(1, 1)).xy;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:20: warning: target `essl100` has no `uint`; `int` replaces it, and values from 2147483648 on are negative [-Wtarget-uint-as-int]
 // CHECK-NEXT:    [[#@LINE+2]] |   o.position = p + instance + Sum(many);

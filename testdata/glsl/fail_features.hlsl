@@ -21,141 +21,180 @@ int choose;
 
 struct Result {
   float4 position : SV_Position;
-// ES300: fail_features.hlsl:[[#@LINE+6]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `essl300` cannot [target-layer]
-// ES300-NEXT:    [[#@LINE+5]] |   uint layer : SV_RenderTargetArrayIndex;
+// ES300: fail_features.hlsl:[[#@LINE+8]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `essl300` cannot [target-layer]
+// ES300-NEXT:    [[#@LINE+7]] |   uint layer : SV_RenderTargetArrayIndex;
 // ES300-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
-// GL330: fail_features.hlsl:[[#@LINE+3]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl330` cannot [target-layer]
-// GL330-NEXT:    [[#@LINE+2]] |   uint layer : SV_RenderTargetArrayIndex;
+// ES300-NEXT: clipc: note: target `glsl410` can
+// GL330: fail_features.hlsl:[[#@LINE+4]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl330` cannot [target-layer]
+// GL330-NEXT:    [[#@LINE+3]] |   uint layer : SV_RenderTargetArrayIndex;
 // GL330-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
+// GL330-NEXT: clipc: note: target `glsl410` can
   uint layer : SV_RenderTargetArrayIndex;
   int number : NUMBER;
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `essl300` cannot be [target-double-varying]
-// ES300-NEXT:    [[#@LINE+5]] |   double precise_value : WIDE;
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `essl300` cannot be [target-double-varying]
+// ES300-NEXT:    [[#@LINE+7]] |   double precise_value : WIDE;
 // ES300-NEXT:       |                          ^~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl330` cannot be [target-double-varying]
-// GL330-NEXT:    [[#@LINE+2]] |   double precise_value : WIDE;
+// ES300-NEXT: clipc: note: target `glsl410` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl330` cannot be [target-double-varying]
+// GL330-NEXT:    [[#@LINE+3]] |   double precise_value : WIDE;
 // GL330-NEXT:       |                          ^~~~
+// GL330-NEXT: clipc: note: target `glsl410` can
   double precise_value : WIDE;
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+24]]:27: error: `A0` is interpolated without perspective; target `essl300` cannot do that [target-no-perspective]
-// ES300-NEXT:    [[#@LINE+23]] |   noperspective float a : A;
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+32]]:27: error: `A0` is interpolated without perspective; target `essl300` cannot do that [target-no-perspective]
+// ES300-NEXT:    [[#@LINE+31]] |   noperspective float a : A;
 // ES300-NEXT:       |                           ^
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-23]]:8: error: the shader computes in `double`; target `essl300` has no such type [target-double]
-// ES300-NEXT:    [[#@LINE-24]] | double wide;
+// ES300-NEXT: clipc: note: target `glsl130` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-28]]:8: error: the shader computes in `double`; target `essl300` has no such type [target-double]
+// ES300-NEXT:    [[#@LINE-29]] | double wide;
 // ES300-NEXT:       |        ^~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-39]]:19: error: `line_map` is a one-dimensional texture; target `essl300` has none [target-texture1-d]
-// ES300-NEXT:     [[#@LINE-40]] | Texture1D<float4> line_map;
+// ES300-NEXT: clipc: note: target `glsl150` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-45]]:19: error: `line_map` is a one-dimensional texture; target `essl300` has none [target-texture1-d]
+// ES300-NEXT:     [[#@LINE-46]] | Texture1D<float4> line_map;
 // ES300-NEXT:       |                   ^~~~~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-38]]:21: error: `samples` is a multisampled texture; target `essl300` has none [target-multisample]
-// ES300-NEXT:    [[#@LINE-39]] | Texture2DMS<float4> samples;
+// ES300-NEXT: clipc: note: target `glsl120` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-45]]:21: error: `samples` is a multisampled texture; target `essl300` has none [target-multisample]
+// ES300-NEXT:    [[#@LINE-46]] | Texture2DMS<float4> samples;
 // ES300-NEXT:       |                     ^~~~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-40]]:18: error: `cubes` is an array of cube maps; target `essl300` has none [target-cube-array]
-// ES300-NEXT:    [[#@LINE-41]] | TextureCubeArray cubes;
+// ES300-NEXT: clipc: note: target `essl310` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-48]]:18: error: `cubes` is an array of cube maps; target `essl300` has none [target-cube-array]
+// ES300-NEXT:    [[#@LINE-49]] | TextureCubeArray cubes;
 // ES300-NEXT:       |                  ^~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-42]]:16: error: `typed` is a typed buffer; target `essl300` has none [target-texture-buffer]
-// ES300-NEXT:    [[#@LINE-43]] | Buffer<float4> typed;
+// ES300-NEXT: clipc: note: target `essl310` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-51]]:16: error: `typed` is a typed buffer; target `essl300` has none [target-texture-buffer]
+// ES300-NEXT:    [[#@LINE-52]] | Buffer<float4> typed;
 // ES300-NEXT:       |                ^~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-44]]:26: error: `structured` is a buffer of any layout; target `essl300` has no storage buffers [target-storage-buffer]
-// ES300-NEXT:    [[#@LINE-45]] | StructuredBuffer<float4> structured;
+// ES300-NEXT: clipc: note: target `essl310` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-54]]:26: error: `structured` is a buffer of any layout; target `essl300` has no storage buffers [target-storage-buffer]
+// ES300-NEXT:    [[#@LINE-55]] | StructuredBuffer<float4> structured;
 // ES300-NEXT:       |                          ^~~~~~~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-44]]:11: error: `maps` is an array of arrays; target `essl300` takes textures in simple arrays only [target-object-arrays]
-// ES300-NEXT:    [[#@LINE-45]] | Texture2D maps[2][2];
+// ES300-NEXT: clipc: note: target `essl310` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-55]]:11: error: `maps` is an array of arrays; target `essl300` takes textures in simple arrays only [target-object-arrays]
+// ES300-NEXT:    [[#@LINE-56]] | Texture2D maps[2][2];
 // ES300-NEXT:       |           ^~~~
+// ES300-NEXT: clipc: note: target `essl310` can
   noperspective float a : A;
   nointerpolation float b : B;
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:20: error: `C0` is interpolated per sample; target `glsl330` cannot do that [target-per-sample]
-// GL330-NEXT:    [[#@LINE+2]] |   sample float c : C;
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:20: error: `C0` is interpolated per sample; target `glsl330` cannot do that [target-per-sample]
+// GL330-NEXT:    [[#@LINE+3]] |   sample float c : C;
 // GL330-NEXT:       |                    ^
+// GL330-NEXT: clipc: note: target `glsl400` can
   sample float c : C;
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+9]]:16: error: the shader writes cull distances; target `glsl330` has no `gl_CullDistance` [target-cull-distance]
-// GL330-NEXT:    [[#@LINE+8]] |   float cull : SV_CullDistance;
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+12]]:16: error: the shader writes cull distances; target `glsl330` has no `gl_CullDistance` [target-cull-distance]
+// GL330-NEXT:    [[#@LINE+11]] |   float cull : SV_CullDistance;
 // GL330-NEXT:       |                ^~~~~~~~~~~~~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-59]]:26: error: `structured` is a buffer of any layout; target `glsl330` has no storage buffers [target-storage-buffer]
-// GL330-NEXT:    [[#@LINE-60]] | StructuredBuffer<float4> structured;
+// GL330-NEXT: clipc: note: target `glsl450` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE-73]]:26: error: `structured` is a buffer of any layout; target `glsl330` has no storage buffers [target-storage-buffer]
+// GL330-NEXT:    [[#@LINE-74]] | StructuredBuffer<float4> structured;
 // GL330-NEXT:       |                          ^~~~~~~~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-59]]:11: error: `maps` is an array of arrays; target `glsl330` takes textures in simple arrays only [target-object-arrays]
-// GL330-NEXT:    [[#@LINE-60]] | Texture2D maps[2][2];
+// GL330-NEXT: clipc: note: target `glsl430` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE-74]]:11: error: `maps` is an array of arrays; target `glsl330` takes textures in simple arrays only [target-object-arrays]
+// GL330-NEXT:    [[#@LINE-75]] | Texture2D maps[2][2];
 // GL330-NEXT:       |           ^~~~
+// GL330-NEXT: clipc: note: target `glsl430` can
   float cull : SV_CullDistance;
 };
 
-// GL120: fail_features.hlsl:[[#@LINE+48]]:48: error: the shader reads `SV_VertexID`; target `glsl120` has no such input [target-vertex-id]
-// GL120-NEXT:   [[#@LINE+47]] | Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
+// GL120: fail_features.hlsl:[[#@LINE+64]]:48: error: the shader reads `SV_VertexID`; target `glsl120` has no such input [target-vertex-id]
+// GL120-NEXT:   [[#@LINE+63]] | Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
 // GL120-NEXT:       |                                                ^~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-54]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot [target-layer]
-// GL120-NEXT:    [[#@LINE-55]] |   uint layer : SV_RenderTargetArrayIndex;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-69]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot [target-layer]
+// GL120-NEXT:    [[#@LINE-70]] |   uint layer : SV_RenderTargetArrayIndex;
 // GL120-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-56]]:16: error: `NUMBER0` is an integer output; outputs of target `glsl120` are floats [target-integer-varying]
-// GL120-NEXT:    [[#@LINE-57]] |   int number : NUMBER;
+// GL120-NEXT: clipc: note: target `glsl410` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-72]]:16: error: `NUMBER0` is an integer output; outputs of target `glsl120` are floats [target-integer-varying]
+// GL120-NEXT:    [[#@LINE-73]] |   int number : NUMBER;
 // GL120-NEXT:       |                ^~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-52]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl120` cannot be [target-double-varying]
-// GL120-NEXT:    [[#@LINE-53]] |   double precise_value : WIDE;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-67]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl120` cannot be [target-double-varying]
+// GL120-NEXT:    [[#@LINE-68]] |   double precise_value : WIDE;
 // GL120-NEXT:       |                          ^~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-30]]:27: error: `A0` is interpolated without perspective; target `glsl120` cannot do that [target-no-perspective]
-// GL120-NEXT:    [[#@LINE-31]] |   noperspective float a : A;
+// GL120-NEXT: clipc: note: target `glsl410` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-38]]:27: error: `A0` is interpolated without perspective; target `glsl120` cannot do that [target-no-perspective]
+// GL120-NEXT:    [[#@LINE-39]] |   noperspective float a : A;
 // GL120-NEXT:       |                           ^
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-32]]:29: error: `B0` is not interpolated; outputs of target `glsl120` always are [target-flat]
-// GL120-NEXT:    [[#@LINE-33]] |   nointerpolation float b : B;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-41]]:29: error: `B0` is not interpolated; outputs of target `glsl120` always are [target-flat]
+// GL120-NEXT:    [[#@LINE-42]] |   nointerpolation float b : B;
 // GL120-NEXT:       |                             ^
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-31]]:20: error: `C0` is interpolated per sample; target `glsl120` cannot do that [target-per-sample]
-// GL120-NEXT:    [[#@LINE-32]] |   sample float c : C;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-40]]:20: error: `C0` is interpolated per sample; target `glsl120` cannot do that [target-per-sample]
+// GL120-NEXT:    [[#@LINE-41]] |   sample float c : C;
 // GL120-NEXT:       |                    ^
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-24]]:16: error: the shader writes cull distances; target `glsl120` has no `gl_CullDistance` [target-cull-distance]
-// GL120-NEXT:    [[#@LINE-25]] |   float cull : SV_CullDistance;
+// GL120-NEXT: clipc: note: target `glsl400` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-31]]:16: error: the shader writes cull distances; target `glsl120` has no `gl_CullDistance` [target-cull-distance]
+// GL120-NEXT:    [[#@LINE-32]] |   float cull : SV_CullDistance;
 // GL120-NEXT:       |                ^~~~~~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-86]]:8: error: the shader computes in `double`; target `glsl120` has no such type [target-double]
-// GL120-NEXT:    [[#@LINE-87]] | double wide;
+// GL120-NEXT: clipc: note: target `glsl450` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-110]]:8: error: the shader computes in `double`; target `glsl120` has no such type [target-double]
+// GL120-NEXT:    [[#@LINE-111]] | double wide;
 // GL120-NEXT:       |        ^~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-100]]:17: error: `integers` holds integers; textures of target `glsl120` cannot [target-integer-texture]
-// GL120-NEXT:     [[#@LINE-101]] | Texture2D<int4> integers;
+// GL120-NEXT: clipc: note: target `glsl150` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-125]]:17: error: `integers` holds integers; textures of target `glsl120` cannot [target-integer-texture]
+// GL120-NEXT:     [[#@LINE-126]] | Texture2D<int4> integers;
 // GL120-NEXT:       |                 ^~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-102]]:16: error: `layers` is an array texture; target `glsl120` has none [target-texture-array]
-// GL120-NEXT:     [[#@LINE-103]] | Texture2DArray layers;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-128]]:16: error: `layers` is an array texture; target `glsl120` has none [target-texture-array]
+// GL120-NEXT:     [[#@LINE-129]] | Texture2DArray layers;
 // GL120-NEXT:       |                ^~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-104]]:21: error: `samples` is a multisampled texture; target `glsl120` has none [target-multisample]
-// GL120-NEXT:    [[#@LINE-105]] | Texture2DMS<float4> samples;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-131]]:21: error: `samples` is a multisampled texture; target `glsl120` has none [target-multisample]
+// GL120-NEXT:    [[#@LINE-132]] | Texture2DMS<float4> samples;
 // GL120-NEXT:       |                     ^~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-106]]:18: error: `cubes` is an array of cube maps; target `glsl120` has none [target-cube-array]
-// GL120-NEXT:    [[#@LINE-107]] | TextureCubeArray cubes;
+// GL120-NEXT: clipc: note: target `glsl150` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-134]]:18: error: `cubes` is an array of cube maps; target `glsl120` has none [target-cube-array]
+// GL120-NEXT:    [[#@LINE-135]] | TextureCubeArray cubes;
 // GL120-NEXT:       |                  ^~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-108]]:16: error: `typed` is a typed buffer; target `glsl120` has none [target-texture-buffer]
-// GL120-NEXT:    [[#@LINE-109]] | Buffer<float4> typed;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-137]]:16: error: `typed` is a typed buffer; target `glsl120` has none [target-texture-buffer]
+// GL120-NEXT:    [[#@LINE-138]] | Buffer<float4> typed;
 // GL120-NEXT:       |                ^~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-110]]:26: error: `structured` is a buffer of any layout; target `glsl120` has no storage buffers [target-storage-buffer]
-// GL120-NEXT:    [[#@LINE-111]] | StructuredBuffer<float4> structured;
+// GL120-NEXT: clipc: note: target `glsl140` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-140]]:26: error: `structured` is a buffer of any layout; target `glsl120` has no storage buffers [target-storage-buffer]
+// GL120-NEXT:    [[#@LINE-141]] | StructuredBuffer<float4> structured;
 // GL120-NEXT:       |                          ^~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-110]]:11: error: `maps` is an array of arrays; target `glsl120` takes textures in simple arrays only [target-object-arrays]
-// GL120-NEXT:    [[#@LINE-111]] | Texture2D maps[2][2];
+// GL120-NEXT: clipc: note: target `glsl430` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-141]]:11: error: `maps` is an array of arrays; target `glsl120` takes textures in simple arrays only [target-object-arrays]
+// GL120-NEXT:    [[#@LINE-142]] | Texture2D maps[2][2];
 // GL120-NEXT:       |           ^~~~
+// GL120-NEXT: clipc: note: target `glsl430` can
 Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
   Result r = (Result)0;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:20: warning: target `glsl120` has no `uint`; `int` replaces it, and values from 2147483648 on are negative [-Wtarget-uint-as-int]
 // GL120-NEXT:   [[#@LINE+2]] |   r.position = p + vertex;
 // GL120-NEXT:       |                    ^~~~~~
   r.position = p + vertex;
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:62: error: a texture is read by `Gather`; target `glsl120` has no function for that [target-gather]
-// GL120-NEXT:   [[#@LINE+8]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:62: error: a texture is read by `Gather`; target `glsl120` has no function for that [target-gather]
+// GL120-NEXT:   [[#@LINE+11]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // GL120-NEXT:       |                                                              ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:62: error: a texture is read by `Gather`; target `essl300` has no function for that [target-gather]
-// ES300-NEXT:   [[#@LINE+5]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
+// GL120-NEXT: clipc: note: target `glsl400` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:62: error: a texture is read by `Gather`; target `essl300` has no function for that [target-gather]
+// ES300-NEXT:   [[#@LINE+7]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // ES300-NEXT:       |                                                              ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:62: error: a texture is read by `Gather`; target `glsl330` has no function for that [target-gather]
-// GL330-NEXT:   [[#@LINE+2]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
+// ES300-NEXT: clipc: note: target `essl310` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:62: error: a texture is read by `Gather`; target `glsl330` has no function for that [target-gather]
+// GL330-NEXT:   [[#@LINE+3]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // GL330-NEXT:       |                                                              ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// GL330-NEXT: clipc: note: target `glsl400` can
   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+6]]:17: error: a texture is read by `SampleGrad`; target `glsl120` has no function for that [target-sample-gradient]
-// GL120-NEXT:   [[#@LINE+5]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:17: error: a texture is read by `SampleGrad`; target `glsl120` has no function for that [target-sample-gradient]
+// GL120-NEXT:   [[#@LINE+7]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
 // GL120-NEXT:       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:66: error: a texture is read by `SampleCmpLevelZero`; target `glsl120` has no function for that [target-sample-compare]
-// GL120-NEXT:   [[#@LINE+2]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:66: error: a texture is compared by this method; target `glsl120` has no function for that [target-sample-compare]
+// GL120-NEXT:   [[#@LINE+3]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
 // GL120-NEXT:       |                                                                  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:17: error: a texel is read by `Load` or `[]`; target `glsl120` can only sample [target-texture-load]
-// GL120-NEXT:   [[#@LINE+2]] |   r.position += integers.Load(int3(1, 2, 0)) + layers.SampleLevel(linear_clamp, p.xyz, 0);
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:17: error: a texel is read by `Load` or `[]`; target `glsl120` can only sample [target-texture-load]
+// GL120-NEXT:   [[#@LINE+3]] |   r.position += integers.Load(int3(1, 2, 0)) + layers.SampleLevel(linear_clamp, p.xyz, 0);
 // GL120-NEXT:       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
   r.position += integers.Load(int3(1, 2, 0)) + layers.SampleLevel(linear_clamp, p.xyz, 0);
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:17: error: a texel is read by `Load` or `[]`; target `glsl120` can only sample [target-texture-load]
-// GL120-NEXT:   [[#@LINE+2]] |   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:17: error: a texel is read by `Load` or `[]`; target `glsl120` can only sample [target-texture-load]
+// GL120-NEXT:   [[#@LINE+3]] |   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
 // GL120-NEXT:       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
   r.position += typed[vertex] + structured[vertex];
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:40: error: the sampler `samplers` is an element of an array; target `glsl120` combines each texture with one named sampler [target-sampler-array]
@@ -170,26 +209,31 @@ Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
   float2 size;
   float levels;
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:3: error: the shader asks for the size of a texture; target `glsl120` cannot answer that [target-texture-query]
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+16]]:3: error: the shader asks for the size of a texture; target `glsl120` cannot answer that [target-texture-query]
+// GL120-NEXT:   [[#@LINE+15]] |   map.GetDimensions(0, size.x, size.y, levels);
+// GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:3: error: the shader asks for the number of levels of a texture; target `glsl120` cannot answer that [target-texture-query]
 // GL120-NEXT:   [[#@LINE+11]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:3: error: the shader asks for the number of levels of a texture; target `glsl120` cannot answer that [target-texture-query]
-// GL120-NEXT:   [[#@LINE+8]] |   map.GetDimensions(0, size.x, size.y, levels);
-// GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:3: error: the shader asks for the number of levels of a texture; target `essl300` cannot answer that [target-texture-query]
-// ES300-NEXT:   [[#@LINE+5]] |   map.GetDimensions(0, size.x, size.y, levels);
+// GL120-NEXT: clipc: note: target `glsl430` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:3: error: the shader asks for the number of levels of a texture; target `essl300` cannot answer that [target-texture-query]
+// ES300-NEXT:   [[#@LINE+7]] |   map.GetDimensions(0, size.x, size.y, levels);
 // ES300-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:3: error: the shader asks for the number of levels of a texture; target `glsl330` cannot answer that [target-texture-query]
-// GL330-NEXT:   [[#@LINE+2]] |   map.GetDimensions(0, size.x, size.y, levels);
+// ES300-NEXT: clipc: note: target `glsl430` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:3: error: the shader asks for the number of levels of a texture; target `glsl330` cannot answer that [target-texture-query]
+// GL330-NEXT:   [[#@LINE+3]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL330-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// GL330-NEXT: clipc: note: target `glsl430` can
   map.GetDimensions(0, size.x, size.y, levels);
   r.position.xy += size * levels;
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:19: error: `&` works on bits; target `glsl120` has no such operator [target-bit-operator]
-// GL120-NEXT:   [[#@LINE+8]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+10]]:19: error: `&` works on bits; target `glsl120` has no such operator [target-bit-operator]
+// GL120-NEXT:   [[#@LINE+9]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT:       |                   ^~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+6]]:32: error: `asfloat` reads the bits of a number; target `glsl120` has no function for that [target-bit-cast]
-// GL120-NEXT:   [[#@LINE+5]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+7]]:32: error: `asfloat` reads the bits of a number; target `glsl120` has no function for that [target-bit-cast]
+// GL120-NEXT:   [[#@LINE+6]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT:       |                                ^~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl150` can
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:72: error: `4000000000` does not fit an `int`; target `glsl120` has no `uint` [target-uint-too-large]
 // GL120-NEXT:   [[#@LINE+2]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT:       |                                                                        ^~~~~~~~~~~

@@ -23,8 +23,8 @@ float4 position(float4 p : POSITION) : COLOR { return p; }
 [clipplanes(plane)] float4 planes(float4 c : COLOR) : SV_Target { return c; }
 // PLANES: [[#@LINE-1]]:1: error: `clipplanes` is used under profile `ps_5_0`; it needs a vertex shader profile of 4.0 or later [clip-planes-profile]
 
-float4 wave(float4 c : COLOR) : SV_Target { return EvaluateAttributeCentroid(c); }
-// WAVE: [[#@LINE-1]]:52: error: `EvaluateAttributeCentroid` is not supported by clipc [intrinsic-unsupported]
+float4 wave(float4 c : COLOR) : SV_Target { return WaveActiveSum(c); }
+// WAVE: [[#@LINE-1]]:52: error: `WaveActiveSum` is not supported by clipc [intrinsic-unsupported]
 
 struct Dual {
   [[vk::location(0)]] float4 a : SV_Target0;

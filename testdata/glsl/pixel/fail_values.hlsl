@@ -1,10 +1,6 @@
 // Inputs and attributes that a target lacks.
 // RUN: not %clipc -T ps_5_0 --target=essl300 %s -o - 2>&1 | FileCheck %s --check-prefix=ES
-// RUN: not %clipc -T ps_6_1 -E unknown %s -o - 2>&1 | FileCheck %s --check-prefix=UNKNOWN
 [earlydepthstencil]
 float4 main(uint primitive : SV_PrimitiveID) : SV_Target { return primitive; }
 // ES-DAG: error: `SV_PrimitiveID` is an input or output that target `essl300` lacks [target-pixel-value]
 // ES-DAG: error: `earlydepthstencil` is given; target `essl300` has no early tests; `glsl420`, `essl310` and `vulkan` have [target-early-tests]
-
-float4 unknown(float3 weights : SV_Barycentrics) : SV_Target { return weights.xyzz; }
-// UNKNOWN: [[#@LINE-1]]:33: error: `SV_Barycentrics` is read; clipc does not translate this input of a pixel shader for target `glsl450` [target-pixel-input]

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/check_gradients.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "ir/access.h"
+#include "ir/walk.h"
+
+namespace clipc::rules {
+namespace {
+
+// A graph of what follows from what: variables, results of functions, and places in the flow. A
+// node varies if it follows from the node kVarying.
+class Graph {
+ public:
+  using Node = std::uint32_t;
+  static constexpr Node kUniform = 0, kVarying = 1;
+
+  explicit Graph(std::size_t named) : edges_(2 + named) {}
+
+  Node Add() {
+    edges_.emplace_back();
+    return static_cast<Node>(edges_.size() - 1);
+  }
+  void Follow(Node from, Node to) {
+    if (from != kUniform && to != kUniform && from != to) edges_[from].push_back(to);
+  }
+  // A node that follows from both.
+  Node Join(Node a, Node b) {
+    if (a == kUniform || b == kUniform || a == b) return a == kUniform ? b : a;
+    const Node both = Add();
+    Follow(a, both);
+    Follow(b, both);
+    return both;
+  }
+  // By node: whether it varies.
+  std::vector<bool> Varying() const {
+    std::vector<bool> varies(edges_.size());
+    std::vector<Node> open = {kVarying};
+    varies[kVarying] = true;
+    while (!open.empty()) {
+      const Node from = open.back();
+      open.pop_back();
+      for (const Node to : edges_[from]) {
+        if (!varies[to]) open.push_back(to);
+        varies[to] = true;
+      }
+    }
+    return varies;
+  }
+
+ private:
+  std::vector<std::vector<Node>> edges_;  // by node: those that follow from it
+};
+
+class GradientCheck {
+ public:
+  GradientCheck(const Program& program, Diagnostics& diagnostics)
+      : program_(program),
+        diagnostics_(diagnostics),
+        graph_(program.vars.size() + 2 * program.functions.size()) {}
+
+  void Run() {
+    for (const IoVar& input : program_.inputs) {
+      if (DiffersInQuad(input)) graph_.Follow(Graph::kVarying, Of(input.var));
+    }
+    for (const FunctionId function : program_.functions.ids()) {
+      function_ = function;
+      loop_ = returned_ = Graph::kUniform;
+      Statement(program_.functions[function].body, FlowInto(function));
+    }
+    Report();
+  }
+
+ private:
+  using Node = Graph::Node;
+  // A derivative, the flow in which it is taken, and the loop around it.
+  struct Gradient {
+    ExprId expr;
+    Node flow, loop;
+  };
+
+  Node Of(VarId var) const { return 2 + var.index; }
+  Node ResultOf(FunctionId function) const {
+    return 2 + static_cast<Node>(program_.vars.size()) + 2 * function.index;
+  }
+  Node FlowInto(FunctionId function) const { return ResultOf(function) + 1; }
+
+  // Whether the input may have several values in the four pixels of a quad, all of one primitive.
+  bool DiffersInQuad(const IoVar& input) const {
+    switch (input.builtin) {
+      case Builtin::kNone:
+        return input.interpolation != Interpolation::kNoInterpolation &&
+               IsFloat(program_.types[program_.vars[input.var].type].scalar);
+      case Builtin::kPixelPosition:
+      case Builtin::kCoverageInput:
+      case Builtin::kBarycentrics:
+      case Builtin::kBarycentricsNoPerspective:
+      case Builtin::kClipDistanceInput:
+      case Builtin::kCullDistanceInput: return true;
+      default: return false;
+    }
+  }
+
+  // ---- statements
+
+  void List(clipc::List<StmtId> list, Node flow) {
+    for (const StmtId id : program_.stmt_lists[list]) Statement(id, flow);
+  }
+
+  void Statement(StmtId id, Node flow) {
+    if (!id) return;
+    Visit(Overloaded{
+              [&](const Block& node) { List(node.body, flow); },
+              [&](const Declare& node) {
+                if (node.init) Assigned(node.var, Value(node.init, flow), flow);
+              },
+              [&](const Evaluate& node) { Value(node.expr, flow); },
+              [&](const If& node) {
+                const Node inside = graph_.Join(flow, Value(node.condition, flow));
+                Statement(node.then, inside);
+                Statement(node.otherwise, inside);
+              },
+              [&](const Switch& node) {
+                const Node inside = graph_.Join(flow, Value(node.value, flow));
+                for (const SwitchCase& arm : program_.switch_cases[node.cases])
+                  List(arm.body, inside);
+              },
+              [&](const For& node) {
+                List(node.init, flow);
+                Loop(node.condition, node.step, node.body, flow);
+              },
+              [&](const OneOf<While, DoWhile> auto& node) {
+                Loop(node.condition, {}, node.body, flow);
+              },
+              [&](const Return& node) { Returned(node.value, flow); },
+              [&](const OneOf<Break, Continue> auto&) { graph_.Follow(Flow(flow), loop_); },
+              [](const Discard&) {},
+          },
+          program_.stmts[id].node);
+  }
+
+  // A break, a continue or a return in the loop makes its further turns follow from it.
+  void Loop(ExprId condition, ExprId step, StmtId body, Node flow) {
+    const Node inside = graph_.Add(), outer = std::exchange(loop_, inside);
+    graph_.Follow(Flow(flow), inside);
+    if (condition) graph_.Follow(Value(condition, inside), inside);
+    Statement(body, inside);
+    if (step) Value(step, inside);
+    loop_ = outer;
+  }
+
+  void Returned(ExprId value, Node flow) {
+    if (value) graph_.Follow(Value(value, flow), ResultOf(function_));
+    graph_.Follow(Flow(flow), ResultOf(function_));
+    graph_.Follow(Flow(flow), loop_);
+    returned_ = graph_.Join(returned_, flow);
+  }
+
+  // The flow at a place in `flow`: pixels that have returned are not there.
+  Node Flow(Node flow) { return graph_.Join(flow, returned_); }
+
+  void Assigned(VarId var, Node value, Node flow) {
+    graph_.Follow(value, Of(var));
+    graph_.Follow(Flow(flow), Of(var));
+  }
+
+  // ---- expressions
+
+  // The node that the value of the expression follows from.
+  Node Value(ExprId id, Node flow) {
+    if (const auto* ref = As<VarRef>(program_, id)) return Of(ref->var);
+    if (const auto* call = As<Call>(program_, id)) return CallOf(*call, flow);
+    Node value = Graph::kUniform;
+    ForEachOperand(program_, id,
+                   [&](ExprId operand) { value = graph_.Join(value, Value(operand, flow)); });
+    if (const auto* object = As<ObjectCall>(program_, id); object && IsAtomic(object->op))
+      value = Graph::kVarying;
+    if (AsksNeighbours(program_, id)) gradients_.push_back({id, Flow(flow), loop_});
+    ForEachWrite(program_, id, [&](ExprId target) {
+      if (const VarId root = RootOf(program_, target)) Assigned(root, value, flow);
+    });
+    return value;
+  }
+
+  Node CallOf(const Call& call, Node flow) {
+    const Function& function = program_.functions[call.function];
+    graph_.Follow(Flow(flow), FlowInto(call.function));
+    for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
+      const ExprId argument = program_.expr_lists[call.arguments][i];
+      const VarId parameter = function.parameters[i];
+      graph_.Follow(Value(argument, flow), Of(parameter));
+      if (program_.vars[parameter].storage == Storage::kIn) continue;
+      if (const VarId root = RootOf(program_, argument)) Assigned(root, Of(parameter), flow);
+    }
+    return ResultOf(call.function);
+  }
+
+  void Report() {
+    const std::vector<bool> varies = graph_.Varying();
+    for (const auto& [expr, flow, loop] : gradients_) {
+      const char* what = As<IntrinsicCall>(program_, expr) ? "a derivative" : "a sample";
+      const Span span = program_.exprs[expr].span;
+      if (varies[loop])
+        diagnostics_.Report(span, diag::GradientInLoop, what);
+      else if (varies[flow])
+        diagnostics_.Report(span, diag::GradientInBranch, what);
+    }
+  }
+
+  const Program& program_;
+  Diagnostics& diagnostics_;
+  Graph graph_;
+  FunctionId function_;
+  Node loop_ = Graph::kUniform;      // the loop around the place
+  Node returned_ = Graph::kUniform;  // of the returns of the function before the place
+  std::vector<Gradient> gradients_;
+};
+
+}  // namespace
+
+void CheckGradients(const Program& program, Diagnostics& diagnostics) {
+  if (InfoOf(program.stage).has_neighbours && !program.is_interface_only)
+    GradientCheck(program, diagnostics).Run();
+}
+
+}  // namespace clipc::rules

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/distances.h"
+
+#include <algorithm>
+
+namespace clipc::rules {
+
+std::vector<ExprId> Distances::Packed() {
+  std::ranges::stable_sort(pieces_, {}, &Piece::index);
+  std::vector<ExprId> elements;
+  for (const Piece& piece : pieces_) {
+    while (elements.size() % 4 + piece.components.size() > 4) elements.emplace_back();
+    elements.insert(elements.end(), piece.components.begin(), piece.components.end());
+  }
+  return elements;
+}
+
+}  // namespace clipc::rules

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "frontend/rules/rules.h"
+
+namespace clipc::rules {
+
+// The pieces of SV_ClipDistance, or of SV_CullDistance, on one side of a shader: one for each
+// semantic index, and one array in GLSL.
+class Distances {
+ public:
+  // Adds a piece: its components, each a float.
+  void Add(std::uint32_t index, std::vector<ExprId> components, Span span) {
+    pieces_.push_back({index, std::move(components), span});
+  }
+  bool empty() const { return pieces_.empty(); }
+  // The place of the first piece; requires that there is one.
+  Span span() const { return pieces_.front().span; }
+
+  // The elements of the array in order: pieces in the order of their index, each within a register
+  // of four as fxc packs a signature, so that two float3 are elements 0, 1, 2 and 4, 5, 6. An
+  // element in a gap is none.
+  std::vector<ExprId> Packed();
+
+ private:
+  struct Piece {
+    std::uint32_t index = 0;
+    std::vector<ExprId> components;
+    Span span;
+  };
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace clipc::rules
