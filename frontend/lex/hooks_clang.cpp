@@ -134,8 +134,7 @@ Constructed __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, 
     __attribute__((weak));
 Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
                                                 unsigned item_size) {
-  return __real__ZN4llvm13StringMapImplC2Ejj(map, buckets > 128 ? 128 : std::min(buckets, 16u),
-                                             item_size);
+  return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 128u), item_size);
 }
 
 // StringLiteralParser's constructor: a file name has no escapes in `#line 1 "shaders\new.hlsl"`.
