@@ -18,7 +18,6 @@
 # NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS const char* NAME_vert[n + 1], and likewise NAME_frag with
 # FRAGMENT; with SPIRV uint32_t NAME_spv[]) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
 # CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
-
 #
 #   clipc_add_hlsl_pass(TARGET FILES water.hlsl...
 #     [ENTRIES main] [PROFILE vs_5_0]
@@ -39,6 +38,7 @@ endif()
 
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
 
+# Sets `variable` to the compiler.
 function(clipc_find_compiler variable)
   if(NOT CLIPC_EXECUTABLE AND TARGET clipc)
     set(compiler $<TARGET_FILE:clipc>)
