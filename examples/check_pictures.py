@@ -56,10 +56,7 @@ def write_png(path, picture):
 
     def chunk(kind, body):
         return (
-            struct.pack(">I", len(body))
-            + kind
-            + body
-            + struct.pack(">I", zlib.crc32(kind + body))
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
         )
 
     raw = b"".join(b"\0" + row for row in rows)

@@ -168,7 +168,9 @@ def msbuild(builds):
     names = {element.tag.removeprefix(space) for element in elements}
     own = {name for name in names if name.startswith("Clipc")}
     expect(names - own <= {*ELEMENTS.split(), *METADATA.split()}, f"known elements, not {names}")
-    texts = [text for element in elements for text in (element.text or "", *element.attrib.values())]
+    texts = [
+        text for element in elements for text in (element.text or "", *element.attrib.values())
+    ]
     used = {name for text in texts for name in re.findall(r"%\((?:\w+\.)?(\w+)\)", text)}
     expect(used <= own | set(METADATA.split()), f"known metadata, not {used}")
     targets = [element.attrib for element in elements if element.tag == space + "Target"]
@@ -188,11 +190,15 @@ def msbuild(builds):
     }
     for element in elements:
         if element.tag.startswith(space + "Clipc") and element.text and element.text.strip():
-            values[element.tag.removeprefix(space)] = expand(element.text, values).replace("\\", "/")
+            values[element.tag.removeprefix(space)] = expand(element.text, values).replace(
+                "\\", "/"
+            )
     command = next(element for element in elements if element.tag == space + "Exec").get("Command")
     words = shlex.split(expand(command, values))
     expect(words[0] == "clipc.exe", f"clipc.exe, not {words}")
-    expect({"-D", "A=1", "B", "one two/.", "three/."} < set(words), f"macros and folders in {words}")
+    expect(
+        {"-D", "A=1", "B", "one two/.", "three/."} < set(words), f"macros and folders in {words}"
+    )
     builds.run(["clipc", *words[1:]], folder)
     expect("SV_ClipDistance" in (folder / "obj/clipc/water.hlsl").read_text(), "clip distances")
 

@@ -231,7 +231,9 @@ def check_limits(run, page):
 def check_lines(run, page):
     for line, rest in re.findall(r"^\| [^|]+ \| `([^`]+)` \| (.*) \|$", page.read_text(), re.M):
         for file in re.findall(r"`([^`]+/[\w.]+)`", rest)[:1]:
-            if line.split() not in [text.split() for text in (ROOT / file).read_text().splitlines()]:
+            if line.split() not in [
+                text.split() for text in (ROOT / file).read_text().splitlines()
+            ]:
                 run.problems.append(f"{page.name}: {file} has no line `{line}`")
             run.count += 1
 
