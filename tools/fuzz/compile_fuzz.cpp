@@ -13,8 +13,9 @@
 
 namespace {
 
-constexpr std::array kProfiles = {
-    "vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_5_1", "vs_6_6", "vs_3_0", "vs_4_0"};
+constexpr std::array kProfiles = {"vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3",
+                                  "vs_5_1", "vs_6_6",           "vs_3_0",
+                                  "vs_4_0", "ps_5_0",           "ps_3_0"};
 constexpr std::array kTargets = {"glsl450", "vulkan",  "glsl330", "glsl120",
                                  "glsl130", "essl310", "glsl420", "essl300"};
 
@@ -23,6 +24,14 @@ std::size_t Choose(std::string_view text, std::size_t position, std::size_t size
   const bool chooses = text.size() > position && text.starts_with("//");
   const int digit = chooses ? text[position] - '0' : 0;
   return digit >= 0 && digit <= 9 ? static_cast<std::size_t>(digit) % size : 0;
+}
+
+void ChoosePlanes(std::string_view text, clipc::PlaneOptions& planes) {
+  const std::size_t lowering = Choose(text, 4, std::size(clipc::kLoweringNames) + 1);
+  if (lowering < std::size(clipc::kLoweringNames))
+    planes.lowering = static_cast<clipc::Lowering>(lowering);
+  planes.space =
+      static_cast<clipc::PlaneSpace>(Choose(text, 5, std::size(clipc::kPlaneSpaceNames)));
 }
 
 }  // namespace
@@ -36,12 +45,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   request.planes.given_to_device = true;
   request.language.profile = kProfiles[Choose(text, 2, kProfiles.size())];
   request.target = *clipc::glsl::Target::Parse(kTargets[Choose(text, 3, kTargets.size())]);
-  const std::size_t lowering = Choose(text, 4, std::size(clipc::kLoweringNames) + 1);
-  if (lowering < std::size(clipc::kLoweringNames)) {
-    request.planes.lowering = static_cast<clipc::Lowering>(lowering);
-  }
-  request.planes.space =
-      static_cast<clipc::PlaneSpace>(Choose(text, 5, std::size(clipc::kPlaneSpaceNames)));
+  // Pixel shaders take no options about planes.
+  if (request.language.profile.starts_with("vs")) ChoosePlanes(text, request.planes);
   request.style.clip_space = {.negative_one_to_one = true, .flip_y = true};
   request.outputs.reflection = true;
   request.debug.verify = true;
