@@ -183,6 +183,10 @@ SPOKEN = [
         "in one process, to glslang (HLSL to SPIR-V, legalised as its programs do) and SPIRV-Cross",
         "in one process, to glslang + SPIRV-Cross",
     ),
+    (
+        "a pixel shader in one process, to glslang and SPIRV-Cross",
+        "a pixel shader in one process, to glslang + SPIRV-Cross",
+    ),
     ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
     ("`--target=hlsl`, to GLSL of the same shader", "--target=hlsl, to GLSL of the same shader"),
     ("validation of each in a batch, milliseconds", "validation of one shader in a batch"),

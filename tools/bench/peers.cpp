@@ -19,14 +19,16 @@ void StopPeers() { glslang::FinalizeProcess(); }
 namespace {
 
 std::optional<std::string> CompileText(const std::string& hlsl, const CompileRequest& request) {
-  glslang::TShader shader(EShLangVertex);
+  const EShLanguage stage =
+      request.language.profile.starts_with("ps") ? EShLangFragment : EShLangVertex;
+  glslang::TShader shader(stage);
   const char* text = hlsl.c_str();
   const char* name = request.path.c_str();
   const int length = static_cast<int>(hlsl.size());
   shader.setStringsWithLengthsAndNames(&text, &length, &name, 1);
   shader.setEntryPoint(request.language.entry.c_str());
   shader.setSourceEntryPoint(request.language.entry.c_str());
-  shader.setEnvInput(glslang::EShSourceHlsl, EShLangVertex, glslang::EShClientVulkan, 100);
+  shader.setEnvInput(glslang::EShSourceHlsl, stage, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
   const std::string preamble = harness::DefineLines(request.defines);
@@ -43,12 +45,13 @@ std::optional<std::string> CompileText(const std::string& hlsl, const CompileReq
   std::vector<unsigned> spirv;
   glslang::SpvOptions spirv_options;
   spirv_options.disableOptimizer = false;
-  glslang::GlslangToSpv(*program.getIntermediate(EShLangVertex), spirv, &spirv_options);
+  glslang::GlslangToSpv(*program.getIntermediate(stage), spirv, &spirv_options);
   try {
     spirv_cross::CompilerGLSL compiler(std::move(spirv));
     spirv_cross::CompilerGLSL::Options options;
     options.version = 450;
     compiler.set_common_options(options);
+    compiler.build_combined_image_samplers();  // as its program does; OpenGL has no others
     return compiler.compile();
   } catch (const spirv_cross::CompilerError&) {
     return std::nullopt;
@@ -57,8 +60,8 @@ std::optional<std::string> CompileText(const std::string& hlsl, const CompileReq
 
 }  // namespace
 
-std::optional<std::string> CompileWithPeers(const std::string& hlsl) {
-  return CompileText(hlsl, {});
+std::optional<std::string> CompileWithPeers(const CompileRequest& request) {
+  return CompileText(request.text.value_or(""), request);
 }
 
 std::optional<std::string> CompileFileWithPeers(const CompileRequest& request) {

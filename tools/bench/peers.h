@@ -14,10 +14,10 @@ namespace clipc::bench {
 void StartPeers();
 void StopPeers();
 
-// Compiles that text to GLSL 4.50, between StartPeers() and StopPeers(). Returns none where the
-// peers fail.
-std::optional<std::string> CompileWithPeers(const std::string& hlsl);
-// Compiles a file. Uses the request's path, entry point, macros and include folders.
+// Compiles the request's text to GLSL 4.50, between StartPeers() and StopPeers(). Uses its path,
+// stage, entry point, macros and include folders. Returns none where the peers fail.
+std::optional<std::string> CompileWithPeers(const CompileRequest& request);
+// Compiles the file at the request's path in the same way.
 std::optional<std::string> CompileFileWithPeers(const CompileRequest& request);
 
 }  // namespace clipc::bench
