@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/not_copied.h"
+#include "base/stage.h"
 #include "tools/random/choices.h"
 #include "tools/random/features.h"
 #include "tools/random/range.h"
@@ -57,6 +58,7 @@ struct Context {
   Choices& choices;
   const Features& features;
   int model = 50;  // the shader model, 51 for 5.1
+  Stage stage = Stage::kVertex;
 
   Structs structs;
   std::vector<Function> functions;            // the functions that may be called, in order

@@ -21,14 +21,22 @@ std::string MakeConstants(Context& context, bool row_major, std::vector<Constant
 std::string MakePlanes(Context& context, const std::vector<ConstantBuffer>& buffers, bool composes,
                        int most);
 
-// The parameters of the entry function, and the structs that they need. The variables are added to
-// the context. If `keeps`, the position is not written.
+// The textures and samplers that MakeNeighbourStatements reads.
+inline constexpr char kNeighbourObjects[] = "Texture2D map0, map1;\nSamplerState linearly;\n";
+// At most `most` statements of a pixel shader's entry that all pixels of a quad run: derivatives
+// and samples, whose values are variables from then on, and discards between them.
+std::string MakeNeighbourStatements(Context& context, int most);
+
+// The parameters of the entry function, the structs that they need, and the statements that its
+// body begins with. The variables are added to the context. If `keeps`, the position is not
+// written.
 struct EntryInputs {
-  std::string structs, parameters;
+  std::string structs, parameters, statements;
 };
 EntryInputs MakeInputs(Context& context, bool keeps);
 
-// Outputs for the values of the visible variables, as statements that write them and as fields.
+// Outputs for the values of the visible variables, as statements that write them and as fields, of
+// which there is at least one.
 struct EntryOutputs {
   std::string fields, statements;
 };

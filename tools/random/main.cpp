@@ -17,9 +17,9 @@ namespace {
 
 constexpr char kUsage[] =
     R"(clipc-random [options]
-  Generates random HLSL vertex shaders without errors and undefined values, and holds what clipc
-  makes of each against the reference evaluator: every target's GLSL is valid for glslang, one of
-  OpenGL and the one for Vulkan are drawn by Mesa, constants lie where Direct3D's rules say.
+  Generates random HLSL shaders without errors and undefined values, and holds what clipc makes of
+  each against the reference evaluator: every target's GLSL is valid for glslang, one of OpenGL and
+  the one for Vulkan are drawn by Mesa, constants lie where Direct3D's rules say.
   A failing program is made small and written to a folder with the command that repeats it.
     --seconds N             stops after that time
     --count N               stops after so many programs; default 100 where neither is given

@@ -16,15 +16,11 @@ std::string Some(Context& context, int most, Make&& make) {
 }
 
 void ChooseSettings(Context& context, Program& program) {
-  struct Model {
-    const char* profile;
-    int number;
-  };
-  constexpr Model kModels[] = {{"vs_5_0", 50}, {"vs_5_0", 50}, {"vs_4_0", 40}, {"vs_4_1", 41},
-                               {"vs_5_1", 51}, {"vs_6_0", 60}, {"vs_6_6", 66}};
-  const Model& model = context.OneOf(kModels);
-  program.profile = model.profile;
-  context.model = model.number;
+  constexpr int kModels[] = {50, 50, 40, 41, 51, 60, 66};
+  context.model = context.OneOf(kModels);
+  if (context.Has(Feature::kPixels)) program.stage = context.stage = Stage::kPixel;
+  program.profile = std::string(clipc::InfoOf(program.stage).prefix) + "_" +
+                    std::to_string(context.model / 10) + "_" + std::to_string(context.model % 10);
   program.row_major = context.Chance(20);
   program.negative_one_to_one = context.Chance(30);
   program.flip_y = context.Chance(20);
@@ -32,10 +28,26 @@ void ChooseSettings(Context& context, Program& program) {
   program.lowering = context.OneOf(kLowerings);
   constexpr const char* kSpaces[] = {"clip", "clip", "clip", "xyw1", "object"};
   program.plane_space = context.OneOf(kSpaces);
+  if (clipc::InfoOf(program.stage).draws_pixels) {
+    program.lowering = "none";
+    program.negative_one_to_one = false;
+  }
   if (program.lowering == "none") program.plane_space = "clip";
   program.inputs = context.Below(1000);
   program.target = context.Below(60);
   program.is_soft = context.Chance(Feature::kSoftMath, 33);
+}
+
+// The entry of a pixel shader. Neighbours are asked before anything can end some pixels alone.
+std::string MakePixelEntry(Context& context, const Program& program) {
+  const ScopeOf scope(context);
+  const EntryInputs inputs = MakeInputs(context, false);
+  std::string body = inputs.statements + MakeNeighbourStatements(context, 6);
+  body += MakeStatements(context, 10, 3);
+  const EntryOutputs outputs = MakeOutputs(context, program.is_soft);
+  return inputs.structs + "struct Outputs {\n" + outputs.fields + "};\nOutputs main(" +
+         inputs.parameters + ") {\n  Outputs result = (Outputs)0;\n" + body + outputs.statements +
+         "  return result;\n}\n";
 }
 
 std::string MakeEntry(Context& context, Program& program) {
@@ -93,7 +105,9 @@ Program MakeProgram(Choices& choices, const Features& features) {
   }
   if (features.Has(Feature::kFunctions)) program.text += Some(context, 4, MakeFunction);
   context.cost = 0;
-  program.text += MakeEntry(context, program);
+  const bool draws_pixels = clipc::InfoOf(program.stage).draws_pixels;
+  program.text += draws_pixels ? kNeighbourObjects + MakePixelEntry(context, program)
+                               : MakeEntry(context, program);
   program.structs = context.structs;
   WithMajors(program.structs, program.row_major);
   return program;

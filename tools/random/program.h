@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stage.h"
 #include "tools/random/choices.h"
 #include "tools/random/features.h"
 #include "tools/random/type.h"
@@ -28,9 +29,10 @@ struct ConstantBuffer {
   std::vector<Member> members;
 };
 
-// An HLSL vertex shader without errors and without undefined values, and how it is to be compiled.
+// An HLSL shader without errors and without undefined values, and how it is to be compiled.
 struct Program {
   std::string text;
+  Stage stage = Stage::kVertex;
   std::string profile = "vs_5_0";
   std::string lowering = "clip-distance", plane_space = "clip", position_input = "POSITION0";
   bool row_major = false;  // -Zpr
@@ -38,7 +40,7 @@ struct Program {
   bool is_soft = false;      // has functions that round
   std::uint32_t inputs = 1;  // the seed of its inputs
   std::uint32_t target = 0;  // the number of the target that is drawn
-  int vertices = 16;
+  int vertices = 16;         // of a vertex shader
   Structs structs;
   std::vector<ConstantBuffer> buffers;
 

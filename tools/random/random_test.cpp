@@ -71,6 +71,19 @@ TEST(Program, EqualChoicesGiveEqualPrograms) {
   }
 }
 
+TEST(Program, PixelShadersAreAFeature) {
+  Features features;
+  features.Set("pixels", true);
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Choices choices(seed);
+    const Program program = MakeProgram(choices, features);
+    EXPECT_EQ(program.stage, Stage::kPixel);
+    EXPECT_THAT(program.profile, ::testing::StartsWith("ps_"));
+    EXPECT_THAT(program.text, ::testing::HasSubstr(" : SV_Target0;"));
+    EXPECT_EQ(program.lowering, "none");
+  }
+}
+
 TEST(Program, TheSimplestOneIsSmall) {
   Choices choices(List{});
   EXPECT_LT(MakeProgram(choices, {}).text.size(), 400u);

@@ -228,7 +228,9 @@ std::string MakeSwitch(Context& context, int depth) {
 
 std::string MakeJump(Context& context) {
   std::string jump;
-  if (context.loops > 0 && context.Chance(60)) {
+  if (clipc::InfoOf(context.stage).draws_pixels && context.Chance(20)) {
+    jump = "discard";
+  } else if (context.loops > 0 && context.Chance(60)) {
     jump = context.Chance(50) ? "break" : "continue";
   } else if (!context.function || context.function->is_void) {
     jump = context.function ? "return" : "return result";
