@@ -425,10 +425,20 @@ class TargetCheck {
     if (call.op == ObjectOp::kStore) StoreUse(arguments[0], span);
     if (!HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
       Report(span, diag::TargetSampleCompare);
-    if (call.op == ObjectOp::kSampleLevel && arguments.size() > 4)
-      Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
+    if (HasSampleOffset(call)) Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
     const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
     if (!is_length) Check(NeedOf(call.op), span);
+  }
+
+  // Whether a sample has an offset after its other arguments.
+  static bool HasSampleOffset(const ObjectCall& call) {
+    switch (call.op) {
+      case ObjectOp::kSample: return call.arguments.size > 3;
+      case ObjectOp::kSampleBias:
+      case ObjectOp::kSampleLevel: return call.arguments.size > 4;
+      case ObjectOp::kSampleGrad: return call.arguments.size > 5;
+      default: return false;
+    }
   }
 
   // Reports a store to elements that lie tighter than std430 says: such elements are read as words,
