@@ -10,7 +10,8 @@ namespace clipc::glsl {
 
 Descriptors::Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
                          const OtherStage* other)
-    : target_(target) {
+    : target_(target),
+      pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0) {
   if (!target.IsVulkan()) return;
   std::vector<const ir::Register*> all;
   for (const ir::CbufferId id : program.cbuffers.ids()) {
@@ -22,13 +23,18 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     if (reached.Has(resource.var)) all.push_back(&resource.reg);
   }
   const bool bound_by_option = target.bindings.globals.has_value();
-  Taken taken = other && other->written ? TakeFromOther(program, *other) : Taken();
+  Taken taken;
+  if (other && other->written && pixel_sets_ == 0) taken = TakeFromOther(program, *other);
   const Taken others = taken;
+  // Where the user says how registers are bound, the host binds them so.
+  const bool has_rules = !target.bindings.rules.empty();
+  const auto is_free = [&](const ir::Register& reg) {
+    const ir::Descriptor at = Plain(reg);
+    return has_rules || !others.contains({at.set, at.binding});
+  };
   const auto stays = [&](const ir::Register* reg) {
-    const ir::Descriptor at = Plain(*reg);
-    return moved_.contains(reg) || reg->descriptor ||
-           ((reg->is_explicit || (reg == globals_ && bound_by_option)) &&
-            !others.contains({at.set, at.binding}));
+    const bool is_placed = reg->is_explicit || (reg == globals_ && bound_by_option);
+    return reg->descriptor || moved_.contains(reg) || (is_placed && is_free(*reg));
   };
   for (const ir::Register* reg : all | std::views::filter(stays)) {
     const ir::Descriptor at = Plain(*reg);
@@ -82,7 +88,8 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
     if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||
         rule.space.value_or(reg.space) != reg.space)
       continue;
-    return {rule.binding + (rule.number ? 0 : reg.number), rule.set.value_or(space)};
+    return {rule.binding + (rule.number ? 0 : reg.number),
+            rule.set ? *rule.set + pixel_sets_ : space};
   }
   switch (reg.letter) {
     case 'b': return {reg.number + kVulkanShiftB, space};

@@ -40,6 +40,7 @@ class Descriptors {
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;
+  const std::uint32_t pixel_sets_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;
 };

@@ -128,6 +128,7 @@ struct BindingRules {
   std::optional<std::uint32_t> unplaced_set;  // the set of objects without a register
   // A texture and a sampler may have one binding, where the host has a combined image sampler.
   bool combines_samplers = false;
+  std::uint32_t pixel_sets = 0;  // what is added to the sets of the rules in a pixel shader
 };
 
 class Target {

@@ -8,6 +8,7 @@
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
 #     [PIXEL_SHADER water.ps.hlsl [PIXEL_ENTRY main]]  # the pixel shader that it must fit
+#     [PAIR]                     # write the pixel shader too; PIXEL_ENTRY without PIXEL_SHADER, of the same file, asks for that
 #     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
 #     [REFLECT]                  # NAME.reflect.json too
 #     [SPIRV]                    # NAME.spv and NAME.spv.h too; the GLSL is Vulkan's unless TARGET is another, then it is SPIR-V for OpenGL
@@ -16,7 +17,7 @@
 #
 # compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
 # NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS const char* NAME_vert[n + 1], and likewise NAME_frag with
-# FRAGMENT; with SPIRV uint32_t NAME_spv[]) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
+# FRAGMENT and of a pair; with SPIRV uint32_t NAME_spv[], of a pair also NAME_spv_pixel[]) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
 # CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
 #
 #   clipc_add_hlsl_pass(TARGET FILES water.hlsl...
@@ -52,7 +53,7 @@ function(clipc_find_compiler variable)
 endfunction()
 
 function(clipc_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT;SPIRV" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT;SPIRV;PAIR" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
   if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
     message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
   endif()
@@ -110,6 +111,16 @@ function(clipc_add_shader target)
   endif()
   list(TRANSFORM stems APPEND .${stage} OUTPUT_VARIABLE written)
   set(fragment)
+  if(shader_PIXEL_ENTRY AND NOT shader_PIXEL_SHADER)
+    set(shader_PAIR TRUE)
+  endif()
+  if(shader_PAIR AND shader_FRAGMENT)
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): clipc writes the pixel shader of a PAIR; give no FRAGMENT")
+  endif()
+  if(shader_PAIR)
+    list(APPEND arguments --pixel-output=${folder}/${shader_NAME}.frag)
+    list(TRANSFORM stems APPEND .frag OUTPUT_VARIABLE fragment)
+  endif()
   if(shader_FRAGMENT)
     cmake_path(ABSOLUTE_PATH shader_FRAGMENT)
     list(APPEND arguments --fragment=${shader_FRAGMENT})
@@ -122,7 +133,10 @@ function(clipc_add_shader target)
   endif()
 
   set(spirv_arguments ${arguments})
-  list(FILTER spirv_arguments EXCLUDE REGEX "^--reflect=|^--fragment=")
+  list(FILTER spirv_arguments EXCLUDE REGEX "^--reflect=|^--fragment=|^--pixel-output=")
+  if(shader_PAIR)
+    list(APPEND spirv_arguments --pixel-output=${folder}/${shader_NAME}.frag.spv)
+  endif()
   if(shader_PIXEL_SHADER)
     cmake_path(ABSOLUTE_PATH shader_PIXEL_SHADER)
     list(APPEND arguments --pixel-shader=${shader_PIXEL_SHADER})
@@ -151,6 +165,9 @@ function(clipc_add_shader target)
   set(spirv)
   if(shader_SPIRV)
     set(spirv ${folder}/${shader_NAME}.spv.h ${folder}/${shader_NAME}.spv)
+    if(shader_PAIR)
+      list(APPEND spirv ${folder}/${shader_NAME}.frag.spv)
+    endif()
     set(kind -spirv)
     if(NOT shader_TARGET STREQUAL "vulkan")
       set(kind -G)

@@ -23,7 +23,8 @@ constexpr BindingRule kDxc[] = {
 constexpr BindingRule kNvrhi[] = {
     {'t', {}, {}, 0, {}}, {'s', {}, {}, 128, {}}, {'b', {}, {}, 256, {}}, {'u', {}, {}, 384, {}}};
 // SDL_CreateGPUShader: of a vertex shader, sampled textures, then storage textures, then storage
-// buffers are in set 0, and uniform buffers in set 1. A sampler has the number of its texture: the
+// buffers are in set 0, and uniform buffers in set 1; of a fragment shader they are in the sets 2
+// and 3. A sampler has the number of its texture: the
 // two are one combined image sampler.
 constexpr BindingRule kSdl[] = {{'t', {}, {}, 0, 0}, {'s', {}, {}, 0, 0}, {'b', {}, {}, 0, 1}};
 
@@ -31,8 +32,9 @@ struct Preset {
   std::string_view name;
   std::span<const BindingRule> rules;
   bool combines_samplers = false;
+  std::uint32_t pixel_sets = 0;
 };
-constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, true}};
+constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, true, 2}};
 
 }  // namespace
 
@@ -100,6 +102,7 @@ bool AddPreset(glsl::BindingRules& rules, std::string_view value) {
   if (found == std::end(kPresets)) return false;
   rules.rules.insert(rules.rules.end(), found->rules.begin(), found->rules.end());
   rules.combines_samplers = found->combines_samplers;
+  rules.pixel_sets = found->pixel_sets;
   return true;
 }
 

@@ -74,6 +74,9 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
     const std::string variable = VariableOf(command, result);
     header = request.outputs.spirv ? HeaderWith(result.spirv, variable)
                                    : HeaderWith(result.shaders.vertex, variable);
+    if (request.link.is_pair)
+      header += request.outputs.spirv ? HeaderWith(result.pixel_spirv, variable + "_pixel")
+                                      : HeaderWith(result.shaders.fragment, variable + "_pixel");
   }
   if (is_complete && !outputs.glsl.empty()) AddShaders(command, outputs, result, pieces);
   if (!header.empty()) pieces.push_back({"header", outputs.header, std::move(header)});

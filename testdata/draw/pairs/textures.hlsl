@@ -1,5 +1,7 @@
 // Textures in the pixel shader, and one that both sample.
-// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330,vulkan
+// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330,vulkan --forms glsl,spirv,hlsl
+// Textures are fed by their names on OpenGL, and by their bindings on Vulkan.
+// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets vulkan --forms pair
 Texture2D heights : register(t0);
 Texture2D colors : register(t1);
 SamplerState point_sampler : register(s0);
