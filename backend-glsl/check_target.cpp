@@ -422,7 +422,7 @@ class TargetCheck {
     const auto arguments = program_.expr_lists[call.arguments];
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
-    if (call.op == ObjectOp::kStore) StoreUse(arguments[0], span);
+    if (WritesObject(call.op)) StoreUse(arguments[0], span);
     if (!HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
       Report(span, diag::TargetSampleCompare);
     if (HasSampleOffset(call)) Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);

@@ -184,7 +184,8 @@ enum class ObjectOp : std::uint8_t {
   kStore,
   // (a writable object of int or uint elements or an RWByteAddressBuffer, place, value): changes
   // the element in one step, which no other invocation interrupts; gives the element before it, of
-  // the value's type
+  // the value's type. Of a structured buffer whose elements are no scalars, one more argument is
+  // the number of the component that changes, a literal; they count through structs and arrays.
   kAtomicAdd,
   kAtomicAnd,
   kAtomicOr,

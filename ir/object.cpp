@@ -45,10 +45,11 @@ bool IsImage(ObjectKind kind) { return IsWritable(kind) && !IsStorageBuffer(kind
 bool IsStructured(ObjectKind kind) { return IsOf(kind, ObjectCategory::kStructuredBuffer); }
 bool IsByteAddress(ObjectKind kind) { return IsOf(kind, ObjectCategory::kByteAddressBuffer); }
 bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
-bool HasElement(ObjectKind kind) {
+bool HasTexels(ObjectKind kind) {
   return IsOf(kind, ObjectCategory::kTexture) || IsOf(kind, ObjectCategory::kSubpass) ||
-         IsOf(kind, ObjectCategory::kTypedBuffer) || IsStructured(kind);
+         IsOf(kind, ObjectCategory::kTypedBuffer);
 }
+bool HasElement(ObjectKind kind) { return HasTexels(kind) || IsStructured(kind); }
 char RegisterLetter(ObjectKind kind) {
   return IsSampler(kind) ? 's' : IsWritable(kind) ? 'u' : 't';
 }

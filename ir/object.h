@@ -52,6 +52,8 @@ bool IsByteAddress(ObjectKind kind);
 bool IsStorageBuffer(ObjectKind kind);
 // Whether the type is written with the type of its elements: Texture2D<float4>.
 bool HasElement(ObjectKind kind);
+// Whether the elements are texels, of one scalar or vector each: of textures and typed buffers.
+bool HasTexels(ObjectKind kind);
 // The letter of the registers that hold the object: s, t, or u for a writable one.
 char RegisterLetter(ObjectKind kind);
 

@@ -10,6 +10,7 @@
 #include "backend-glsl/writer/object_call.h"
 #include "backend-glsl/writer/objects.h"
 #include "backend-glsl/writer/types.h"
+#include "ir/scalar.h"
 
 namespace clipc::glsl {
 
@@ -57,6 +58,28 @@ BufferInHelper InHelper(Code& code, ExprId object) {
   buffer.argument =
       Concat(IntIndex(code, marked ? code[marked->arguments][0] : element->index), ", ");
   return buffer;
+}
+
+// The path ".lists[1].x" to a component of a value, whose components are numbered through structs
+// and arrays.
+std::string PathTo(const Code& code, TypeId id, std::uint32_t component) {
+  const Type& type = code[id];
+  const auto count = [&](TypeId part) {
+    return static_cast<std::uint32_t>(KindsOf(code.types, part).size());
+  };
+  if (type.kind == TypeKind::kVector)
+    return Concat(".", std::string_view("xyzw").substr(component, 1));
+  if (type.kind == TypeKind::kArray) {
+    const std::uint32_t each = count(type.element);
+    return Concat("[", std::to_string(component / each), "]",
+                  PathTo(code, type.element, component % each));
+  }
+  if (type.kind != TypeKind::kStruct) return "";
+  const auto& fields = code.types.StructOf(id).fields;
+  std::size_t field = 0;
+  for (; component >= count(fields[field].type); ++field) component -= count(fields[field].type);
+  return Concat(".", code.names.fields[type.structure.index][field],
+                PathTo(code, fields[field].type, component));
 }
 
 }  // namespace
@@ -133,7 +156,14 @@ std::string BufferWord(Code& code, const ObjectCall& node) {
       IsByteAddress(ObjectTypeOf(code, RootOf(code.program, arguments[0])).object);
   const std::string index = is_bytes ? ExprText(code, arguments[1]).At(Binding::kProduct) + " / 4u"
                                      : IndexValue(code, arguments[1]);
-  return Concat(ElementsOf(code, arguments[0]), "[", index, "]");
+  const std::string element = Concat(ElementsOf(code, arguments[0]), "[", index, "]");
+  if (ValueEnd(node) == arguments.size()) return element;
+  const TypeId type = ObjectTypeOf(code, RootOf(code.program, arguments[0])).element;
+  return element + PathTo(code, type, UintOf(code.As<Literal>(arguments.back())->bits));
+}
+
+std::size_t ValueEnd(const ObjectCall& node) {
+  return node.op == ObjectOp::kAtomicCompareExchange ? 4 : 3;
 }
 
 Text BufferSize(Code& code, ExprId object) {

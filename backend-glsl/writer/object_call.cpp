@@ -256,7 +256,8 @@ class ObjectCaller {
     std::string text = is_image ? Concat("imageAtomic", what, "(", ObjectName(code_, arguments_[0]),
                                          ", ", ArgumentAt(1))
                                 : Concat("atomic", what, "(", BufferWord(code_, node_));
-    for (const ExprId value : arguments_.subspan(2)) Append(text, ", ", Argument(code_, value));
+    for (const ExprId value : arguments_.subspan(2, ValueEnd(node_) - 2))
+      Append(text, ", ", Argument(code_, value));
     return {text + ")"};
   }
 

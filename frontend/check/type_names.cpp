@@ -117,6 +117,10 @@ std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::s
     TypeId element = context.types.Vector(Scalar::kFloat, 4);
     if (!type.arguments.empty()) element = TypeArgument(context, context[type.arguments][0]);
     if (context.IsError(element)) return element;
+    if (HasTexels(object.kind) && !context[element].IsScalarOrVector()) {
+      context.Report(type.span, diag::TexelType, text, context.TypeName(element));
+      return context.types.Error();
+    }
     return context.types.Object(object.kind, element);
   }
   return std::nullopt;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "frontend/rules/object_call.h"
 #include "ir/access.h"
+#include "ir/scalar.h"
 
 // InterlockedAdd(buffer[i], value, original) and its kin, and the methods of that name of
 // RWByteAddressBuffer. Direct3D has them in a vertex shader from 11.1 on.
@@ -30,18 +33,58 @@ constexpr struct {
     {"InterlockedXor", kAtomicXor, false, false},
 };
 
-// The read of the first argument if it is an element of a writable object and one integer;
-// otherwise null.
-const ObjectCall* LoadedElement(const IntrinsicCheck& call) {
-  const auto* load = As<ObjectCall>(call.program, call.arguments[0]);
-  if (!load) return nullptr;
-  const bool is_element =
-      load->op == kBufferLoad || load->op == kStructuredLoad || load->op == kImageLoad;
-  const ExprId object = call.program.expr_lists[load->arguments][0];
+// The element, or the component of one, that an atomic operation changes.
+struct Place {
+  const ObjectCall* load = nullptr;  // the read of the element; null: there is no such element
+  std::optional<std::uint32_t> component = std::nullopt;  // none: the element is a scalar
+};
+
+// The number of components before the part that `expr`, a field, an element or a component, takes
+// of a whole; nullopt for another expression, and where the part is not known.
+std::optional<std::uint32_t> ComponentsBefore(const Program& program, ExprId expr) {
+  const auto count = [&](TypeId type) {
+    return static_cast<std::uint32_t>(KindsOf(program.types, type).size());
+  };
+  if (const auto* field = As<FieldRef>(program, expr)) {
+    const auto& fields = program.types.StructOf(TypeIdOf(program, field->base)).fields;
+    std::uint32_t before = 0;
+    for (std::uint32_t i = 0; i < field->field; ++i) before += count(fields[i].type);
+    return before;
+  }
+  if (const auto* index = As<Index>(program, expr)) {
+    const auto* number = As<Literal>(program, index->index);
+    const bool is_matrix = TypeOf(program, index->base).kind == TypeKind::kMatrix;
+    if (!number || is_matrix ||
+        UintOf(number->bits) >= program.types.PartCount(TypeIdOf(program, index->base)))
+      return std::nullopt;
+    return UintOf(number->bits) * count(TypeIdOf(program, expr));
+  }
+  const auto* swizzle = As<Swizzle>(program, expr);
+  if (!swizzle || swizzle->count != 1) return std::nullopt;
+  return swizzle->components[0];
+}
+
+Place PlaceOf(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
   const bool is_integer =
       type.kind == TypeKind::kScalar && !IsWide(type.scalar) && ir::IsInteger(type.scalar);
-  return is_element && is_integer && IsWritable(call.TypeOf(object).object) ? load : nullptr;
+  if (!is_integer) return {};
+  std::optional<std::uint32_t> component;
+  ExprId expr = call.arguments[0];
+  while (const ExprId whole = WholeOf(call.program, expr)) {
+    const auto before = ComponentsBefore(call.program, expr);
+    if (!before) return {};
+    component = component.value_or(0) + *before;
+    expr = whole;
+  }
+  const auto* load = As<ObjectCall>(call.program, expr);
+  if (!load) return {};
+  const bool is_structured = load->op == kStructuredLoad;
+  const bool is_element = is_structured || load->op == kBufferLoad || load->op == kImageLoad;
+  const ExprId object = call.program.expr_lists[load->arguments][0];
+  if (!is_element || !IsWritable(call.TypeOf(object).object) || (component && !is_structured))
+    return {};
+  return {load, component};
 }
 
 }  // namespace
@@ -55,16 +98,17 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     return call.Error();
   TypeId type = call.program.types.Make(Scalar::kUint);
   std::vector<ExprId> arguments;
+  Place changed;
   if (object) {
     const auto address = call.Converted(0, type);
     if (!address) return call.Error();
     arguments = {object, *address};
   } else {
-    const ObjectCall* load = LoadedElement(call);
-    if (!load) {
+    changed = PlaceOf(call);
+    if (!changed.load) {
       return call.Fail(call.SpanOf(call.arguments[0]), diag::IntrinsicAtomicTarget, call.name);
     }
-    const auto place = call.program.expr_lists[load->arguments];
+    const auto place = call.program.expr_lists[changed.load->arguments];
     arguments = {place[0], place[1]};
     type = call.ArgumentTypeId(0);
   }
@@ -73,6 +117,7 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     if (!value) return call.Error();
     arguments.push_back(*value);
   }
+  if (changed.component) arguments.push_back(call.Make().Uint(*changed.component));
   const ExprId original = MakeObjectCall(call.Make(), call.program, type, atomic->op, arguments);
   if (call.arguments.size() == least) return original;
   if (!call.IsTarget(least)) return call.Error();

@@ -66,6 +66,11 @@ bool ObjectResolver::IsNeeded() {
   for (FunctionId id : program_.functions.ids()) {
     if (Holds(program_.functions[id].return_type)) return true;
   }
+  if (!program_.calls_objects) return false;
+  for (ExprId id : program_.exprs.ids()) {
+    const bool is_choice = As<Conditional>(program_, id) || As<Comma>(program_, id);
+    if (is_choice && IsObject(program_.exprs[id].type)) return true;
+  }
   return false;
 }
 

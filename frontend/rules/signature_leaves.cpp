@@ -2,6 +2,7 @@
 #include "frontend/rules/signature_leaves.h"
 
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,8 @@
 namespace clipc::rules {
 
 namespace {
+
+constexpr std::string_view kCentroidSuffix = "_centroid";
 
 std::string Spelled(const SemanticName& semantic) {
   return fmt::format("{}{}", semantic.name, semantic.index);
@@ -131,6 +134,13 @@ void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
     cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
     cursor.given = true;
     diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name, Spelled(cursor.semantic));
+  }
+  // Direct3D 9's `TEXCOORD3_centroid` is TEXCOORD3 at the centroid ("Semantics" of Microsoft's HLSL
+  // reference).
+  const std::string& name = cursor.semantic.name;
+  if (program_.profile.IsDirect3D9() && ToLower(name).ends_with(kCentroidSuffix)) {
+    cursor.semantic = SplitSemantic(name.substr(0, name.size() - kCentroidSuffix.size()));
+    cursor.centroid = true;
   }
   Carrier& leaf = leaves_.emplace_back(piece);
   leaf.cursor = cursor;

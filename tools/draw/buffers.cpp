@@ -179,12 +179,19 @@ class Access {
   }
 
   void Change() {
-    const Scalar kind =
+    Scalar kind =
         IsByteAddress(type_.object) ? Scalar::kUint : ElementKind(program_, request_.object);
-    const std::uint64_t byte = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
+    std::uint64_t byte = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
+    const std::size_t values = request_.op == ObjectOp::kAtomicCompareExchange ? 2 : 1;
+    if (request_.arguments.size() > 1 + values) {
+      std::uint64_t next = 0;
+      ForEachInElement([&](Scalar each, std::uint64_t at) {
+        if (next++ == request_.arguments.back()) byte = at, kind = each;
+      });
+    }
     const auto old = static_cast<std::uint32_t>(Component(byte, kind, 0));
     if (!result_.empty()) result_[0] = old;
-    Store(byte, kind, Combined(request_.op, kind, old, request_.arguments.subspan(1)));
+    Store(byte, kind, Combined(request_.op, kind, old, request_.arguments.subspan(1, values)));
   }
 
   const Program& program_;

@@ -1,4 +1,4 @@
-// What no atomic operation changes: a member or component of an element, a float, a buffer that is only read.
+// What no atomic operation changes: a float, several numbers, a buffer that is only read.
 // RUN: not %clipc -T vs_5_0 %s -o %t 2>&1 | FileCheck %s
 // AUTOUPDATE
 struct Pair { uint count; float weight; };
@@ -11,13 +11,13 @@ uint plain;
 
 float4 main(float4 p : POSITION) : SV_Position {
 // CHECK: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, that is an `int` or `uint`; a member or component of an element is not supported [intrinsic-atomic-target, X3013]
-// CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(pairs[0].count, 1);
+// CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(pairs[0].weight, 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~~~~~~
-  InterlockedAdd(pairs[0].count, 1);
+  InterlockedAdd(pairs[0].weight, 1);
 // CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, that is an `int` or `uint`; a member or component of an element is not supported [intrinsic-atomic-target, X3013]
-// CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(twos[0].x, 1);
+// CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(twos[0].yx, 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~
-  InterlockedAdd(twos[0].x, 1);
+  InterlockedAdd(twos[0].yx, 1);
 // CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, that is an `int` or `uint`; a member or component of an element is not supported [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(floats[0], 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~

@@ -2,6 +2,7 @@
 // RUN: %clipc -T ps_3_0 --validate --verify %s -o - | FileCheck %s
 // RUN: %clipc -T ps_3_0 --target=essl100 --flip-y --verify %s -o - | FileCheck %s --check-prefix=ES
 // RUN: %clipc -T ps_3_0 --target=glsl120 --flip-y --validate --verify %s -o - | FileCheck %s --check-prefix=OLD
+// RUN: %clipc -T ps_3_0 -E centroid --validate --verify %s -o - | FileCheck %s --check-prefix=CENTROID
 sampler2D map;
 samplerCUBE sky;
 struct Input {
@@ -42,3 +43,7 @@ float4 main(Input i, float2 pixel : VPOS, float face : VFACE, out float4 second 
 // OLD: #extension GL_ARB_shader_texture_lod : require
 // OLD: texture2DGradARB(map, {{.*}} + texture2DLod(map, vs_TEXCOORD0, 3.0)
 // OLD: gl_FragDepth = {{.*}}.x
+
+float4 centroid(float2 uv : TEXCOORD3_centroid, float4 color : Color_Centroid) : COLOR { return tex2D(map, uv) * color; }
+// CENTROID: layout(location = 0) centroid in vec2 vs_TEXCOORD3;
+// CENTROID-NEXT: layout(location = 1) centroid in vec4 vs_COLOR0;

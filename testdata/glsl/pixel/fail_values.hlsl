@@ -3,4 +3,4 @@
 [earlydepthstencil]
 float4 main(uint primitive : SV_PrimitiveID) : SV_Target { return primitive; }
 // ES-DAG: error: `SV_PrimitiveID` is an input or output that target `essl300` lacks [target-pixel-value]
-// ES-DAG: error: `earlydepthstencil` is given; target `essl300` has no early tests; `glsl420`, `essl310` and `vulkan` have [target-early-tests]
+// ES-DAG: error: `earlydepthstencil` is given; target `essl300` has no early tests [target-early-tests]

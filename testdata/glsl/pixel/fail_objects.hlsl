@@ -1,0 +1,35 @@
+// What is no element for an atomic operation, no texel, and no one object.
+// RUN: not %clipc -T ps_5_0 -E index %s -o - 2>&1 | FileCheck %s --check-prefix=INDEX
+// RUN: not %clipc -T ps_5_0 -E tight --target=glsl450 %s -o - 2>&1 | FileCheck %s --check-prefix=TIGHT
+// RUN: not %clipc -T ps_5_0 -E texels -DTEXELS %s -o - 2>&1 | FileCheck %s --check-prefix=TEXELS
+// RUN: not %clipc -T ps_6_0 -E chosen --target=vulkan %s -o - 2>&1 | FileCheck %s --check-prefix=CHOSEN
+// RUN: not %clipc -T ps_6_0 -E chosen_texture %s -o - 2>&1 | FileCheck %s --check-prefix=TEXTURE
+struct Element {
+  uint counts[3];
+  float3 tight;
+};
+RWStructuredBuffer<Element> elements : register(u1);
+uint index(int i : I) : SV_Target {
+  InterlockedAdd(elements[0].counts[i], 1);
+  return 0;
+}
+// INDEX: [[#@LINE-3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint`; of an array in the element the index is constant [intrinsic-atomic-target, X3013]
+
+uint tight() : SV_Target {
+  InterlockedAdd(elements[0].counts[1], 1);
+  return 0;
+}
+// TIGHT: error: a `Element` is written into a structured buffer; target `glsl450` lays it out differently from Direct3D [target-structured-store]
+
+#ifdef TEXELS
+Texture2D<Element> map;
+float4 texels() : SV_Target { return map.Load(0).tight.x; }
+// TEXELS: [[#@LINE-2]]:1: error: `Texture2D` has elements of type `Element`; clipc translates textures and typed buffers of scalars and vectors [texel-type]
+#endif
+
+SamplerState first, second;
+Texture2D one, other;
+float4 chosen(float2 uv : UV) : SV_Target { return one.Sample(uv.x > 0 ? first : second, uv); }
+// CHOSEN: error: `?:` of type `SamplerState` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
+float4 chosen_texture(float2 uv : UV) : SV_Target { return (uv.x > 0 ? one : other).Sample(first, uv); }
+// TEXTURE: error: `?:` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
