@@ -87,6 +87,7 @@ std::string LegalTypeName(std::string_view wanted) {
 
 std::string Namer::Global(std::string_view wanted, std::string_view fallback) {
   std::string name = LegalName(wanted, fallback);
+  if (IsExtensionFunction(name)) name += '_';
   Use* use = &uses_[name];
   if (use->is_global || use->is_local) {
     const std::string stem = name;

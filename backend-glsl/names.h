@@ -27,7 +27,7 @@ std::string LegalTypeName(std::string_view wanted);
 // it. A name depends only on the calls before it.
 class Namer {
  public:
-  // Returns a name that nothing else has, not even in a function.
+  // Returns a name that nothing else has, not even in a function or as a function of an extension.
   std::string Global(std::string_view wanted, std::string_view fallback = "unnamed");
   // Returns a name that nothing visible in the innermost open scope has. Sibling scopes may use it
   // too.

@@ -45,6 +45,8 @@ TEST(NamesTest, CollidingGlobalsAreNumbered) {
   EXPECT_EQ(namer.Global("a"), "a_3");
   EXPECT_EQ(namer.Global("input"), "input_");
   EXPECT_EQ(namer.Global("input"), "input_2");
+  EXPECT_EQ(namer.Global("max3"), "max3_") << "a function of an extension";
+  EXPECT_EQ(namer.Global("max3"), "max3_2");
 }
 
 TEST(NamesTest, SiblingScopesShareNamesAndInnerOnesDoNotShadow) {

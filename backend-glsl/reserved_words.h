@@ -11,6 +11,9 @@ bool IsKeyword(std::string_view word);
 // Whether some version has a built-in function of that name: a function or variable of the name
 // would hide it, or is an error in ES.
 bool IsBuiltinFunction(std::string_view word);
+// Whether glslang declares a function of that name for an extension, in every shader. It refuses
+// functions of the name with other results, and in ES whatever else outside functions has it.
+bool IsExtensionFunction(std::string_view word);
 // Whether the word is a qualifier in the brackets of `layout(...)` and no keyword.
 bool IsLayoutWord(std::string_view word);
 
