@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/spelling.h"
+#include "frontend/rules/attribute_reads.h"
 #include "frontend/rules/distances.h"
 #include "frontend/rules/locations.h"
 #include "frontend/rules/semantics.h"
@@ -39,6 +40,7 @@ class MainBuilder {
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     ReadDistances(Builtin::kClipDistanceInput, clip_reads_);
     ReadDistances(Builtin::kCullDistanceInput, cull_reads_);
+    attributes_.Finish();
     CallEntry();
     leaves_.SetByRow(signature_.stages_match_by_row);
     for (const Carrier& output : pending_outputs_) {
@@ -124,9 +126,17 @@ class MainBuilder {
     if (value.use == Use::kRefused || !MayAdd(leaf, Direction::kInput, value)) return {};
     if (value.use == Use::kBuiltin) return BuiltinInput(leaf, value);
     const bool is_plain = value.use == Use::kPlain || program_.is_interface_only;
+    if (is_plain && program_.profile.IsDirect3D9()) return Attribute(leaf);
     const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
     return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
                leaf.type);
+  }
+
+  // The part that this input has of the register that all inputs of its semantic read.
+  ExprId Attribute(const Carrier& leaf) {
+    VarId input = attributes_.InputOf(leaf.cursor.semantic);
+    if (!input) input = AddIo(program_.inputs, leaf, StoredType(leaf.type), Builtin::kNone);
+    return Fit(attributes_.Read(input, program_.types[leaf.type].Components()), leaf.type);
   }
 
   // The value of a built-in input; none after an error.
@@ -267,8 +277,10 @@ class MainBuilder {
 
   void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
     const VarId output = AddIo(program_.outputs, leaf, stored, builtin);
-    body_.push_back(builder_.Eval(
-        builder_.AssignTo(builder_.Ref(output), Fit(leaves_.ValueOf(leaf.part), stored))));
+    ExprId value = Fit(leaves_.ValueOf(leaf.part), stored);
+    if (IsClampedOutput(program_, leaf.cursor.semantic.name, program_.types[stored]))
+      value = builder_.IntrinsicOf(Intrinsic::kSaturate, stored, {value});
+    body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), value)));
   }
 
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
@@ -437,11 +449,12 @@ class MainBuilder {
     const std::string key = name + std::to_string(leaf.cursor.semantic.index);
     auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
     const auto [found, is_new] = seen.try_emplace(key, leaf.span);
-    if (is_new) return true;
+    const bool is_input = direction == Direction::kInput;
+    if (is_new || (is_input && program_.profile.IsDirect3D9())) return true;
     // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
     // SPIR-V. An output that the pipeline reads cannot have two values.
-    const std::string_view side = direction == Direction::kInput ? "inputs" : "outputs";
-    const bool can_share = direction == Direction::kInput || value.use == SystemValue::Use::kPlain;
+    const std::string_view side = is_input ? "inputs" : "outputs";
+    const bool can_share = is_input || value.use == SystemValue::Use::kPlain;
     (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side)
                : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))
         .Note(found->second, diag::SemanticFirstUsed);
@@ -467,6 +480,7 @@ class MainBuilder {
   std::vector<Carrier> pending_outputs_;
   Distances clip_, cull_, clip_reads_, cull_reads_;
   Span distance_span_;  // of the first distances
+  AttributeReads attributes_{program_, builder_};
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
   Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
   std::uint32_t distance_count_ = 0;
