@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frontend/check/cast_target.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/init.h"
 #include "frontend/check/operator.h"
@@ -45,13 +46,21 @@ ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId targe
   return WithPrologue(context, steps, store);
 }
 
+// Whether the expression is a temporary of the statement in progress.
+bool IsTemporary(const Context& context, ExprId expr) {
+  const auto* ref = context.GetIf<VarRef>(expr);
+  return ref && context.view.body &&
+         std::ranges::find(context.view.body->temporaries, ref->var) !=
+             context.view.body->temporaries.end();
+}
+
 // The assignment m._m00_m11 = v  =>  (t = v, m[0][0] = t.x, m[1][1] = t.y, t).
 ExprId StoreToMatrixSwizzle(Context& context, ExprId target, ExprId value, Span span) {
   const auto node = context.Get<MatrixSwizzle>(target);
   Builder at = context.At(span);
   Exprs steps;
   const ExprId base = Stabilize(context, node.base, steps);
-  const ExprId stored = Hoist(context, value, steps);
+  const ExprId stored = IsTemporary(context, value) ? value : Hoist(context, value, steps);
   for (int i = 0; i < node.count; ++i) {
     const ExprId row = at.At(Clone(context.program, base), std::uint32_t{node.rows[i]});
     const ExprId component = at.At(row, std::uint32_t{node.columns[i]});
@@ -60,11 +69,27 @@ ExprId StoreToMatrixSwizzle(Context& context, ExprId target, ExprId value, Span 
   return WithPrologue(context, steps, stored);
 }
 
+// The assignment m._m00_m11[i] = v  =>  (t = m._m00_m11, t[i] = v, m._m00_m11 = t).
+ExprId AssignChosen(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId value,
+                    Span span) {
+  Exprs steps;
+  if (!IsPure(context.program, value)) value = Hoist(context, value, steps);
+  const ExprId store = ChangeChosen(context, target, steps);
+  if (context.IsError(store)) return store;
+  const ExprId change = AssignValue(context, expr, target, value, span);
+  if (context.IsError(change)) return change;
+  steps.push_back(change);
+  steps.push_back(store);
+  return WithPrologue(context, steps, Clone(context.program, target));
+}
+
 // The assignment to `target`, of whichever kind it is.
 ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Span span) {
   const bool is_list = context.Is<ast::InitListExpr>(expr.right);
   if (is_list && !expr.op && !context.IsError(target)) {
     const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
+    if (!context.IsError(value) && IsChosenComponent(context, target))
+      return AssignChosen(context, expr, target, value, span);
     return !context.IsError(value) && CheckTarget(context, target)
                ? StoreTo(context, target, value, span)
                : context.ErrorExpr(span);
@@ -73,7 +98,30 @@ ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Sp
   if (context.IsError(target, value)) return context.ErrorExpr(span);
   if (const ExprId element = ElementIn(context, target))
     return AssignElement(context, expr, target, element, value, span);
+  if (IsChosenComponent(context, target)) return AssignChosen(context, expr, target, value, span);
   return AssignValue(context, expr, target, value, span);
+}
+
+// The assignment (T)v = value  =>  (t = (T)value, v.a = t.a, ..., t): `operand` is v.
+ExprId AssignToCast(Context& context, const ast::AssignExpr& expr, TypeId type, ast::ExprId operand,
+                    Span span) {
+  Exprs steps;
+  ExprId target = TakeSteps(context, CheckExpr(context, operand), steps);
+  ExprId value = expr.op || !context.Is<ast::InitListExpr>(expr.right)
+                     ? CheckExpr(context, expr.right)
+                     : CheckInit(context, expr.right, type);
+  if (context.IsError(target, value) || !CheckCastTarget(context, target, type))
+    return context.ErrorExpr(span);
+  target = Stabilize(context, target, steps);
+  if (expr.op) {
+    const ExprId old = ConvertSilently(context, Clone(context.program, target), type);
+    value = CombineOperands(context, *expr.op, old, value, span, span);
+  }
+  value = context.IsError(value) ? value : Implicit(context, value, type);
+  if (context.IsError(value)) return value;
+  const ExprId stored = Hoist(context, value, steps);
+  StoreComponents(context, target, stored, steps);
+  return WithPrologue(context, steps, Clone(context.program, stored));
 }
 
 }  // namespace
@@ -111,11 +159,6 @@ bool CheckTarget(Context& context, ExprId target) {
     context.Report(span, diag::SwizzleRepeats);
     return false;
   }
-  if (index && context.Is<MatrixSwizzle>(index->base)) {
-    context.Report(span, diag::Unsupported,
-                   "assigning to a component chosen at run time among several of a matrix");
-    return false;
-  }
   IndexWholeVector(context.program, target);
   return true;
 }
@@ -142,6 +185,20 @@ ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue) {
   const ExprId copy = Hoist(context, read, prologue);
   context[element].node = context[copy].node;
   return StoreElement(context, object, place, copy, span);
+}
+
+bool IsChosenComponent(const Context& context, ExprId expr) {
+  const auto* index = context.GetIf<Index>(expr);
+  return index && context.Is<MatrixSwizzle>(index->base);
+}
+
+ExprId ChangeChosen(Context& context, ExprId element, Exprs& prologue) {
+  if (!CheckTarget(context, element)) return context.ErrorExpr(context[element].span);
+  Stabilize(context, element, prologue);
+  const auto index = context.Get<Index>(element);
+  const ExprId copy = Hoist(context, Clone(context.program, index.base), prologue);
+  context[element].node = Index{copy, index.index};
+  return StoreTo(context, index.base, Clone(context.program, copy), context[element].span);
 }
 
 ExprId Stabilize(Context& context, ExprId path, Exprs& prologue) {
@@ -181,7 +238,10 @@ ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue) {
 
 ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
   Exprs steps;
-  const ExprId target = TakeSteps(context, CheckExpr(context, expr.left), steps);
+  const ExprId left = CheckExpr(context, expr.left);
+  if (const ast::ExprId operand = CastOperand(context, left))
+    return AssignToCast(context, expr, context.TypeIdOf(left), operand, span);
+  const ExprId target = TakeSteps(context, left, steps);
   return WithPrologue(context, steps, AssignTo(context, expr, target, span));
 }
 

@@ -19,6 +19,13 @@ ExprId ElementIn(const Context& context, ExprId expr);
 // its parts can be changed in place. Returns the store of the variable into the object. `prologue`
 // must come before.
 ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue);
+// Whether the expression is m._m00_m11[i], a component chosen at run time among several of a
+// matrix, which CheckTarget takes and GLSL does not.
+bool IsChosenComponent(const Context& context, ExprId expr);
+// Turns such an `element` into one of a variable that holds those components, so that it can be
+// changed. Returns the store of the variable into the matrix, which belongs after the change; an
+// error that was reported if nothing may be assigned to it. `prologue` must come before.
+ExprId ChangeChosen(Context& context, ExprId element, Exprs& prologue);
 // The path with every index that has side effects replaced by a temporary, so that the path can be
 // cloned.
 ExprId Stabilize(Context& context, ExprId path, Exprs& prologue);

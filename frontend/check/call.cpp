@@ -10,6 +10,7 @@
 #include "frontend/check/function.h"
 #include "frontend/check/init.h"
 #include "frontend/check/member.h"
+#include "frontend/check/operator.h"
 #include "frontend/check/overload.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/struct.h"
@@ -51,6 +52,16 @@ std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, Type
   return candidates;
 }
 
+// The call of a value's operator(); for a value without one an error, in which `text` names it.
+ExprId CallValue(Context& context, ExprId value, const std::string& text, Span name_span,
+                 const ast::CallExpr& expr, Span span) {
+  Exprs operands = {value};
+  const bool ok = CheckArguments(context, expr.arguments, operands);
+  if (context.IsError(value) || !ok) return context.ErrorExpr(span);
+  if (const auto call = CallOperator(context, "()", operands, name_span, span)) return *call;
+  return context.Fail(name_span, diag::NotCallable, text);
+}
+
 ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
                  const ast::CallExpr& expr, Span span) {
   const bool is_plain = name.name.scopes.empty() && !name.name.from_global;
@@ -61,8 +72,13 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
   }
   // Real files define functions after the entry point; and a variable does not hide a function that
   // is called.
-  if (!symbol || context[symbol].kind != SymbolKind::kFunction)
-    symbol = FindFunction(context, name.name);
+  if (!symbol || context[symbol].kind != SymbolKind::kFunction) {
+    const SymbolId function = FindFunction(context, name.name);
+    if (symbol && !function && !is_intrinsic)
+      return CallValue(context, UseSymbol(context, symbol, name_span),
+                       QualifiedText(context, name.name), name_span, expr, span);
+    symbol = function;
+  }
   Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
   const auto call_intrinsic = [&] {
@@ -75,10 +91,7 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
     return WithPrologue(context, steps, value);
   };
   if (!symbol && !is_intrinsic) {
-    if (Find(context, name.name))
-      context.Report(name_span, diag::NotCallable, QualifiedText(context, name.name));
-    else
-      ReportUndeclared(context, name_span, name.name, NameUse::kFunction);
+    ReportUndeclared(context, name_span, name.name, NameUse::kFunction);
     return context.ErrorExpr(span);
   }
   if (!ok) return context.ErrorExpr(span);
@@ -126,7 +139,11 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     return context.ErrorExpr(span);
   }
   if (context[symbol].kind != SymbolKind::kFunction) {
-    return context.Fail(member.name_span, diag::NotCallable, context[member.name]);
+    const auto field = FindField(context, type, member.name);
+    const ExprId value = field ? context.At(member.name_span).Field(object, *field)
+                               : UseSymbol(context, symbol, member.name_span);
+    return CallValue(context, value, std::string(context[member.name]), member.name_span, expr,
+                     span);
   }
   const std::vector<FunctionInfoId> overloads =
       CandidatesOf(context, symbol, type, member.arguments, arguments);
@@ -182,8 +199,8 @@ ExprId BindCast(Context& context, const Parameter& parameter, TypeId type, ast::
                 Exprs& before, Exprs& after) {
   ExprId target = TakeSteps(context, CheckExpr(context, operand), before);
   const Span span = context[target].span;
-  if (context.IsError(target) || !CheckTarget(context, target)) return context.ErrorExpr(span);
-  if (context.Is<MatrixSwizzle>(target)) return context.Fail(span, diag::NotAssignable);
+  if (context.IsError(target) || !CheckCastTarget(context, target, type))
+    return context.ErrorExpr(span);
   target = Stabilize(context, target, before);
   ExprId copy;
   if (parameter.storage == Storage::kInOut) {
@@ -207,6 +224,13 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
   if (const ast::ExprId operand = CastOperand(context, argument))
     return BindCast(context, parameter, context.TypeIdOf(argument), operand, before, after);
   argument = TakeSteps(context, argument, before);
+  if (IsChosenComponent(context, argument)) {
+    const ExprId store = ChangeChosen(context, argument, before);
+    if (context.IsError(store)) return store;
+    const ExprId bound = BindArgument(context, parameter, argument, before, after);
+    after.push_back(store);
+    return bound;
+  }
   if (!CheckTarget(context, argument)) return context.ErrorExpr(span);
   const bool is_swizzle = context.Is<MatrixSwizzle>(argument);
   if (context.TypeIdOf(argument) == parameter.type && !is_swizzle) return argument;
@@ -277,10 +301,8 @@ ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span) {
     return CallNamed(context, *name, callee.span, expr, span);
   if (const auto* member = std::get_if<ast::MemberExpr>(&callee.node))
     return CallMember(context, *member, expr, span);
-  const ExprId value = CheckExpr(context, expr.callee);
-  return context.IsError(value)
-             ? value
-             : context.Fail(callee.span, diag::NotCallable, TextOf(context, expr.callee));
+  return CallValue(context, CheckExpr(context, expr.callee), TextOf(context, expr.callee),
+                   callee.span, expr, span);
 }
 
 bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "frontend/check/assign.h"
+#include "frontend/check/type.h"
 #include "frontend/check/value.h"
 #include "ir/access.h"
 
@@ -73,6 +75,16 @@ void NoteCast(Context& context, ExprId value, ast::ExprId operand) {
 ast::ExprId CastOperand(const Context& context, ExprId value) {
   const auto found = context.casts.find(value.index);
   return found == context.casts.end() ? ast::ExprId{} : found->second;
+}
+
+bool CheckCastTarget(Context& context, ExprId target, TypeId type) {
+  if (!CheckTarget(context, target)) return false;
+  const bool is_whole =
+      ComponentsOf(context, context.TypeIdOf(target)) >= ComponentsOf(context, type);
+  if (is_whole && !context.Is<MatrixSwizzle>(target) && !IsChosenComponent(context, target))
+    return true;
+  context.Report(context[target].span, diag::NotAssignable);
+  return false;
 }
 
 void StoreComponents(Context& context, ExprId target, ExprId value, Exprs& steps) {

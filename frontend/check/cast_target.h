@@ -3,14 +3,17 @@
 
 #include "frontend/check/context.h"
 
-// A cast of a variable or of a part of one that is passed for an inout or out parameter, f((A)v).
-// fxc takes it: engines pass the vertex of one material to the functions of another.
+// A cast of a variable or of a part of one that is assigned to, (float3)v = x, or passed for an
+// inout or out parameter, f((A)v). fxc takes both: engines pass the vertex of one material to the
+// functions of another.
 namespace clipc::check {
 
 // Remembers that `value` is `operand`, which is a path to a variable, cast to another type.
 void NoteCast(Context& context, ExprId value, ast::ExprId operand);
 // The operand of the cast that made `value`; none if none did.
 ast::ExprId CastOperand(const Context& context, ExprId value);
+// Whether the components of a value of `type` can be written to `target`; reports if not.
+bool CheckCastTarget(Context& context, ExprId target, TypeId type);
 // Adds to `steps` the assignments that write the components of `value`, a path that may be read
 // several times, one after another into those of `target`, which has at least as many.
 void StoreComponents(Context& context, ExprId target, ExprId value, Exprs& steps);

@@ -50,7 +50,8 @@ void EmitValue(Context& context, ExprId value) {
   if (const auto* comma = std::get_if<Comma>(&expr.node)) {
     const ExprId second = comma->second;
     EmitValue(context, comma->first);
-    if (!context.Is<VarRef>(second)) EmitValue(context, second);
+    const bool is_path = RootOf(context.program, second) && IsPure(context.program, second);
+    if (!is_path) EmitValue(context, second);
     return;
   }
   const auto* call = std::get_if<IntrinsicCall>(&expr.node);

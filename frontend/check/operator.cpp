@@ -27,6 +27,13 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
     steps.push_back(store);
     return WithPrologue(context, steps, result);
   }
+  if (IsChosenComponent(context, target)) {
+    const ExprId store = ChangeChosen(context, target, steps);
+    if (context.IsError(store)) return store;
+    const ExprId result = Hoist(context, context.At(span).UnaryOf(op, target), steps);
+    steps.push_back(store);
+    return WithPrologue(context, steps, result);
+  }
   if (!CheckTarget(context, target)) return context.ErrorExpr(span);
   if (!context.Is<MatrixSwizzle>(target)) return context.At(span).UnaryOf(op, target);
   const bool is_post = IsPostfix(op);

@@ -31,6 +31,9 @@ void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var)
 }
 
 void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
+  if (var.semantic.name)
+    context.Report(var.semantic.span, diag::SemanticOnLocal, context[var.name],
+                   context[var.semantic.name]);
   if (var.qualifiers & ast::kStatic) return CheckStaticLocal(context, id, var);
   TypeId type = ResolveVarType(context, var);
   ExprId init;

@@ -108,7 +108,12 @@ TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
     }
   } else if (const auto* alias = std::get_if<ast::TypedefDecl>(&decl.node)) {
     const ViewSwitch in(context, view);
-    type = ArrayOf(context, ResolveType(context, alias->type), alias->dimensions, alias->name_span);
+    const TypeId named = ResolveType(context, alias->type);
+    if (context[named].kind == TypeKind::kStruct) {
+      std::string& name = context[context[named].structure].name;
+      if (name.empty()) name = context[alias->name];  // typedef struct {..} vertex_in;
+    }
+    type = ArrayOf(context, named, alias->dimensions, alias->name_span);
   } else if (const auto* enumeration = std::get_if<ast::EnumDecl>(&decl.node)) {
     const ViewSwitch in(context, view);
     type = EnumType(context, *enumeration);
@@ -158,20 +163,25 @@ bool IsTooLarge(Context& context, TypeId type, Span span) {
 
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
                std::optional<std::uint32_t> implied, bool is_buffer) {
+  return ArrayOf(context, element, context[dimensions], span, implied, is_buffer);
+}
+
+TypeId ArrayOf(Context& context, TypeId element, std::span<const ast::ExprId> dimensions, Span span,
+               std::optional<std::uint32_t> implied, bool is_buffer) {
   if (dimensions.empty()) return element;
   if (element == context.types.Void()) {
     return context.FailType(span, diag::VoidValue, "an array of `void`");
   }
   TypeId type = element;
   bool is_broken = context.IsError(element);
-  for (std::uint32_t i = dimensions.size; i-- > 0;) {
-    const ast::ExprId dimension = context[dimensions][i];
+  for (std::size_t i = dimensions.size(); i-- > 0;) {
+    const ast::ExprId dimension = dimensions[i];
     std::optional<std::uint32_t> size;
     if (dimension) {
       size = ArraySize(context, dimension);
     } else if (i == 0 && implied) {
       size = implied;
-    } else if (i == 0 && dimensions.size == 1 &&
+    } else if (i == 0 && dimensions.size() == 1 &&
                (is_buffer || context.types[element].kind == TypeKind::kObject)) {
       // The number of elements is no part of a stage's interface with another.
       size = context.program.is_interface_only ? 1 : 0;

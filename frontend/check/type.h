@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "frontend/check/context.h"
 
@@ -23,6 +24,8 @@ bool IsTooLarge(Context& context, TypeId type, Span span);
 // The type element[d0][d1]. `implied` is the size for an empty first `[]`; a buffer, `is_buffer`,
 // does not need one.
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
+               std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
+TypeId ArrayOf(Context& context, TypeId element, std::span<const ast::ExprId> dimensions, Span span,
                std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
 // The type of the variable, with its dimensions.
 TypeId ResolveVarType(Context& context, const ast::VarDecl& var);

@@ -32,6 +32,17 @@ constexpr BuiltinName<ObjectKind> kObjectNames[] = {
 
 bool IsSize(char c) { return c >= '1' && c <= '4'; }
 
+// float[2][3], whose last size is that of the innermost array.
+TypeId ArrayArgument(Context& context, const ast::IndexExpr& array, Span span) {
+  std::vector<ast::ExprId> sizes = {array.index};
+  ast::ExprId element = array.base;
+  while (const auto* outer = context.GetIf<ast::IndexExpr>(element)) {
+    sizes.insert(sizes.begin(), outer->index);
+    element = outer->base;
+  }
+  return ArrayOf(context, TypeArgument(context, element), sizes, span);
+}
+
 }  // namespace
 
 std::optional<TypeId> NumericType(Context& context, Name name) {
@@ -66,6 +77,8 @@ TypeId TypeArgument(Context& context, ast::ExprId id) {
     type.has_arguments = !name->arguments.empty();
     return ResolveNamedType(context, type);
   }
+  if (const auto* array = std::get_if<ast::IndexExpr>(&expr.node))
+    return ArrayArgument(context, *array, expr.span);
   if (!std::holds_alternative<ast::ErrorExpr>(expr.node)) {
     context.Report(expr.span, diag::UnknownType, TextOf(context, id), "");
   }

@@ -5,8 +5,6 @@ float4 main(float4 v : POSITION, int i : INDEX) : SV_Position {
   m._m00_m00 = v.xy;
   // CHECK: :[[#@LINE+1]]:3: error: components are repeated;
   m._11_22.xx = v.xy;
-  // CHECK: :[[#@LINE+1]]:3: error: assigning to a component chosen at run time among several of a matrix is not supported [unsupported]
-  m._11_22[i] = v.x;
   // CHECK: :[[#@LINE+1]]:16: error: argument 2 of `sincos` is written to; it must be a variable or a part of one
   sincos(v.xy, m._m00_m00, v.xy);
   // CHECK: :[[#@LINE+1]]:15: error: argument 2 of `sincos` is written to; it must be a variable or a part of one
