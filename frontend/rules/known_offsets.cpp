@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "frontend/rules/constant.h"
+#include "frontend/rules/object_call.h"
 #include "frontend/rules/object_slots.h"
 #include "ir/access.h"
 #include "ir/builder.h"
@@ -203,10 +204,12 @@ class OffsetFinder {
       if (!may_vary) diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
       return offset;
     }
+    const OffsetRange range = OffsetsOf(IsGather(op), program_.profile);
     for (const std::uint64_t word : *bits) {
       const auto texels = static_cast<std::int32_t>(static_cast<std::uint32_t>(word));
-      if (texels < -8 || texels > 7) {
-        diagnostics_.Report(span, diag::TextureOffsetRange, texels, MethodOf(op));
+      if (!range.Has(texels)) {
+        diagnostics_.Report(span, diag::TextureOffsetRange, texels, MethodOf(op), range.least,
+                            range.most);
         return offset;
       }
     }

@@ -179,7 +179,7 @@ class MethodCheck : IntrinsicCheck {
         !TakeFloats(1, traits_.coordinates) || (least == 3 && !TakeFloats(2, 1)))
       return Error();
     for (std::size_t i = least; i < given; ++i) {
-      if (!TakeOffset(i)) return Error();
+      if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
     }
     return Finish(op, program.types.Vector(kind, 4));
   }
@@ -239,7 +239,7 @@ class MethodCheck : IntrinsicCheck {
   }
 
   // Takes argument `i`, an optional offset in texels.
-  bool TakeOffset(std::size_t i) {
+  bool TakeOffset(std::size_t i, OffsetRange range = {}) {
     if (i >= arguments.size()) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
@@ -253,12 +253,13 @@ class MethodCheck : IntrinsicCheck {
     Builder builder(program, SpanOf(arguments[i]));
     std::vector<ExprId> texels;
     for (const double texel : constant->components) {
-      if (texel < -8 || texel > 7) {
-        diagnostics.Report(SpanOf(arguments[i]), diag::TextureOffsetRange, static_cast<int>(texel),
-                           name);
+      const int number = static_cast<int>(texel);
+      if (!range.Has(number)) {
+        diagnostics.Report(SpanOf(arguments[i]), diag::TextureOffsetRange, number, name,
+                           range.least, range.most);
         return false;
       }
-      texels.push_back(builder.Int(static_cast<int>(texel)));
+      texels.push_back(builder.Int(number));
     }
     arguments_.push_back(texels.size() == 1 ? texels[0]
                                             : builder.ConstructOf(TypeIdOf(*value), texels));
