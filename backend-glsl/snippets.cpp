@@ -9,6 +9,15 @@ using ir::Scalar;
 
 namespace {
 
+constexpr std::string_view kUnpackedBytes = R"(uvec4 $N(uint x) {
+    return (uvec4(x) >> uvec4(0, 8, 16, 24)) & 255u;
+}
+)";
+constexpr std::string_view kUnpackedSigned = R"(ivec4 $N(uint x) {
+    return ivec4(uvec4(x) << uvec4(24, 16, 8, 0)) >> 24;
+}
+)";
+
 constexpr SnippetText kSnippets[] = {
     // ---- HLSL's own meaning, on every target
     {"saturate", SnippetText::kFloat, false,
@@ -43,6 +52,51 @@ constexpr SnippetText kSnippets[] = {
     return sums;
 }
 )"},
+    {"dot2add", SnippetText::kFloat, false,
+     R"(float $N(vec2 a, vec2 b, float sum) {
+    return dot(a, b) + sum;
+}
+)"},
+    {"dot4add_u8packed", SnippetText::kUint, false,
+     R"(uint $N(uint a, uint b, uint sum) {
+    for (int i = 0; i < 32; i += 8) sum += ((a >> i) & 255u) * ((b >> i) & 255u);
+    return sum;
+}
+)"},
+    {"dot4add_i8packed", SnippetText::kUint, false,
+     R"(int $N(uint a, uint b, int sum) {
+    for (int i = 0; i < 32; i += 8) sum += (int(a << i) >> 24) * (int(b << i) >> 24);
+    return sum;
+}
+)"},
+    {"pack_u8", SnippetText::kUint, false,
+     R"(uint $N(uvec4 x) {
+    uvec4 bytes = (x & 255u) << uvec4(0, 8, 16, 24);
+    return bytes.x | bytes.y | bytes.z | bytes.w;
+}
+)"},
+    {"pack_s8", SnippetText::kInt, false,
+     R"(uint $N(ivec4 x) {
+    uvec4 bytes = (uvec4(x) & 255u) << uvec4(0, 8, 16, 24);
+    return bytes.x | bytes.y | bytes.z | bytes.w;
+}
+)"},
+    {"pack_clamp_u8", SnippetText::kInt, false,
+     R"(uint $N(ivec4 x) {
+    uvec4 bytes = uvec4(clamp(x, 0, 255)) << uvec4(0, 8, 16, 24);
+    return bytes.x | bytes.y | bytes.z | bytes.w;
+}
+)"},
+    {"pack_clamp_s8", SnippetText::kInt, false,
+     R"(uint $N(ivec4 x) {
+    uvec4 bytes = (uvec4(clamp(x, -128, 127)) & 255u) << uvec4(0, 8, 16, 24);
+    return bytes.x | bytes.y | bytes.z | bytes.w;
+}
+)"},
+    {"unpack_u8u32", SnippetText::kUint, false, kUnpackedBytes},
+    {"unpack_u8u16", SnippetText::kUint, false, kUnpackedBytes},
+    {"unpack_s8s32", SnippetText::kUint, false, kUnpackedSigned},
+    {"unpack_s8s16", SnippetText::kUint, false, kUnpackedSigned},
     {"dst", SnippetText::kFloat, false,
      R"(vec4 $N(vec4 a, vec4 b) {
     return vec4(1.0, a.y * b.y, a.z, b.w);

@@ -29,6 +29,10 @@ struct EvalArgument {
 void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> arguments,
                     Word* result);
 
+// The same for dot4add_u8packed and the other intrinsics of bytes packed into a uint; returns false
+// for other intrinsics.
+bool PackedFunction(Intrinsic op, std::span<const EvalArgument> arguments, Word* result);
+
 // pow(x, y), which the vector function lit uses too.
 template <typename T>
 T PowOf(T x, T y);

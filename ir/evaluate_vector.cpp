@@ -74,6 +74,7 @@ class Vectors {
     using enum Intrinsic;
     switch (op) {
       case kCross: return Cross(result);
+      case kDot2Add: return Put(result, 0, DotOf(0, 1) + At(2, 0));
       case kD3dColorToUbyte4: return ColorToBytes(result);
       case kDeterminant: return Put(result, 0, Determinant());
       case kDistance: return Put(result, 0, Distance());
@@ -242,6 +243,7 @@ void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> argu
       }
       return;
     default:
+      if (PackedFunction(op, arguments, result)) return;
       if (rep == Scalar::kDouble) return Vectors<double>(arguments).Run(op, result);
       return Vectors<float>(arguments).Run(op, result);
   }

@@ -257,9 +257,6 @@ TEST(IntrinsicsTest, RefusedFamilies) {
   EXPECT_EQ(Call("WaveActiveSum", {"float"}),
             "`WaveActiveSum` works across the lanes of a wave; clipc does not translate wave "
             "operations [intrinsic-wave]");
-  EXPECT_EQ(Call("dot4add_u8packed", {"uint", "uint", "uint"}),
-            "`dot4add_u8packed` computes with packed bytes; clipc does not translate that "
-            "[intrinsic-packed]");
   EXPECT_EQ(Call("printf", {}), "int: 0 [-Wintrinsic-debug]");
 }
 
