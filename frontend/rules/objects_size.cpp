@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "frontend/rules/object_call.h"
@@ -37,6 +39,8 @@ class SizeCheck : IntrinsicCheck {
     const ExprId size = Query(ObjectOp::kTextureSize, VectorOf(Scalar::kInt, traits.size), {level});
     if (traits.size == 1) {
       Assign(first, size);
+    } else if (const ExprId whole = Together(first, traits.size)) {
+      steps_.push_back(builder.AssignTo(whole, Convert(size, TypeIdOf(whole))));
     } else {
       const auto temporary = temporaries.Make(size);
       steps_.push_back(temporary.prologue);
@@ -74,6 +78,28 @@ class SizeCheck : IntrinsicCheck {
       return false;
     }
     return IsTarget(i);
+  }
+
+  // The swizzle of a variable that the arguments from `first` on are the components of, size.x and
+  // size.y, the variable itself if those are all; none if they are other places.
+  ExprId Together(std::size_t first, int count) {
+    Swizzle all{.base = {}, .components = {}, .count = static_cast<std::uint8_t>(count)};
+    VarId variable;
+    for (int i = 0; i < count; ++i) {
+      const auto* part = As<Swizzle>(program, arguments[first + static_cast<std::size_t>(i)]);
+      const auto* ref = part ? As<VarRef>(program, part->base) : nullptr;
+      if (!ref || part->count != 1 || (i > 0 && ref->var != variable)) return {};
+      variable = ref->var;
+      all.base = part->base;
+      all.components[static_cast<std::size_t>(i)] = part->components[0];
+    }
+    const std::span<const std::uint8_t> components(all.components.data(), all.count);
+    for (int i = 0; i < count; ++i) {
+      if (std::ranges::count(components, components[static_cast<std::size_t>(i)]) > 1) return {};
+    }
+    const bool is_whole =
+        std::ranges::is_sorted(components) && static_cast<int>(TypeOf(all.base).columns) == count;
+    return is_whole ? all.base : Make().Swizzled(all.base, components);
   }
 
   ExprId Query(ObjectOp op, TypeId type, std::initializer_list<ExprId> rest) {
