@@ -57,8 +57,7 @@ Binding WriteConstruct(Code& code, TypeId id, std::span<const ExprId> arguments)
   return Binding::kPostfix;
 }
 
-Binding WriteTruncated(Code& code, TypeId id, ExprId matrix) {
-  const Type& type = code[id];
+Binding WriteTruncated(Code& code, const Type& type, ExprId matrix) {
   const Shape from = code.ShapeAt(matrix), to = ShapeOf(type, code.target);
   if (from == to) return WriteExpr(code, matrix);
   // The result is the first row, or the first column, which is the first row of the transpose.

@@ -12,6 +12,6 @@ namespace clipc::glsl {
 // Writes the constructor call of an ir::Construct of this type.
 Binding WriteConstruct(Code& code, ir::TypeId type, std::span<const ir::ExprId> arguments);
 // Writes an ir::MatrixTruncate to this type.
-Binding WriteTruncated(Code& code, ir::TypeId type, ir::ExprId matrix);
+Binding WriteTruncated(Code& code, const ir::Type& type, ir::ExprId matrix);
 
 }  // namespace clipc::glsl

@@ -109,11 +109,40 @@ Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
   return Binding::kPostfix;
 }
 
+// Writes (v * mat4x3(m)).xyz as v * mat3(m), without the columns or rows that make what the swizzle
+// drops. Returns false, and writes nothing, for other expressions.
+bool WriteNarrowProduct(Code& code, const Swizzle& node) {
+  const auto* call = code.As<IntrinsicCall>(node.base);
+  if (!call || call->op != Intrinsic::kMul || node.count < 2) return false;
+  for (std::uint8_t i = 0; i < node.count; ++i) {
+    if (node.components[i] != i) return false;
+  }
+  const auto sides = code[call->arguments];
+  const bool is_left = code.As<MatrixTruncate>(sides[0]) != nullptr;
+  const ExprId matrix = sides[is_left ? 0 : 1], vector = sides[is_left ? 1 : 0];
+  const auto* truncate = code.As<MatrixTruncate>(matrix);
+  if (!truncate || !code.ShapeAt(vector).IsVector()) return false;
+  if (code.ShapeAt(matrix).kind != Shape::kMatrix) return false;
+  Type narrow = code.TypeOf(matrix);
+  (is_left ? narrow.rows : narrow.columns) = node.count;
+  if (is_left) {
+    WriteAt(code, vector, Binding::kProduct);
+    code.Put(" * ");
+    WriteTruncated(code, narrow, truncate->operand);
+  } else {
+    WriteTruncated(code, narrow, truncate->operand);
+    code.Put(" * ");
+    WriteAt(code, vector, Tighter(Binding::kProduct));
+  }
+  return true;
+}
+
 Binding WriteSwizzle(Code& code, const Swizzle& node) {
   const auto* ref = code.As<VarRef>(node.base);
   if (ref && IsPixelPosition(code, ref->var))
     return WritePixelPosition(code, code.NameOf(ref->var),
                               std::span(node.components).first(node.count));
+  if (WriteNarrowProduct(code, node)) return Binding::kProduct;
   const Shape shape = code.ShapeAt(node.base);
   if (shape.IsScalar()) {
     if (node.count == 1) return WriteExpr(code, node.base);
@@ -258,7 +287,9 @@ Binding WriteExpr(Code& code, ExprId id) {
           [&](const Construct& node) {
             return WriteConstruct(code, expr.type, code[node.arguments]);
           },
-          [&](const MatrixTruncate& node) { return WriteTruncated(code, expr.type, node.operand); },
+          [&](const MatrixTruncate& node) {
+            return WriteTruncated(code, code[expr.type], node.operand);
+          },
           [&](const Call& node) { return WriteUserCall(code, node); },
           [&](const IntrinsicCall& node) { return WriteIntrinsic(code, expr.type, node); },
           [&](const ObjectCall& node) { return Write(code, ObjectText(code, expr.type, node)); },

@@ -23,11 +23,24 @@ namespace {
 // Two views, as for a headset: OVR_multiview requires the number in the shader.
 constexpr int kViews = 2;
 
+// Whether the shader reads neither attributes nor objects, as that of a full-screen triangle: there
+// are no vertices in memory, of which a draw call could leave out the first.
+bool HasNoVertices(const Context& context) {
+  const auto is_attribute = [&](const IoVar& input) {
+    return input.builtin == Builtin::kNone && context.reached.Has(input.var);
+  };
+  return std::ranges::none_of(context.program.inputs, is_attribute) &&
+         std::ranges::none_of(context.program.resources, [&](const Resource& resource) {
+           return context.reached.Has(resource.var);
+         });
+}
+
 // Whether the draw calls' first vertex is a part of gl_VertexID, and nothing subtracts it.
 bool KeepsBaseVertex(const Context& context) {
-  const bool has_base = context.target.IsVulkan() || context.Has(Feature::kBaseVertexDraws);
-  return has_base && (context.options.base_vertex_is_zero ||
-                      (!context.target.IsVulkan() && !context.Has(Feature::kDrawParameters)));
+  if (context.target.IsVulkan()) return context.options.base_vertex_is_zero;
+  return context.Has(Feature::kBaseVertexDraws) &&
+         (context.options.base_vertex_is_zero || !context.Has(Feature::kDrawParameters) ||
+          HasNoVertices(context));
 }
 
 bool KeepsBaseInstance(const Context& context) {

@@ -86,12 +86,16 @@ Binding WriteOperator(Code& code, BinaryOp op, ExprId left, ExprId right) {
     const ExprId operands[] = {left, right};
     return WriteCall(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
   }
+  // Few people know that shifts bind tighter than &, and less tightly than +.
+  const bool is_of_bits = IsShift(op) || IsBitwise(op);
+  const auto* inner = code.As<Binary>(left);
+  const Binding least = is_of_bits && !(inner && inner->op == op) ? Binding::kMinus : glsl.binding;
   if (left_is_scalar && !shape.IsScalar() && (right_is_scalar || IsShift(op)))
-    WriteAt(code, left, glsl.binding);
+    WriteAt(code, left, least);
   else
-    WriteOperandAt(code, left, glsl.binding);
+    WriteOperandAt(code, left, least);
   code.Put(" ", glsl.spelling, " ");
-  WriteOperandAt(code, right, Tighter(glsl.binding));
+  WriteOperandAt(code, right, is_of_bits ? Binding::kMinus : Tighter(glsl.binding));
   return glsl.binding;
 }
 

@@ -58,7 +58,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     vec3 r = fmod(globals.f, vec3(2.0)) + fmod(globals.f, in_POSITION0.xyz);
 // CHECK-NEXT:     r = fmod(r, globals.f);
-// CHECK-NEXT:     ivec3 a = globals.i / 3 + globals.i / globals.n + imod(globals.i, ivec3(3)) + (ivec3(3) << (globals.i & 31)) + (globals.i >> 5) + (globals.i >> 5) + (globals.i << (globals.n & 31)) + (globals.i & 3 | ~globals.i ^ 5);
+// CHECK-NEXT:     ivec3 a = globals.i / 3 + globals.i / globals.n + imod(globals.i, ivec3(3)) + (ivec3(3) << (globals.i & 31)) + (globals.i >> 5) + (globals.i >> 5) + (globals.i << (globals.n & 31)) + ((globals.i & 3) | (~globals.i ^ 5));
 // CHECK-NEXT:     a = imod(a, ivec3(4));
 // CHECK-NEXT:     a /= globals.n;
 // CHECK-NEXT:     a <<= 2;

@@ -151,7 +151,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     uint n = i;
 // CHECK-NEXT:     Camera camera = cameras_any_value(int(i));
 // CHECK-NEXT:     gl_Position = Read(in_POSITION0.xy, n) + textureLod(sampler2D(maps[2], states[nonuniformEXT(n)]), in_POSITION0.xy, 0.0) + Read(in_POSITION0.xy);
-// CHECK-NEXT:     gl_Position += vec4(texelFetch(numbers[nonuniformEXT(i)], ivec2(0), 0)) + lists[nonuniformEXT(n)].elements[i] + lists[nonuniformEXT(n + 1u & 3u)].elements[i].x * lists[1].elements[2];
+// CHECK-NEXT:     gl_Position += vec4(texelFetch(numbers[nonuniformEXT(i)], ivec2(0), 0)) + lists[nonuniformEXT(n)].elements[i] + lists[nonuniformEXT((n + 1u) & 3u)].elements[i].x * lists[1].elements[2];
 // CHECK-NEXT:     gl_Position += loose_any_at(int(n), int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(int(n), i * 16u) % 64u) + float(bytes_load(2, 4u) % 64u);
 // CHECK-NEXT:     uint count;
 // CHECK-NEXT:     count = uint(lists[nonuniformEXT(n)].elements.length());
