@@ -34,6 +34,7 @@ struct Body {
   VarId self;
   int loops = 0;
   int switches = 0;
+  bool is_in_switch = false;  // whether the innermost loop or switch is a switch
   // Temporaries that the current statement needs and that are not declared yet.
   std::vector<VarId> temporaries;
   // Declarations to put before the first statement.

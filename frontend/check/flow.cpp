@@ -5,6 +5,7 @@
 
 #include "base/overloaded.h"
 #include "frontend/rules/constant.h"
+#include "ir/walk.h"
 
 namespace clipc::check {
 namespace {
@@ -70,6 +71,23 @@ bool FallsThrough(const Context& context, StmtId id) {
                    [](const auto&) { return true; },
                },
                context[id].node);
+}
+
+bool NeverEnds(const Context& context, StmtId loop) {
+  const auto never_ends = [&](ExprId condition, StmtId body) {
+    const auto known = condition ? EvaluateInteger(context.program, condition) : 1;
+    if (known.value_or(0) == 0 || Breaks(context, body)) return false;
+    bool returns = false;
+    ForEachStmt(context.program, body, [&](StmtId stmt) { returns |= context.Is<Return>(stmt); });
+    return !returns;
+  };
+  return Visit(Overloaded{
+                   [&](const OneOf<For, While, DoWhile> auto& node) {
+                     return never_ends(node.condition, node.body);
+                   },
+                   [](const auto&) { return false; },
+               },
+               context[loop].node);
 }
 
 }  // namespace clipc::check

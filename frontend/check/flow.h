@@ -7,5 +7,7 @@ namespace clipc::check {
 
 // Whether control can reach the end of the statement.
 bool FallsThrough(const Context& context, StmtId id);
+// Whether the condition of the loop is always true, and no `break` or `return` leaves it.
+bool NeverEnds(const Context& context, StmtId loop);
 
 }  // namespace clipc::check

@@ -2,18 +2,23 @@
 #include "frontend/check/loop.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frontend/check/emit.h"
 #include "frontend/check/expr.h"
+#include "frontend/check/flow.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/stmt.h"
+#include "frontend/rules/loop_turns.h"
 
 namespace clipc::check {
 namespace {
 
 StmtId CheckLoopBody(Context& context, ast::StmtId body) {
   ++context.view.body->loops;
+  const bool was_in_switch = std::exchange(context.view.body->is_in_switch, false);
   const StmtId block = CheckBlock(context, body);
+  context.view.body->is_in_switch = was_in_switch;
   --context.view.body->loops;
   return block;
 }
@@ -107,6 +112,17 @@ void CheckNode(Context& context, const ast::DoStmt& stmt, Span span) {
   const StmtId body = CheckLoopBody(context, stmt.body);
   const ExprId condition = CheckCondition(context, stmt.condition, "while");
   Emit(context, span, DoWhile{body, condition});
+}
+
+void CheckTurns(Context& context, StmtId loop, Span span, Hint hint) {
+  if (hint != Hint::kUnroll && NeverEnds(context, loop)) {
+    context.Report(span, diag::EndlessLoop);
+    return;
+  }
+  const auto* counted = context.GetIf<For>(loop);
+  const bool is_named = hint == Hint::kNone && !context.program.profile.IsAtLeast(6, 0);
+  if (counted && is_named && RunsAtMostOnce(context.program, *counted))
+    context.Report(span, diag::LoopRunsOnce);
 }
 
 }  // namespace clipc::check

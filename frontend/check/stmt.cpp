@@ -143,8 +143,11 @@ void CheckNode(Context& context, const ast::BreakStmt&, Span span) {
 }
 
 void CheckNode(Context& context, const ast::ContinueStmt&, Span span) {
-  if (context.view.body->loops == 0)
+  const Body& body = *context.view.body;
+  if (body.loops == 0)
     context.Report(span, diag::ContinueOutsideLoop);
+  else if (body.is_in_switch && !context.program.profile.IsAtLeast(6, 0))
+    context.Report(span, diag::ContinueInSwitch);
   else
     Emit(context, span, Continue{});
 }
@@ -164,12 +167,16 @@ void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}
 void CheckNode(Context&, const ast::ErrorStmt&, Span) {}
 
+bool IsLoop(const ast::Stmt& stmt) {
+  return std::holds_alternative<ast::ForStmt>(stmt.node) ||
+         std::holds_alternative<ast::WhileStmt>(stmt.node) ||
+         std::holds_alternative<ast::DoStmt>(stmt.node);
+}
+
 // The hint that the attributes of a statement give; the last of several counts. An attribute at a
 // kind of statement that is not its own gives no hint.
 Hint HintOf(const Context& context, const ast::Stmt& stmt) {
-  const bool is_loop = std::holds_alternative<ast::ForStmt>(stmt.node) ||
-                       std::holds_alternative<ast::WhileStmt>(stmt.node) ||
-                       std::holds_alternative<ast::DoStmt>(stmt.node);
+  const bool is_loop = IsLoop(stmt);
   const bool is_choice = std::holds_alternative<ast::IfStmt>(stmt.node) ||
                          std::holds_alternative<ast::SwitchStmt>(stmt.node);
   Hint hint = Hint::kNone;
@@ -207,8 +214,10 @@ void CheckStmt(Context& context, ast::StmtId id) {
   if (context.Is<ast::BlockStmt>(id)) return context.stmts.push_back(CheckBlock(context, id));
   const std::size_t mark = context.stmts.size();
   Visit([&](const auto& node) { CheckNode(context, node, span); }, stmt.node);
-  if (stmt.attributes.empty() || context.stmts.size() == mark) return;
+  if (context.stmts.size() == mark) return;
   const Hint hint = HintOf(context, stmt);
+  if (IsLoop(stmt)) CheckTurns(context, context.stmts.back(), span, hint);
+  if (stmt.attributes.empty()) return;
   context.program.stmts[context.stmts.back()].hint = hint;
   if (hint != Hint::kUnroll) return;
   for (const ast::Attr& attribute : context[stmt.attributes]) {
@@ -227,6 +236,11 @@ ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement)
 }
 
 ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement) {
+  // dxc's -Wparentheses; fxc has no word about it. Parentheses widen the span of an expression.
+  const auto* assign = context.GetIf<ast::AssignExpr>(id);
+  const bool has_parens = assign && context[id].span.begin != context[assign->left].span.begin;
+  if (assign && !assign->op && !has_parens && context.program.profile.IsAtLeast(6, 0))
+    context.Report(context[id].span, diag::AssignmentAsCondition, statement);
   const ExprId value = CheckScalar(context, id, statement);
   return context.IsError(value)
              ? value

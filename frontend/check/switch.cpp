@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/switch.h"
 
+#include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "frontend/check/emit.h"
+#include "frontend/check/flow.h"
 #include "frontend/check/stmt.h"
 #include "frontend/check/value.h"
 
@@ -24,10 +27,24 @@ std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt
   return stmt.value ? value : std::nullopt;
 }
 
+// Whether the statements of a case lead to what follows it. A label without statements does so in
+// every profile.
+bool RunsOn(const Context& context, List<StmtId> body) {
+  return body.size != 0 && std::ranges::all_of(context[body], [&](StmtId stmt) {
+           return FallsThrough(context, stmt);
+         });
+}
+
 }  // namespace
 
 void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
+  const Profile& profile = context.program.profile;
   ExprId value = CheckScalar(context, stmt.value, "switch");
+  // fxc takes a float from 4.0 to 5.1 only (vkd3d's switch.shader_test, checked against native).
+  const bool takes_float = !profile.IsDirect3D9() && !profile.IsAtLeast(6, 0);
+  if (IsFloat(context.TypeOf(value).scalar) && !context.IsError(value) && !takes_float) {
+    value = context.Fail(context[stmt.value].span, diag::SwitchNotInteger, context.TypeName(value));
+  }
   if (!context.IsError(value)) {
     const bool is_unsigned = IsUnsigned(context.TypeOf(value).scalar);
     value = ConvertSilently(context, value,
@@ -41,14 +58,18 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
     return;
   }
   ++context.view.body->switches;
+  const bool was_in_switch = std::exchange(context.view.body->is_in_switch, true);
   const ScopeTable::LocalScope scope(context.names);
   std::vector<SwitchCase> arms;
   Exprs labels;
   std::unordered_set<std::int64_t> seen;
   const std::size_t mark = context.stmts.size();
+  Span label_span;
   const auto finish = [&] {
     const List<StmtId> body = TakeStmts(context, mark);
     if (!arms.empty()) {
+      if (!profile.IsAtLeast(6, 0) && RunsOn(context, body))
+        context.Report(label_span, diag::CaseWithoutBreak);
       arms.back().body = body;
       arms.back().labels = context.program.expr_lists.Add(ExprSpan(labels));
     }
@@ -62,6 +83,7 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
         finish();
         arms.emplace_back();
       }
+      label_span = child.span;
       if (const auto value = CheckCaseLabel(context, *label, child.span, seen)) {
         labels.push_back(
             context.At(child.span).Add(type, Literal{static_cast<std::uint32_t>(*value)}));
@@ -74,7 +96,11 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
     reported = reported || arms.empty();
     CheckStmt(context, inner);
   }
+  const std::span<const ast::StmtId> children = context[block->body];
+  if (!children.empty() && context.Is<ast::CaseStmt>(children.back()))
+    context.Report(context[children.back()].span, diag::CaseWithoutStatement);
   finish();
+  context.view.body->is_in_switch = was_in_switch;
   --context.view.body->switches;
   Emit(context, span,
        Switch{value, context.program.switch_cases.Add(std::span<const SwitchCase>(arms))});

@@ -44,9 +44,14 @@ bool MayEnd(const Program& program, StmtId body) {
   return may_end;
 }
 
-}  // namespace
+// A count from one known number to another, by a known step.
+struct KnownCount {
+  VarId counter;
+  BinaryOp op;
+  std::int64_t first, step, bound;
+};
 
-std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit) {
+std::optional<KnownCount> KnownCountOf(const Program& program, const For& loop) {
   const CountedLoop count = PartsOf(program, loop);
   const auto* compare = As<Binary>(program, count.comparison);
   const bool is_plain = compare && As<VarRef>(program, compare->left) && !count.more &&
@@ -62,9 +67,25 @@ std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int
   const bool is_signed =
       BaseOf(program.types[program.vars[count.counter].type].scalar) == Scalar::kInt;
   if (!is_signed && step < 0) return std::nullopt;
-  if (IsChangedInBody(program, loop, count.counter)) return std::nullopt;
-  if (Leaves(compare->op, *first, step, *bound, limit)) return true;
+  return KnownCount{count.counter, compare->op, *first, step, *bound};
+}
+
+bool LeavesWithin(const KnownCount& count, std::int64_t limit) {
+  return Leaves(count.op, count.first, count.step, count.bound, limit);
+}
+
+}  // namespace
+
+std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit) {
+  const auto count = KnownCountOf(program, loop);
+  if (!count || IsChangedInBody(program, loop, count->counter)) return std::nullopt;
+  if (LeavesWithin(*count, limit)) return true;
   return MayEnd(program, loop.body) ? std::nullopt : std::optional(false);
+}
+
+bool RunsAtMostOnce(const Program& program, const For& loop) {
+  const auto count = KnownCountOf(program, loop);
+  return count && LeavesWithin(*count, 1) && !IsChangedInBody(program, loop, count->counter);
 }
 
 }  // namespace clipc::rules

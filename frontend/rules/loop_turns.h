@@ -14,4 +14,7 @@ namespace clipc::rules {
 // longer loops whose body may end them.
 std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit);
 
+// Whether the numbers in the head of the loop say that it turns at most once.
+bool RunsAtMostOnce(const Program& program, const For& loop);
+
 }  // namespace clipc::rules

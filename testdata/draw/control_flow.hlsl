@@ -1,6 +1,6 @@
 // Loops, switches, early returns, arrays and structs by value.
-// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --lower none
-// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --lower none --target glsl130,essl310,glsl410 --seed 7 --random 200
+// RUN: %draw compare %s -T vs_6_0 -E main --ints 0..3 --lower none
+// RUN: %draw compare %s -T vs_6_0 -E main --ints 0..3 --lower none --target glsl130,essl310,glsl410 --seed 7 --random 200
 
 struct Light {
   float4 color;

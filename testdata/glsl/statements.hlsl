@@ -1,6 +1,7 @@
-// RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s
-// RUN: %clipc -T vs_5_0 --target=glsl130 --validate %s -o %t
-// RUN: %clipc -T vs_5_0 --target=glsl120 -DNO_SWITCH --validate %s -o %t
+// A case may lead to the next one from 6.0 on.
+// RUN: %clipc -T vs_6_0 --validate %s -o - | FileCheck %s
+// RUN: %clipc -T vs_6_0 --target=glsl130 --validate %s -o %t
+// RUN: %clipc -T vs_6_0 --target=glsl120 -DNO_SWITCH --validate %s -o %t
 // AUTOUPDATE
 int n;
 

@@ -184,6 +184,7 @@ std::string MakeFor(Context& context, int depth) {
   }
   context.Add({name, {kind, kScalar}, false, Holds::kCounter, turns - 1.0});
   const Temporarily inner(context.loops, context.loops + 1);
+  const Temporarily continues(context.has_continue, true);
   const Temporarily turned(context.turns, context.turns * turns);
   return Indent(context) + attribute + "for (" + head + ") " + MakeBody(context, depth) + "\n";
 }
@@ -200,6 +201,7 @@ std::string MakeWhile(Context& context, int depth) {
     condition += " && " + At(MakeExpr(context, Kind::kBool, kScalar, 2), Level::kEquality);
   }
   const Temporarily inner(context.loops, context.loops + 1);
+  const Temporarily continues(context.has_continue, true);
   const Temporarily turned(context.turns, context.turns * turns);
   const std::string body = MakeBody(context, depth);
   if (is_do) return declared + Indent(context) + "do " + body + " while (" + condition + ");\n";
@@ -212,6 +214,7 @@ std::string MakeSwitch(Context& context, int depth) {
   const std::string head = Indent(context) + "switch (" + selector.text + ") {\n";
   const std::string end = Indent(context) + "}\n";
   const Temporarily labelled(context.indent, context.indent + 2);
+  const Temporarily continues(context.has_continue, context.model >= 60);
   std::string text;
   const int cases = context.Between(1, 3);
   const int with_default = context.Between(0, cases);
@@ -231,7 +234,7 @@ std::string MakeJump(Context& context) {
   if (clipc::InfoOf(context.stage).draws_pixels && context.Chance(20)) {
     jump = "discard";
   } else if (context.loops > 0 && context.Chance(60)) {
-    jump = context.Chance(50) ? "break" : "continue";
+    jump = context.Chance(50) || !context.has_continue ? "break" : "continue";
   } else if (!context.function || context.function->is_void) {
     jump = context.function ? "return" : "return result";
   } else {

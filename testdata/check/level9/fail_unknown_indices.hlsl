@@ -75,7 +75,7 @@ float Hang(float4 v) {
   sum += v[t[0]];
   int h = 0;
   switch ((int)v.x) {
-    case 0: h = 1;
+    case 0: h = 1; break;
   }
   // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
   sum += v[h];
@@ -84,6 +84,7 @@ float Hang(float4 v) {
     case 1:
       if (v.x > 0) break;
       i = 1;
+      break;
   }
   // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
   sum += v[i];

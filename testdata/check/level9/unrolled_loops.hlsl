@@ -49,7 +49,7 @@ float4 main(float4 position : POSITION, float4 weights : BLENDWEIGHT, out float4
   }
   switch (last) {
     case 1: last = (int)Twice(1); break;
-    default: last = 3;
+    default: last = 3; break;
   }
   color = float4(found[0], found[1], found[2], found[3]);
   return position + sum + position[last];

@@ -14,7 +14,7 @@ float4 main(float4 v : POSITION, int n : N) : SV_Position {
     // CHECK: [[#@LINE+1]]:5: error: a statement before the first `case` of a switch is never reached [statement-before-case, X3000]
     n = 2;
     case 1:
-    // CHECK: [[#@LINE+1]]:5: error: `case 1` is given twice in one switch [case-twice, X3533]
+    // CHECK: [[#@LINE+1]]:5: error: `case 1` is given twice in one switch [case-twice, X3532]
     case 1: break;
     // CHECK: [[#@LINE+1]]:10: error: `n` is not a constant integer; it must be known at compile time [not-constant-integer, X3058]
     case n: break;

@@ -31,6 +31,7 @@ float4 main(float4 v : POSITION, uint id : SV_VertexID) : SV_Position {
     case 0:
     case 1:
       s = 1;
+      break;
     // CHECK: case 2u:
     case 2: {
       s += 2;
@@ -39,6 +40,7 @@ float4 main(float4 v : POSITION, uint id : SV_VertexID) : SV_Position {
     // CHECK: default:
     default:
       s = 4;
+      break;
   }
   // CHECK: if (s > 1.0) {
   // CHECK: if (s > 2.0) {
