@@ -64,9 +64,7 @@ void Run(Context& context) {
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
-  // The limits of level 9 are those of vertex shaders.
-  const bool has_limits = !InfoOf(program.stage).draws_pixels;
-  if (has_limits && !context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
+  if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);
 }

@@ -30,6 +30,20 @@ class Level9Checker {
   Level9Checker(const Program& program, Diagnostics& diagnostics)
       : program_(program), diagnostics_(diagnostics) {}
 
+  // Reports bit operations only, which Direct3D 9 lacks too.
+  void RunBits() {
+    for (const FunctionId id : program_.functions.ids()) {
+      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
+        const auto* unary = As<Unary>(program_, expr);
+        if (unary && unary->op == UnaryOp::kComplement) CheckBits(expr);
+        const auto* binary = As<Binary>(program_, expr);
+        if (binary) CheckOperator(binary->op, expr);
+        const auto* assign = As<Assign>(program_, expr);
+        if (assign && assign->op) CheckOperator(*assign->op, expr);
+      });
+    }
+  }
+
   void Run() {
     CheckInterface();
     CheckConstants();
@@ -194,8 +208,9 @@ class Level9Checker {
 }  // namespace
 
 void CheckLevel9(const Program& program, Diagnostics& diagnostics) {
-  if (program.profile.level9 == Level9::kNone) return;
-  Level9Checker(program, diagnostics).Run();
+  if (program.profile.IsDirect3D9()) return Level9Checker(program, diagnostics).RunBits();
+  const bool is_level9 = program.profile.level9 != Level9::kNone;
+  if (is_level9 && program.stage == Stage::kVertex) Level9Checker(program, diagnostics).Run();
 }
 
 }  // namespace clipc::rules

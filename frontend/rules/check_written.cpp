@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "frontend/rules/check_values.h"
 #include "frontend/rules/constant.h"
 #include "frontend/rules/written.h"
 #include "ir/access.h"
@@ -29,6 +30,7 @@ struct Shared {
   const Program& program;
   Diagnostics& diagnostics;
   WrittenSlots slots;
+  ValueCheck values;
   std::vector<Summary> summaries;     // by FunctionId
   std::vector<bool> is_reported;      // by VarId
   std::vector<const IoVar*> outputs;  // by VarId
@@ -315,9 +317,16 @@ void WrittenWalk::Visit(ExprId expr) {
                      if (!ChangesOperand(node.op)) return;
                      WriteTo(node.operand, {});
                    },
-                   [&](const Assign& node) { VisitAssign(node); },
+                   [&](const Assign& node) { shared_.values.Check(expr), VisitAssign(node); },
                    [&](const Call& node) { VisitCall(expr, node); },
-                   [&](const auto&) {
+                   [&](const Conditional& node) {
+                     Visit(node.condition);
+                     const auto known = EvaluateInteger(program_, node.condition);
+                     if (known.value_or(1) != 0) Visit(node.when_true);
+                     if (known.value_or(0) == 0) Visit(node.when_false);
+                   },
+                   [&]<typename Node>(const Node&) {
+                     if constexpr (OneOf<Node, Binary, IntrinsicCall>) shared_.values.Check(expr);
                      std::size_t i = 0;
                      ForEachOperand(program_, expr, [&](ExprId operand) {
                        const bool is_written = WritesOperand(program_, expr, i++);
@@ -476,6 +485,7 @@ void CheckWritten(const Program& program, Diagnostics& diagnostics) {
   Shared shared{program,
                 diagnostics,
                 WrittenSlots(program),
+                ValueCheck(program, diagnostics),
                 std::vector<Summary>(program.functions.size()),
                 std::vector<bool>(program.vars.size()),
                 std::vector<const IoVar*>(program.vars.size())};

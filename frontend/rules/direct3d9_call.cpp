@@ -94,6 +94,11 @@ class TexCheck : IntrinsicCheck {
 }  // namespace
 
 ExprId CheckTexLod(const IntrinsicCheck& call) {
+  // Microsoft's pages on the functions: shader model 3 and later.
+  if (!call.program.profile.IsAtLeast(3, 0)) {
+    return call.Fail(call.name_span, diag::IntrinsicProfile, call.name,
+                     fmt::format("{}_3_0", call.ThisStage().prefix), call.program.profile.name);
+  }
   return TexCheck(call).WithLast(ObjectOp::kD3d9SampleLevel);
 }
 ExprId CheckTex(const IntrinsicCheck& call) { return TexCheck(call).Plain(); }
