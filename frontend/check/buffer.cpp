@@ -94,6 +94,50 @@ void CheckMixedPlaces(Context& context, const Buffer& buffer) {
     context.Report(without->name_span, diag::PackOffsetMixed, context[without->name]);
 }
 
+// The variables that an expression of the program is, by VarId.
+std::vector<bool> UsedVars(const Context& context) {
+  std::vector<bool> used(context.program.vars.size());
+  for (const ExprId expr : context.program.exprs.ids()) {
+    if (const auto* ref = context.GetIf<VarRef>(expr)) used[ref->var.index] = true;
+  }
+  return used;
+}
+
+// Reports members of $Globals with registers in common. fxc does so from 4.0 on where one of them
+// is used; Direct3D 9 where both are, and then counts only the elements of an array that are used;
+// in dxc they are aliases (vkd3d's register-reservations-numeric.shader_test, checked against
+// native).
+void CheckCommonRegisters(Context& context, const Cbuffer& globals) {
+  const Profile& profile = context.program.profile;
+  if (profile.IsAtLeast(6, 0)) return;
+  std::vector<const CbufferMember*> placed;
+  for (const CbufferMember& member : globals.members)
+    if (member.has_packoffset) placed.push_back(&member);
+  std::ranges::stable_sort(placed, {}, &CbufferMember::offset);
+  std::vector<bool> used;
+  std::uint64_t end = 0;
+  const CbufferMember* last = nullptr;  // the one that reaches as far as `end`
+  for (const CbufferMember* member : placed) {
+    const Var& var = context[member->var];
+    if (last && member->offset < end &&
+        (!profile.IsDirect3D9() || member->offset == last->offset)) {
+      if (used.empty()) used = UsedVars(context);
+      const int count = used[last->var.index] + used[member->var.index];
+      if (count > (profile.IsDirect3D9() ? 1 : 0)) {
+        const Var& other = context[last->var];
+        context
+            .Report(var.span, diag::RegisterTwice, other.name, var.name,
+                    fmt::format("c{}", member->offset / 16))
+            .Note(other.span, diag::DeclaredHere, other.name);
+      }
+    }
+    const std::uint64_t size = PackedExtent(context.types, var.type, var.row_major).size;
+    if (last && member->offset + size < end) continue;
+    end = member->offset + size;
+    last = member;
+  }
+}
+
 void FinishBuffer(Context& context, const Buffer& buffer) {
   Cbuffer result;
   result.kind = buffer.kind;
@@ -141,6 +185,7 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
     result.members.push_back(member);
   }
   CheckMixedPlaces(context, buffer);
+  if (buffer.kind == CbufferKind::kGlobals) CheckCommonRegisters(context, result);
   context.program.cbuffers.Add(std::move(result));
 }
 

@@ -103,12 +103,21 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
                    name.arguments, arguments);
   const Choice choice = ChooseOverload(context, overloads, arguments, name.name.name, name_span);
   if (choice.reported) return context.ErrorExpr(span);
+  // A function is declared before it is called: fxc X3004, dxc's undeclared identifier (vkd3d's
+  // function.shader_test, checked against native).
+  const bool is_later = choice.function && context[choice.function].declared >= context.view.order;
   // fxc calls an intrinsic where no function of the shader's can take the arguments.
-  const bool shadows =
-      choice.function && !(choice.changes_shape && context.program.profile.IsAtLeast(6, 0));
+  const bool shadows = choice.function && !is_later &&
+                       !(choice.changes_shape && context.program.profile.IsAtLeast(6, 0));
   if (is_intrinsic && !shadows) return call_intrinsic();
   if (!choice.function) {
     ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
+    return context.ErrorExpr(span);
+  }
+  if (is_later) {
+    const ast::FunctionDecl& decl = DeclOf(context, context[choice.function]);
+    context.Report(name_span, diag::CalledBeforeDeclared, context[name.name.name])
+        .Note(decl.name_span, diag::DeclaredHere, context[decl.name]);
     return context.ErrorExpr(span);
   }
   ExprId object;

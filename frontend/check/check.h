@@ -36,6 +36,11 @@ struct CheckOptions {
   // Whether a Store of a byte address buffer stores a value of any type, bit by bit, as it does
   // from HLSL 2018 on. Before it, the value is converted to uint.
   bool stores_any_type = false;
+  // What the versions of the language differ in: whether there are templates (from 2021 on) and
+  // enums (from 2017 on), and whether a struct becomes another only by a cast (from 2021 on).
+  LanguageVersion language = LanguageVersion::k2021;
+  bool has_templates = true, has_enums = true;
+  bool casts_structs = false;
   bool is_interface_only = false;    // ir::Program::is_interface_only
   bool stages_match_by_row = false;  // rules::EntrySignature::stages_match_by_row
 };

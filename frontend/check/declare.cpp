@@ -72,8 +72,16 @@ void DeclareNamespace(Context& context, const ast::NamespaceDecl& space, Span sp
   for (ast::DeclId member : context[space.members]) DeclareOne(context, member, inner);
 }
 
+// Reports what the version of the language does not have yet.
+void ReportLanguage(Context& context, Span span, std::string_view what, LanguageVersion first) {
+  context.Report(span, diag::LanguageNeeded, what, static_cast<int>(first),
+                 static_cast<int>(context.options.language));
+}
+
 // A forward declaration and the definition are one symbol, the definition's declaration.
 void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl, ScopeId scope) {
+  if (decl.is_template && !context.options.has_templates)
+    ReportLanguage(context, decl.name_span, "templates", LanguageVersion::k2021);
   const SymbolId older = decl.name ? context.names.FindIn(scope, decl.name, true) : SymbolId{};
   const auto* before = older ? context.GetIf<ast::StructDecl>(context[older].decl) : nullptr;
   if (before && !decl.template_arguments.empty()) {
@@ -91,6 +99,8 @@ void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl
 
 void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& decl,
                      ScopeId scope) {
+  if (decl.is_template && !context.options.has_templates)
+    ReportLanguage(context, decl.name_span, "templates", LanguageVersion::k2021);
   DeclareTypeInside(context, decl.return_type, scope);
   if (decl.out_of_line_of.name) {
     context.functions.out_of_line.Add(decl.name, decl.out_of_line_of, id);
@@ -126,7 +136,11 @@ void DeclareOne(Context& context, ast::DeclId id, ScopeId scope) {
           [&](const ast::NamespaceDecl& space) {
             DeclareNamespace(context, space, decl.span, scope);
           },
-          [&](const ast::EnumDecl& enumeration) { DeclareEnum(context, id, enumeration, scope); },
+          [&](const ast::EnumDecl& enumeration) {
+            if (!context.options.has_enums)
+              ReportLanguage(context, decl.span, "enums", LanguageVersion::k2017);
+            DeclareEnum(context, id, enumeration, scope);
+          },
           [&](const ast::UsingDecl& use) { DeclareUsing(context, use, decl.span, scope); },
       },
       decl.node);

@@ -42,7 +42,8 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
   const double number = std::bit_cast<double>(literal.bits);
   constexpr std::uint64_t kMaxUint = std::numeric_limits<std::uint32_t>::max();
   const bool is_wide = literal.kind == LiteralKind::kInt64 || literal.kind == LiteralKind::kUint64;
-  if (is_wide && literal.bits > kMaxUint && !context.program.profile.IsAtLeast(6, 0)) {
+  const bool has_wide = context.program.profile.IsAtLeast(6, 0);
+  if (is_wide && literal.bits > kMaxUint && !has_wide) {
     return context.Fail(span, diag::IntegerTooLarge, literal.bits);
   }
   switch (literal.kind) {
@@ -54,8 +55,11 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
       if (IsUnsigned(context, literal)) return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:
+      // fxc has the suffix, and no integers of 64 bits.
+      if (!has_wide) return at.Int(static_cast<std::int32_t>(literal.bits));
       return at.Add(context.types.Make(Scalar::kInt64), Literal{literal.bits});
     case LiteralKind::kUint64:
+      if (!has_wide) return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Add(context.types.Make(Scalar::kUint64), Literal{literal.bits});
     case LiteralKind::kHalf: return at.LiteralOf(Scalar::kHalf, number);
     case LiteralKind::kFloat: return at.Float(static_cast<float>(number));
@@ -115,6 +119,10 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
                         "?:", context.TypeName(condition));
   }
   const bool is_scalar = context.TypeOf(condition).Components() == 1;
+  if (!is_scalar && context.options.short_circuits) {
+    return context.Fail(condition_span, diag::NeedsScalars, "?:", context.TypeName(condition),
+                        "select(condition, a, b)");
+  }
   std::optional<TypeId> type =
       CommonType(context.types, context.TypeIdOf(when_true), context.TypeIdOf(when_false));
   if (type && !is_scalar) {

@@ -189,6 +189,11 @@ const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
   for (const ast::RegisterBinding& binding : context[bindings]) {
     if (binding.letter != 0 && binding.letter != letter) continue;
     if (!IsForProfile(context, binding)) continue;
+    const Profile& profile = context.program.profile;
+    if (binding.has_space && !profile.IsAtLeast(5, 1)) {
+      context.Report(binding.span, diag::SpaceProfile, name,
+                     fmt::format("{}_5_1", InfoOf(context.program.stage).prefix), profile.name);
+    }
     if (!best || (binding.profile && binding.profile != best->profile)) {
       best = &binding;
       continue;

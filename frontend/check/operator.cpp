@@ -115,6 +115,14 @@ ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
   const ExprId left = CheckExpr(context, expr.left);
   const ExprId right = CheckExpr(context, expr.right);
   if (context.IsError(left, right)) return context.ErrorExpr(span);
+  if (IsLogical(expr.op) && context.options.short_circuits) {
+    const bool is_and = expr.op == BinaryOp::kLogicalAnd;
+    for (const ExprId side : {left, right}) {
+      if (context.TypeOf(side).Components() <= 1) continue;
+      return context.Fail(expr.op_span, diag::NeedsScalars, SpellingOf(expr.op),
+                          context.TypeName(side), is_and ? "and(a, b)" : "or(a, b)");
+    }
+  }
   return CombineOperands(context, expr.op, left, right, expr.op_span, span);
 }
 

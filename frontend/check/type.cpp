@@ -55,6 +55,17 @@ ast::Qualifiers WithAliases(Context& context, ast::Qualifiers qualifiers, ast::T
   return qualifiers;
 }
 
+// The type, or the error type where the profile has no integers of 64 bits (fxc X3653), which is
+// reported.
+TypeId OfProfile(Context& context, TypeId type, Span span) {
+  const Scalar kind = context[type].scalar;
+  const Profile& profile = context.program.profile;
+  if ((kind != Scalar::kInt64 && kind != Scalar::kUint64) || profile.IsAtLeast(6, 0)) return type;
+  return context.FailType(span, diag::TypeProfile, context.TypeName(type),
+                          fmt::format("{}_6_0", InfoOf(context.program.stage).prefix),
+                          profile.name);
+}
+
 }  // namespace
 
 TypeId ResolveType(Context& context, ast::TypeId id) {
@@ -72,7 +83,8 @@ TypeId ResolveNamedType(Context& context, const ast::Type& type) {
   const bool is_plain = type.name.scopes.empty() && !type.name.from_global;
   if (!type.name.name) return context.types.Error();
   if (is_plain && !type.has_arguments) {
-    if (const auto numeric = NumericType(context, type.name.name)) return *numeric;
+    if (const auto numeric = NumericType(context, type.name.name))
+      return OfProfile(context, *numeric, type.span);
   }
   if (const SymbolId symbol = Find(context, type.name, true)) {
     if (const auto instance = InstantiateStruct(context, symbol, type)) return *instance;

@@ -30,13 +30,33 @@ ExprId WithPrologue(Context& context, ExprSpan prologue, ExprId value) {
   return value;
 }
 
+namespace {
+
+// Whether a value of one type becomes the other by a cast only: from HLSL 2021 on, a struct that is
+// no base of the other (DXC's test conversions-between-type-shapes-strictudt.hlsl). A struct
+// without a name, which no cast can say, is as free as before.
+bool NeedsCast(const Context& context, TypeId from, TypeId to) {
+  if (!context.options.casts_structs) return false;
+  const auto is_struct = [&](TypeId type) { return context[type].kind == TypeKind::kStruct; };
+  if (!is_struct(from) && !is_struct(to)) return false;
+  const bool has_name =
+      !is_struct(from) || !is_struct(to) || !context.types.StructOf(to).name.empty();
+  return has_name && !DerivesFrom(context, from, to);
+}
+
+}  // namespace
+
 ExprId Implicit(Context& context, ExprId value, TypeId to) {
   const TypeId from = context.TypeIdOf(value);
   const Span span = context[value].span;
   if (from == to) return value;
   if (context.IsError(from, to)) return context.ErrorExpr(span);
-  if (RankImplicit(context.types, from, to))
+  if (RankImplicit(context.types, from, to)) {
+    if (NeedsCast(context, from, to)) {
+      return context.Fail(span, diag::CastNeeded, context.TypeName(from), context.TypeName(to));
+    }
     return ConvertImplicit(context.program, value, to, context.diagnostics, &context);
+  }
   if (DerivesFrom(context, from, to)) {
     // The fields of the first base come first.
     Exprs prologue, fields;

@@ -37,8 +37,9 @@ struct RegisterBinding {
   char letter = 0;  // lower case; 0 for register(space2)
   std::uint32_t number = 0;
   std::uint32_t space = 0;
-  Name profile;         // vs_5_0 in register(vs_5_0, b0), which is for it only; or none
-  ExprId subcomponent;  // 1 in c3[1]; or none
+  bool has_space = false;  // whether the space is written
+  Name profile;            // vs_5_0 in register(vs_5_0, b0), which is for it only; or none
+  ExprId subcomponent;     // 1 in c3[1]; or none
 };
 // The place of a member in its cbuffer, as in packoffset(c3.y).
 struct PackOffset {

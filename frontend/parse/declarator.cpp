@@ -182,6 +182,7 @@ bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
   if (ToLower(text.substr(0, kSpace.size())) == kSpace) {
     if (const auto number = ParseNumber(text.substr(kSpace.size()))) {
       binding.space = *number;
+      binding.has_space = true;
       Next();
     } else {
       Error(Here(), diag::BadSpace, Describe());

@@ -1,7 +1,7 @@
 // SDL's GPU API: in set 0 textures, each with the sampler of its number in one combined image
 // sampler, then storage buffers; in set 1 uniform buffers.
-// RUN: %clipc --target=vulkan --bindings=sdl --validate %s -o - | FileCheck %s
-// RUN: %clipc --target=vulkan --bindings=sdl %s -o %t.spv
+// RUN: %clipc -T vs_5_1 --target=vulkan --bindings=sdl --validate %s -o - | FileCheck %s
+// RUN: %clipc -T vs_5_1 --target=vulkan --bindings=sdl %s -o %t.spv
 // CHECK-DAG: layout(std140, set = 1, binding = 0) uniform Frame {
 // CHECK-DAG: layout(set = 0, binding = 0) uniform texture2D height;
 // CHECK-DAG: layout(set = 0, binding = 0) uniform sampler height_sampler;

@@ -165,7 +165,9 @@ Expr MakeBoolOperation(const Wanted& wanted) {
                                      {"<=", Level::kRelation},   {">=", Level::kRelation},
                                      {"==", Level::kEquality},   {"!=", Level::kEquality},
                                      {"&&", Level::kLogicalAnd}, {"||", Level::kLogicalOr}};
-  const std::size_t choice = context.Pick({2, 2, 2, 2, 2, 2, 4, 4});
+  // HLSL 2021 takes scalars only.
+  const std::uint32_t logical = context.model >= 60 && !shape.IsScalar() ? 0 : 4;
+  const std::size_t choice = context.Pick({2, 2, 2, 2, 2, 2, logical, logical});
   if (choice >= 6) {
     const Expr a = wanted.Operand();
     const Expr b =

@@ -15,6 +15,7 @@ float falls(float x) { if (x > 0) return 1; }
 void returns() { return 1; }
 // CHECK-DAG: [[#@LINE+1]]:17: error: `return` without a value in `empty`; its type is `float` [return-without-value, X3080]
 float empty() { return; }
+float ping(float x);
 // CHECK-DAG: [[#@LINE+1]]:38: error: recursive call of `ping`; the functions of a shader cannot recurse [recursion, X3500]
 float pong(float x) { return x > 0 ? ping(x - 1) : 0; }
 float ping(float x) { return pong(x); }

@@ -1,4 +1,4 @@
-// What a name means: the innermost declaration before the use; functions may be defined later.
+// What a name means: the innermost declaration before the use; functions are declared before, and may be defined later.
 // RUN: %clipc -T vs_5_0 -E main --dump=ir %s | FileCheck %s
 static const float depth = 1;
 namespace outer {
@@ -21,6 +21,7 @@ float shadow(float depth) {
 }
 // The global that is declared after `early` is not seen there.
 float early() { return depth; }
+float later(float x);
 float4 main(float4 position : POSITION) : SV_Position {
   float sum = outer::own() + outer::inner::own() + outer::again() + user::used();
   sum += outer::kTwo + outer::Plain::kThree + Strict::kHigh + later(sum) + early() + shadow(1);

@@ -1,0 +1,22 @@
+// Two variables in one register c#. Oracle: vkd3d's register-reservations-numeric.shader_test, checked against native: refused from 4.0
+// to 5.1 where one of them is used, in Direct3D 9 where both are; from 6.0 on they are aliased.
+// RUN: not %clipc -T vs_5_0 -Gec -E both -fsyntax-only %s 2>&1 | FileCheck %s
+// RUN: not %clipc -T vs_5_0 -Gec -E one -fsyntax-only %s 2>&1 | FileCheck %s
+// RUN: not %clipc -T vs_3_0 -E both -fsyntax-only %s 2>&1 | FileCheck %s
+// RUN: %clipc -T vs_3_0 -E one -fsyntax-only %s 2>&1 | count 0
+// RUN: %clipc -T vs_5_0 -Gec -E neither -fsyntax-only %s 2>&1 | count 0
+// RUN: %clipc -T vs_6_0 -Gec -E both -fsyntax-only %s 2>&1 | count 0
+// RUN: not %clipc -T vs_5_0 -Gec -E inside -fsyntax-only %s 2>&1 | FileCheck %s --check-prefix=INSIDE
+// RUN: %clipc -T vs_3_0 -E inside -fsyntax-only %s 2>&1 | count 0
+float4 a : register(c3);
+// CHECK: [[#@LINE+2]]:8: error: `a` and `b` are both bound to register c3; each needs its own [register-twice, X4500]
+// CHECK: [[#@LINE-2]]:8: note: `a` is declared here
+float4 b : register(c3);
+float4 list[2] : register(c8);
+// INSIDE: [[#@LINE+1]]:8: error: `list` and `last` are both bound to register c9
+float4 last : register(c9);
+float4 other : register(c5);
+float4 both(float4 p : POSITION) : POSITION { return p * a + b; }
+float4 one(float4 p : POSITION) : POSITION { return p * b; }
+float4 neither(float4 p : POSITION) : POSITION { return p * other; }
+float4 inside(float4 p : POSITION) : POSITION { return p * list[0] + last; }
