@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/check_level9.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -30,9 +31,19 @@ class Level9Checker {
   Level9Checker(const Program& program, Diagnostics& diagnostics)
       : program_(program), diagnostics_(diagnostics) {}
 
-  // Reports bit operations only, which Direct3D 9 lacks too.
-  void RunBits() {
+  // Reports a vertex shader without a position, and what Direct3D 9 lacks too: bit operations and,
+  // before vs_2_a, loops whose number of turns is computed.
+  void RunDirect3D9() {
+    const auto is_position = [](const IoVar& output) {
+      return output.builtin == Builtin::kPosition;
+    };
+    if (program_.stage == Stage::kVertex && !program_.is_interface_only &&
+        std::ranges::none_of(program_.outputs, is_position))
+      diagnostics_.Report(program_.functions[program_.entry].span, diag::PositionMissing);
+    const bool has_loops = Target() != "vs_1_1" && Target() != "vs_2_0";
     for (const FunctionId id : program_.functions.ids()) {
+      if (!has_loops)
+        ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) { CheckLoop(stmt); });
       ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
         const auto* unary = As<Unary>(program_, expr);
         if (unary && unary->op == UnaryOp::kComplement) CheckBits(expr);
@@ -122,6 +133,30 @@ class Level9Checker {
     ForEachOperand(program_, id, [&](ExprId operand) { CheckExpr(operand); });
   }
 
+  void CheckLoop(StmtId id) {
+    clipc::Visit(Overloaded{
+                     [&](const OneOf<For, While, DoWhile> auto& loop) {
+                       if (loop.condition && !IsKnownCount(loop.condition))
+                         diagnostics_.Report(program_.exprs[loop.condition].span,
+                                             diag::Level9UnknownLoop, Target());
+                     },
+                     [](const auto&) {},
+                 },
+                 program_.stmts[id].node);
+  }
+
+  // Whether a loop with the condition can be unrolled, or counts to an int that the application
+  // sets, which vs_2_0 has integer registers for.
+  bool IsKnownCount(ExprId condition) {
+    if (!known_) known_.emplace(program_);
+    if (known_->Has(condition)) return true;
+    const auto* compare = As<Binary>(program_, condition);
+    const auto* bound = compare ? As<VarRef>(program_, compare->right) : nullptr;
+    return bound && Target() == "vs_2_0" &&
+           program_.vars[bound->var].storage == Storage::kUniform &&
+           TypeOf(program_, compare->right).scalar == Scalar::kInt;
+  }
+
   // Whether the expression has a known value once loops are unrolled, and so takes no instruction.
   bool IsKnown(ExprId id) {
     if (!known_) known_.emplace(program_);
@@ -208,7 +243,7 @@ class Level9Checker {
 }  // namespace
 
 void CheckLevel9(const Program& program, Diagnostics& diagnostics) {
-  if (program.profile.IsDirect3D9()) return Level9Checker(program, diagnostics).RunBits();
+  if (program.profile.IsDirect3D9()) return Level9Checker(program, diagnostics).RunDirect3D9();
   const bool is_level9 = program.profile.level9 != Level9::kNone;
   if (is_level9 && program.stage == Stage::kVertex) Level9Checker(program, diagnostics).Run();
 }

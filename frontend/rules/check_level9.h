@@ -6,9 +6,10 @@
 namespace clipc::rules {
 
 // Reports the uses of features that the vs_4_0_level_9_x profiles lack, each with its own message
-// (fxc X4583 and its family; "Shader Model 2" limits of the 10Level9 documentation), and the bit
-// operations that those of Direct3D 9 lack (fxc X3535: "Bitwise operations not supported on target
-// ps_3_0"). Does nothing under other profiles. Requires a program without errors.
+// (fxc X4583 and its family; "Shader Model 2" limits of the 10Level9 documentation). Of those that
+// Direct3D 9 lacks: bit operations (fxc X3535, "Bitwise operations not supported on target ps_3_0")
+// and, under vs_1_1 and vs_2_0, loops that cannot be unrolled (X3511). Does nothing under other
+// profiles. Requires a program without errors.
 void CheckLevel9(const Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules
