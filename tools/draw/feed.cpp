@@ -44,10 +44,15 @@ Inputs MakeInputs(const Program& program, const GlslInfo& info, const RandomInpu
   inputs.vertices = draw.vertices;
   inputs.first_vertex = draw.first_vertex;
   inputs.base_instance = draw.base_instance;
-  if (clipc::InfoOf(program.stage).draws_pixels)
+  if (clipc::InfoOf(program.stage).draws_pixels) {
     GiveSurface(program, random.surface, inputs);
-  else
+    if (!info.framebuffer_height.empty()) {
+      const auto height = static_cast<float>(kSurfaceHeight);
+      inputs.uniforms.push_back({info.framebuffer_height, {std::bit_cast<std::uint32_t>(height)}});
+    }
+  } else {
     GiveAttributes(program, info, random, inputs);
+  }
   GiveConstants(program, info, random.cbuffers, inputs);
   GiveTextures(program, info, random.textures, inputs);
   GiveBuffers(program, info, random.buffers, inputs);
