@@ -4,7 +4,7 @@
 // RUN: %clipc -T ps_5_0 --target=essl310 --validate --verify %s -o - | FileCheck %s
 struct Inner {
   int2 range;
-  uint counts[3];
+  uint counts[2];
 };
 struct Header {
   float weight;
@@ -17,14 +17,14 @@ uint main(float2 uv : UV) : SV_Target {
   uint before;
   int i = (int)uv.x;
   InterlockedAdd(headers[i].count, 1, before);
-  InterlockedMax(headers[0].inner[1].counts[2], 7);
+  InterlockedMax(headers[0].inner[1].counts[1], 7);
   InterlockedMin(headers[1].inner[0].range.y, -3);
   InterlockedCompareStore(headers[2].count, before, 5);
   InterlockedOr(vectors[i].z, 8);
   return before;
 }
-// CHECK: before = atomicAdd(headers[i].count, 1u);
-// CHECK: atomicMax(headers[0].inner[1].counts[2], 7u);
+// CHECK: [[BEFORE:[a-zA-Z0-9_]+]] = atomicAdd(headers[i].count, 1u);
+// CHECK: atomicMax(headers[0].inner[1].counts[1], 7u);
 // CHECK: atomicMin(headers[1].inner[0].range.y, -3);
-// CHECK: atomicCompSwap(headers[2].count, before, 5u);
+// CHECK: atomicCompSwap(headers[2].count, [[BEFORE]], 5u);
 // CHECK: atomicOr(vectors[i].z, 8u);
