@@ -2,6 +2,7 @@
 #include "compiler/batch.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -41,7 +42,7 @@ class Batch {
         printer_(command_.format),
         progress_(command_.format == MessageFormat::kText) {}
 
-  int Run(std::vector<ShaderGroup> groups);
+  int Run(BatchOfGroups batch);
 
  private:
   struct Job {
@@ -63,6 +64,7 @@ class Batch {
   void Remember(std::size_t at, const CompileResult& result, std::size_t alike);
 
   const ShaderGroup& GroupOf(const Job& job) const { return groups_[job.group]; }
+  void AddDependencies(const CompileResult& result);
 
   CommandLine command_;
   std::vector<ShaderGroup> groups_;
@@ -78,6 +80,7 @@ class Batch {
   // The names of the written files, by their extension and contents.
   std::unordered_map<std::string, std::string> files_by_contents_;
   std::size_t kept_bytes_ = 0;
+  std::function<std::string(const std::vector<BatchEntry>&)> render_;
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
   MessagePrinter printer_;
@@ -219,9 +222,7 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
       printer_.Say(title);
       printer_.Show(result);
     }
-    for (const std::string& file : result.dependencies) {
-      if (dependency_set_.insert(file).second) dependencies_.push_back(file);
-    }
+    AddDependencies(result);
     code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
     if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
       progress_.Clear();
@@ -234,6 +235,12 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
   failed_ += code == kExitOk ? 0 : 1;
   exit_code_ = std::max(exit_code_, code);
   return code == kExitOk || command_.keep_going;
+}
+
+void Batch::AddDependencies(const CompileResult& result) {
+  for (const std::string& file : result.dependencies) {
+    if (dependency_set_.insert(file).second) dependencies_.push_back(file);
+  }
 }
 
 // Writes the files of a job. Contents that an earlier file has are not written again. As many
@@ -285,7 +292,7 @@ std::string Batch::WriteIndex() {
   for (std::size_t at = 0; at < jobs_.size(); ++at)
     Describe(GroupOf(jobs_[at]), jobs_[at].number, entries_[at]);
   OutputFiles files;
-  files.Add(path, RenderIndex(entries_));
+  files.Add(path, render_(entries_));
   if (command_.write_dependencies) {
     const std::string rule =
         command_.dependency_file.empty() ? WithoutExtension(path) + ".d" : command_.dependency_file;
@@ -318,13 +325,16 @@ std::string Batch::Prepare() {
   return {};
 }
 
-int Batch::Run(std::vector<ShaderGroup> groups) {
-  groups_ = std::move(groups);
+int Batch::Run(BatchOfGroups batch) {
+  groups_ = std::move(batch.groups);
+  render_ = std::move(batch.render);
   if (const std::string problem = CheckUsage(); !problem.empty())
     return Fail(problem, command_.format);
   if (const std::string problem = Prepare(); !problem.empty())
     return Fail(problem, command_.format);
   if (const std::string problem = Plan(); !problem.empty()) return Fail(problem, command_.format);
+  AddDependencies(batch.first);
+  printer_.Show(batch.first);
   CompileInOrder(
       jobs_.size(), command_.jobs,
       [this](std::size_t at, Compiler& compiler) { return Work(at, compiler); },
@@ -364,7 +374,11 @@ int RunBatch(std::span<const char* const> arguments, CommandLine command) {
     group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(NameBegin(input)));
     manifest.groups.push_back(std::move(group));
   }
-  return Batch(std::move(command)).Run(std::move(manifest.groups));
+  return RunBatch(std::move(command), {std::move(manifest.groups), {}, RenderIndex});
+}
+
+int RunBatch(CommandLine command, BatchOfGroups batch) {
+  return Batch(std::move(command)).Run(std::move(batch));
 }
 
 }  // namespace clipc

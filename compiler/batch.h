@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "compiler/batch_index.h"
+#include "compiler/compile.h"
 #include "compiler/options.h"
 #include "compiler/permutations.h"
 
@@ -15,5 +19,14 @@ bool WantsBatch(const CommandLine& command);
 
 // Runs a batch. `arguments` are those that `command` was read from. Returns the exit code.
 int RunBatch(std::span<const char* const> arguments, CommandLine command);
+
+// A batch whose shaders are known.
+struct BatchOfGroups {
+  std::vector<ShaderGroup> groups;
+  CompileResult first;  // what was read to know them: its messages and dependencies
+  // Returns the text of the index; `entries` are those of the groups, in their order.
+  std::function<std::string(const std::vector<BatchEntry>& entries)> render;
+};
+int RunBatch(CommandLine command, BatchOfGroups batch);
 
 }  // namespace clipc

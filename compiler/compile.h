@@ -46,6 +46,7 @@ struct LanguageOptions {
   LanguageVersion version = LanguageVersion::k2021;
   std::string profile = "vs_5_0";
   std::string entry = "main";
+  std::string entry_call;               // CheckOptions::entry_call
   bool legacy_macro_expansion = false;  // read `##` as fxc from shader model 6 on too
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
@@ -99,8 +100,9 @@ struct PixelShader {
   // label in messages. Empty: the pixel shader is not known.
   std::string path;
   std::optional<std::string> text;
-  std::string entry;    // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
-  std::string profile;  // of a pair; empty: the one of the vertex shader's model
+  std::string entry;       // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
+  std::string profile;     // of a pair; empty: the one of the vertex shader's model
+  std::string entry_call;  // of a pair: CheckOptions::entry_call
 };
 
 // The other half of the program. The shader is written to fit it: its outputs, and the constant

@@ -10,6 +10,7 @@
 #include "compiler/batch.h"
 #include "compiler/collect_outputs.h"
 #include "compiler/compile.h"
+#include "compiler/effect.h"
 #include "compiler/in_order.h"
 #include "compiler/options.h"
 #include "compiler/output_files.h"
@@ -153,6 +154,8 @@ std::string VersionText(std::string_view commit) {
 int RunCommandLine(std::span<const char* const> arguments, std::string_view commit) {
   ParsedCommandLine parsed = ParseCommandLine(arguments);
   if (!parsed.error.empty()) return Fail(parsed.error, parsed.command.format);
+  if (parsed.command.action == CommandLine::Action::kCompile && parsed.command.effect)
+    return RunEffect(std::move(parsed.command));
   if (parsed.command.action == CommandLine::Action::kCompile && WantsBatch(parsed.command))
     return RunBatch(arguments, std::move(parsed.command));
   if (parsed.command.action == CommandLine::Action::kCompile)

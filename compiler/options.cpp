@@ -265,7 +265,7 @@ std::string HelpText(std::string_view topic) {
                        option.metavar, option.help);
       continue;
     }
-    if (!is_wanted) continue;
+    if (!is_wanted || !option.metavar) continue;
     const char* separator = option.form == kEquals ? "=" : option.form == kJoined ? "" : " ";
     const std::string usage =
         fmt::format("  {}{}{}", option.names, *option.metavar ? separator : "", option.metavar);

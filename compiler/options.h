@@ -45,6 +45,8 @@ struct CommandLine {
   std::optional<bool> colour;      // none: if standard error is a terminal
   unsigned jobs = 1;               // the number of inputs that are compiled at once
   std::string batch;               // a manifest
+  bool effect = false;             // the input is an effect: docs/effects.md
+  std::string technique, pass;     // of the effect; empty: all
   std::string index;               // the index of permutations: see docs/permutations.md
   bool keep_going = false;         // go on after a permutation with errors
   unsigned shard = 1, shards = 1;  // only each `shards`-th permutation, from number `shard` on

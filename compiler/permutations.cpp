@@ -96,6 +96,7 @@ std::string FileNameOf(const ShaderGroup& group, std::size_t number) {
 
 std::string TitleOf(const ShaderGroup& group, std::size_t number) {
   std::string title = group.source;
+  if (!group.label.empty()) title += ' ' + group.label;
   for (const std::string& define : DefinesOf(group, number)) title += ' ' + define;
   return title;
 }

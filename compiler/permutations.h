@@ -23,6 +23,7 @@ struct ShaderGroup {
   std::string source;
   std::string name;  // the start of the names of its files, which a setting adds to
   std::vector<MacroAxis> axes;
+  std::string label;  // what tells it from others of the source, in messages; may be empty
 
   // The product of the numbers of values; SIZE_MAX if that is too large.
   std::size_t Count() const;

@@ -169,6 +169,7 @@ CompileRequest PixelRequest(const CompileRequest& request) {
     if (!half.text && request.includes.read) pixel.text = request.includes.read(half.path);
   }
   pixel.language.entry = half.entry.empty() ? "main" : half.entry;
+  pixel.language.entry_call = half.entry_call;
   pixel.language.profile =
       half.profile.empty() ? PairedProfile(request.language.profile) : half.profile;
   // What only the vertex shader has.

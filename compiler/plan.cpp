@@ -47,6 +47,7 @@ CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagno
     ReportUnknown(diag::UnknownProfile, language.profile, ProfileNames(), diagnostics);
   }
   options.entry = language.entry;
+  options.entry_call = language.entry_call;
   options.packing = language.packing;
   options.position_name = language.position_name;
   return options;

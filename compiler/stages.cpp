@@ -21,7 +21,8 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
   // The profile is reported first, because the next errors may be about another stage's shader.
   if (!options.profile.stage) diagnostics.Report({}, diag::OtherStageProfile, options.profile.name);
   const int errors = diagnostics.error_count();
-  const ast::File file = Parse(std::move(tokens), diagnostics);
+  const ast::File file = Parse(std::move(tokens), diagnostics, FunctionBodies::kParse,
+                               {.entry_call = options.entry_call});
   return diagnostics.error_count() > errors ? ir::Program() : Check(file, options, diagnostics);
 }
 

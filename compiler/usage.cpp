@@ -110,6 +110,9 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   constexpr const char* kForMany = "it is for permutations and manifests";
   report(!command.index.empty(), "--index", kForMany);
   report(command.keep_going, "-k", kForMany);
+  constexpr const char* kForEffects = "it is for --effect";
+  report(!command.technique.empty(), "--technique", kForEffects);
+  report(!command.pass.empty(), "--pass", kForEffects);
   report(command.shards != 1, "--shard", kForMany);
   const glsl::Target& target = request.target;
   report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),

@@ -24,6 +24,9 @@ struct CheckOptions {
 
   ir::Profile profile;
   std::string entry = "main";  // may be qualified: "NS::main"
+  // "Main(true, 4)", as a technique of the file compiles the entry: the arguments are the values of
+  // its `uniform` parameters. Empty: these are uniforms.
+  std::string entry_call;
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   // Whether clip planes go to SetClipPlane (the level9 lowering), which takes whole registers only:
   // anything less is reported (X4594).

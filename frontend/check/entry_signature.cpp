@@ -1,16 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/entry_signature.h"
 
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "frontend/check/assign.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
+#include "frontend/check/init.h"
 #include "frontend/check/type.h"
+#include "frontend/check/value.h"
 #include "frontend/check/vulkan.h"
 
 namespace clipc::check {
 namespace {
+
+constexpr std::uint32_t kAfterAll = std::numeric_limits<std::uint32_t>::max();
+
+// Adds the variable of a `uniform` parameter to which a technique gives the value `argument`.
+VarId AddArgument(Context& context, const ast::VarDecl& var, const Parameter& parameter,
+                  ast::ExprId argument) {
+  const ViewSwitch outside(context, context.ViewFrom(context.names.global(), kAfterAll));
+  const ExprId value = CheckInit(context, argument, parameter.type);
+  if (HoldsObjects(context, parameter.type)) {
+    const auto* ref = context.IsError(value) ? nullptr : context.GetIf<VarRef>(value);
+    if (ref) return ref->var;
+    if (!context.IsError(value))
+      context.Report(context[argument].span, diag::ObjectNotGlobal, context[var.name],
+                     context.TypeName(parameter.type));
+  }
+  const bool is_constant = !context.IsError(value) && IsConstantExpr(context, value);
+  const VarId added = AddVar(context, var.name, parameter.type,
+                             is_constant ? Storage::kConstant : Storage::kStatic, var.name_span);
+  context[added].init = value;
+  context[added].row_major = IsRowMajor(context, QualifiersOf(context, var));
+  MarkConst(context, added);
+  context.globals.reached.push_back({kAfterAll, added});
+  return added;
+}
 
 // Adds the variable of a `uniform` parameter of the entry point, a member of $Params or a resource.
 VarId AddUniformParameter(Context& context, const ast::VarDecl& var, const Parameter& parameter) {
@@ -26,11 +54,10 @@ VarId AddUniformParameter(Context& context, const ast::VarDecl& var, const Param
   MarkConst(context, added);
   context[symbol].value = added.index;
   if (!context.globals.params_buffer) {
-    context.globals.params_buffer =
-        context.globals.buffers.Add({.kind = CbufferKind::kParams,
-                                     .scope = context.names.global(),
-                                     .order = std::numeric_limits<std::uint32_t>::max(),
-                                     .resolution = Resolution::kDone});
+    context.globals.params_buffer = context.globals.buffers.Add({.kind = CbufferKind::kParams,
+                                                                 .scope = context.names.global(),
+                                                                 .order = kAfterAll,
+                                                                 .resolution = Resolution::kDone});
   }
   context[context.globals.params_buffer].members.push_back(symbol);
   return added;
@@ -42,6 +69,8 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   const FunctionInfo& info = context[entry];
   const ast::FunctionDecl& decl = DeclOf(context, info);
   EntrySignature signature;
+  const std::span<const ast::ExprId> arguments = context[context.file.entry_arguments];
+  std::size_t uniforms = 0;
   for (const Parameter& parameter :
        std::vector<Parameter>(context[info.parameters].begin(), context[info.parameters].end())) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
@@ -54,10 +83,16 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
     if (var.qualifiers & ast::kUniform) {
       entry_parameter.is_uniform = true;
-      entry_parameter.uniform_var = AddUniformParameter(context, var, parameter);
+      const std::size_t number = uniforms++;
+      entry_parameter.uniform_var = number < arguments.size()
+                                        ? AddArgument(context, var, parameter, arguments[number])
+                                        : AddUniformParameter(context, var, parameter);
     }
     signature.parameters.push_back(std::move(entry_parameter));
   }
+  if (!context.options.entry_call.empty() && arguments.size() != uniforms)
+    context.Report(decl.name_span, diag::EntryArguments, context.options.entry_call,
+                   arguments.size(), context[decl.name], uniforms);
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);

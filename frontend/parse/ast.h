@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/arena.h"
@@ -9,6 +10,7 @@
 #include "frontend/parse/ast_decl.h"
 #include "frontend/parse/ast_expr.h"
 #include "frontend/parse/ast_stmt.h"
+#include "frontend/parse/effect_text.h"
 
 // The syntax tree of a source: one node for each construct as it was written, names unresolved,
 // nothing converted.
@@ -17,7 +19,7 @@ namespace clipc::ast {
 // The largest number of nodes on a path from a root: a walk of a tree may recurse.
 inline constexpr int kMaxDepth = 1000;
 
-// A parsed translation unit. Techniques, passes and state blocks are not kept.
+// A parsed translation unit. Techniques, passes and state blocks are not kept but on request.
 struct File {
   Names names;
   Arena<Expr> exprs;
@@ -41,6 +43,8 @@ struct File {
   };
   // Each once: hints for a message about an entry function that does not exist.
   std::vector<TechniqueShader> technique_shaders;
+  std::optional<EffectText> effect;  // on request: EffectParts::keep
+  List<ExprId> entry_arguments;      // of EffectParts::entry_call, if the file has it
 };
 
 }  // namespace clipc::ast

@@ -21,6 +21,7 @@ File Parser::Run() {
   }
   file_.top_level.assign(decls.values().begin(), decls.values().end());
   file_.names = std::move(names_);
+  if (file_.effect) file_.effect->tokens = std::move(tokens_);
   return std::move(file_);
 }
 
@@ -159,6 +160,8 @@ bool Parser::ParseTypeOnly(Decls& decls, const Specifiers& specifiers) {
 // Parses one or more declarators, up to the `;`.
 void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifiers) {
   std::size_t start = specifiers.start;
+  const TokenRange type{start, pos_};
+  const bool is_kept = file_.effect && (scope == Scope::kGlobal || scope == Scope::kBuffer);
   VarDecl var{};
   do {
     var = MakeVar(specifiers);
@@ -176,6 +179,12 @@ void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifi
                       var.name_span);
     if (!var.out_of_line_of.name) Declare(var.name, Meaning::kValue);
     ParseDeclaratorTail(var, scope);
+    if (is_kept) {
+      variable_.name = var.name;
+      variable_.semantic = var.semantic.name;
+      variable_.type = type;
+      file_.effect->variables.push_back(variable_);
+    }
     decls.Add(AddDecl(start, var));
     start = pos_ + 1;
   } while (!panic_ && Accept(kComma));

@@ -65,7 +65,10 @@ VarDecl Parser::MakeVar(const Specifiers& specifiers) const {
 
 // Parses all of a declarator after its name.
 void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
+  const std::size_t start = pos_;
+  variable_ = {};
   var.dimensions = ParseDimensions();
+  variable_.dimensions = {start, pos_};
   ParseColonParts(var);
   if (panic_) return;
   if (var.packoffset && scope != Scope::kBuffer)
@@ -76,9 +79,13 @@ void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
     var.has_state_block = true;
     Accept(kEqual);
     if (AtWord(Word::kSamplerState)) Next();
+    variable_.value.begin = pos_;
     SkipEffectBlock();
+    variable_.value.end = pos_;
   } else if (Accept(kEqual)) {
+    variable_.value.begin = pos_;
     ParseInitializer(var);
+    variable_.value.end = pos_;
   }
 }
 
@@ -87,7 +94,9 @@ void Parser::ParseColonParts(VarDecl& var) {
   Collector registers(registers_);
   while ((At(kColon) || At(kLess)) && !panic_) {
     if (At(kLess)) {
+      const std::size_t start = pos_;
       SkipAnnotation();
+      variable_.annotations = {start, pos_};
     } else {
       ParseColonPart(var, registers);
     }

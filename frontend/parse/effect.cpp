@@ -1,19 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <span>
+#include <utility>
+
 #include "base/spelling.h"
 #include "frontend/parse/parser.h"
 
 // The effects framework: techniques, passes, state blocks and annotations. They have no meaning for
-// a shader, so they are skipped with their brackets matched, as fxc does under a shader profile;
-// only the names of shaders are kept.
+// a shader, so they are skipped with their brackets matched, as fxc does under a shader profile.
+// The names of shaders are kept, and what EffectParts asks for.
 namespace clipc::ast {
+
+Parser::Parser(Tokens&& tokens, Diagnostics& diagnostics, FunctionBodies bodies,
+               const EffectParts& effect)
+    : TreeBuilder(std::move(tokens), diagnostics), bodies_(bodies), effect_(effect) {
+  if (effect_.keep) file_.effect.emplace();
+}
 
 // technique10 Name <annotation> {...}, fxgroup Name {...}
 void Parser::ParseTechnique() {
+  const std::size_t start = pos_;
   Next();
   Accept(kIdentifier);
   if (At(kLess)) SkipAnnotation();
   if (!At(kLeftBrace)) return Unexpected("`{`");
   SkipEffectBlock();
+  if (file_.effect) file_.effect->techniques.push_back({start, pos_});
 }
 
 // <string UIName = "x"; float UIMin = 0;>
@@ -83,6 +95,7 @@ void Parser::NoteCompile() {
   } else {
     return;
   }
+  if (!effect_.entry_call.empty()) ParseEntryCall(function);
   const std::string_view text = TextAt(profile);
   const std::optional<Stage> stage = StageOf(ToLower(text.substr(0, text.find('_'))));
   if (!stage || !At(kIdentifier, function)) return;
@@ -92,6 +105,28 @@ void Parser::NoteCompile() {
   if (technique_stages_[name.index] & bit) return;
   technique_stages_[name.index] |= bit;
   file_.technique_shaders.push_back({name, *stage});
+}
+
+// Parses the arguments of the call whose function's name is at `function`, if it is the one that is
+// asked for. Takes no token.
+void Parser::ParseEntryCall(std::size_t function) {
+  const std::size_t open = pos_ + LastOfQualifiedName(function) + 1;
+  if (has_entry_call_ || open >= tokens_.size() || tokens_[open].kind != kLeftParen) return;
+  const std::size_t most = std::min(tokens_.size(), open + kMaxCallTokens);
+  std::size_t end = open;
+  for (int depth = 0; end < most; ++end) {
+    depth += BracketStep(tokens_[end].kind);
+    if (depth == 0) break;
+  }
+  if (end == most) return;
+  const std::size_t start = pos_ + function;
+  if (TextOf(std::span(tokens_).subspan(start, end + 1 - start), names_) != effect_.entry_call)
+    return;
+  has_entry_call_ = true;
+  const std::size_t before = std::exchange(pos_, open);
+  file_.entry_arguments = ParseArguments();
+  pos_ = before;
+  EndPanic();
 }
 
 }  // namespace clipc::ast

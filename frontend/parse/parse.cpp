@@ -7,8 +7,9 @@
 
 namespace clipc {
 
-ast::File Parse(Tokens tokens, Diagnostics& diagnostics, FunctionBodies bodies) {
-  return ast::Parser(std::move(tokens), diagnostics, bodies).Run();
+ast::File Parse(Tokens tokens, Diagnostics& diagnostics, FunctionBodies bodies,
+                const EffectParts& effect) {
+  return ast::Parser(std::move(tokens), diagnostics, bodies, effect).Run();
 }
 
 }  // namespace clipc

@@ -24,8 +24,8 @@ namespace clipc::ast {
 
 class Parser : private TreeBuilder {
  public:
-  Parser(Tokens&& tokens, Diagnostics& diagnostics, FunctionBodies bodies)
-      : TreeBuilder(std::move(tokens), diagnostics), bodies_(bodies) {}
+  Parser(Tokens&& tokens, Diagnostics& diagnostics, FunctionBodies bodies,
+         const EffectParts& effect);
   File Run();
 
  private:
@@ -157,6 +157,7 @@ class Parser : private TreeBuilder {
   void SkipEffectBlock();
   void SkipEffectValue();
   void NoteCompile();
+  void ParseEntryCall(std::size_t function);
 
   // ---- statements (stmt.cpp)
   StmtId ParseStatement();
@@ -196,6 +197,9 @@ class Parser : private TreeBuilder {
   List<ExprId> ParseArguments();
 
   FunctionBodies bodies_;
+  EffectParts effect_;
+  EffectVariable variable_;        // the ranges of the declarator that is being parsed
+  bool has_entry_call_ = false;    // EffectParts::entry_call was found
   bool greater_ends_ = false;      // in template arguments: `>` is not an operator
   bool outside_reported_ = false;  // a statement outside of functions was reported
   // Whether the definition of a function was found inside a function: a `}` is missing, and all

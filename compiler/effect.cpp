@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/effect.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/path.h"
+#include "compiler/batch.h"
+#include "compiler/driver.h"
+#include "compiler/effect_passes.h"
+#include "compiler/output_files.h"
+#include "compiler/place_outputs.h"
+#include "compiler/plan.h"
+#include "compiler/show_messages.h"
+#include "compiler/suggest.h"
+#include "frontend/parse/parse.h"
+
+namespace clipc {
+namespace {
+
+// Returns the first mistake of the command line; empty if there is none.
+std::string CheckEffectCommand(const CommandLine& command) {
+  const CompileRequest& request = command.request;
+  if (command.inputs.size() != 1 || command.inputs[0] == "-") return "--effect compiles one file";
+  if (!IsDirectory(command.output))
+    return "--effect writes several files; give an existing folder with -o";
+  if (request.link.has_pixel_shader() || !request.link.pixel_shader.entry.empty())
+    return "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
+           "file without techniques";
+  if (!command.batch.empty() || command.shards != 1)
+    return "--effect takes neither --batch nor --shard";
+  if (request.hlsl.wanted) return "--effect writes GLSL or SPIR-V, no HLSL";
+  const LanguageOptions defaults;
+  if (request.language.entry != defaults.entry || request.language.profile != defaults.profile)
+    return "-E and -T are what the passes of an effect say; --technique and --pass choose one";
+  return {};
+}
+
+// Returns the problem if no technique, or no pass, has the name that is asked for.
+std::string CheckNames(const ast::Effect& effect, const CommandLine& command) {
+  std::vector<std::string_view> techniques, passes;
+  for (const ast::EffectTechnique& technique : effect.techniques) {
+    techniques.push_back(technique.name);
+    for (const ast::EffectPass& pass : technique.passes) passes.push_back(pass.name);
+  }
+  if (techniques.empty()) return "it has no technique; `-T` and `-E` compile one of its functions";
+  const auto check = [](const char* what, const std::string& name,
+                        const std::vector<std::string_view>& names) {
+    if (name.empty() || std::ranges::find(names, name) != names.end()) return std::string();
+    return fmt::format("it has no {} `{}`{}", what, name, Suggest(name, names));
+  };
+  std::string problem = check("technique", command.technique, techniques);
+  return problem.empty() ? check("pass", command.pass, passes) : problem;
+}
+
+}  // namespace
+
+int RunEffect(CommandLine command) {
+  if (const std::string problem = CheckEffectCommand(command); !problem.empty())
+    return Fail(problem, command.format);
+  const std::string path = command.inputs[0];
+  CompileRequest request = command.request;
+  request.path = path;
+  Diagnostics diagnostics(request.warnings);
+  const Plan plan = Resolve(request, diagnostics);
+  FrontendContext context(FrontendContext::Files::kOnDisk, request.includes.sandbox);
+  Source source(context, plan.input);
+  ast::File file;
+  if (!diagnostics.has_errors()) {
+    Tokens tokens = Lex(source, diagnostics);
+    if (!diagnostics.has_errors())
+      file = Parse(std::move(tokens), diagnostics, FunctionBodies::kSkip, {.keep = true});
+  }
+  const bool is_read = !diagnostics.has_errors();
+  const ast::Effect effect = is_read ? ast::ReadEffect(file) : ast::Effect();
+  if (const std::string problem = is_read ? CheckNames(effect, command) : ""; !problem.empty())
+    return Fail(fmt::format("`{}`: {}", path, problem), command.format);
+  const EffectPrograms programs = FindPrograms(effect, command, diagnostics);
+  CompileResult messages;
+  for (const Diagnostic& diagnostic : diagnostics.all())
+    messages.messages.push_back(ToMessage(diagnostic, source));
+  if (command.format == MessageFormat::kText && !diagnostics.all().empty())
+    messages.text = source.RenderText(diagnostics, command.colour.value_or(TerminalHasColour()));
+  messages.dependencies = source.Dependencies();
+  const int code = diagnostics.has_errors() ? kExitErrors : kExitOk;
+  if (!is_read) {
+    MessagePrinter printer(command.format);
+    printer.Show(messages);
+    printer.End();
+    return source.main_file_read() ? code : kExitUsage;
+  }
+  const char* slash = EndsWithSlash(command.output) ? "" : "/";
+  const std::string stem = WithoutExtension(path.substr(NameBegin(path)));
+  if (command.index.empty())
+    command.index = fmt::format("{}{}{}.json", command.output, slash, stem);
+  command.keep_going = true;
+  BatchOfGroups batch{programs.groups, std::move(messages), {}};
+  const CommandLine& options = command;
+  batch.render = [&, options](const std::vector<BatchEntry>& entries) {
+    return RenderEffect(effect, programs, options, entries);
+  };
+  return std::max(code, RunBatch(std::move(command), std::move(batch)));
+}
+
+}  // namespace clipc

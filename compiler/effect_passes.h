@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "compiler/batch_index.h"
+#include "compiler/options.h"
+#include "compiler/permutations.h"
+#include "frontend/parse/effect.h"
+
+namespace clipc {
+
+// A shader of a program.
+struct EffectHalf {
+  const ast::EffectShader* shader = nullptr;  // of kind kCompiled
+  std::optional<std::size_t> element;         // of the array of shaders that the pass takes it from
+  std::string profile;                        // that it is compiled for
+};
+
+// A vertex shader, a pixel shader or both.
+struct EffectProgram {
+  std::optional<EffectHalf> vertex, pixel;
+  std::size_t group = 0;  // in EffectPrograms::groups; programs that are alike share one
+};
+
+struct PassPrograms {
+  std::size_t technique = 0, pass = 0;  // in the effect
+  bool is_left_out = false;             // it has a shader that clipc does not compile
+  std::vector<EffectProgram> programs;  // several where the pass takes them from an array
+};
+
+struct EffectPrograms {
+  std::vector<PassPrograms> passes;  // those that the command line asks for
+  std::vector<ShaderGroup> groups;   // what is compiled
+};
+
+// Finds the programs of the passes. Reports passes with shaders that clipc does not compile, and
+// text that is not understood.
+EffectPrograms FindPrograms(const ast::Effect& effect, const CommandLine& command,
+                            Diagnostics& diagnostics);
+
+// The document that describes the effect: docs/effects.md. `entries` are those of the groups.
+std::string RenderEffect(const ast::Effect& effect, const EffectPrograms& programs,
+                         const CommandLine& command, const std::vector<BatchEntry>& entries);
+
+}  // namespace clipc

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "frontend/parse/ast.h"
+
+// An effect as data: techniques with their passes, and the variables with what only effects have.
+// Values are the text of the effect, after preprocessing.
+namespace clipc::ast {
+
+struct NamedText {
+  std::string name, value;
+};
+struct Annotation {
+  std::string type, name, value;
+};
+
+// A shader, as a pass or a shader variable has it.
+struct EffectShader {
+  enum class Kind : std::uint8_t {
+    kNone,      // NULL
+    kCompiled,  // compile vs_3_0 Main(true, 4), CompileShader(vs_4_0, Main())
+    kVariable,  // a shader variable, vs or A[i]
+    kOther      // asm {...}, ConstructGSWithSO(...) and what is not understood
+  };
+  Kind kind = Kind::kNone;
+  std::string text;               // all of it
+  std::string profile, function;  // of kCompiled
+  std::string call;               // of kCompiled, with arguments: EffectParts::entry_call
+  std::string variable, index;    // of kVariable
+};
+
+struct EffectPass {
+  std::string name;
+  Span span;
+  std::vector<Annotation> annotations;
+  EffectShader vertex, pixel;
+  std::vector<NamedText> other_shaders;  // SetGeometryShader and the like, unless NULL
+  // ZEnable and "true"; a call such as SetBlendState has the value "(Blend, ...)".
+  std::vector<NamedText> states;
+  std::vector<std::string> not_read;  // statements of no known form
+};
+
+struct EffectTechnique {
+  std::string kind;  // "technique", "technique10", "technique11"
+  std::string group, name;
+  std::vector<Annotation> annotations;
+  std::vector<EffectPass> passes;
+  std::vector<std::string> not_read;
+};
+
+struct EffectParameter {
+  std::string name, type, semantic;
+  std::vector<Annotation> annotations;
+  std::string value;                  // the default value; empty without one
+  std::vector<NamedText> states;      // of a block of states
+  std::vector<EffectShader> shaders;  // of a shader variable: one, or the elements of an array
+};
+
+struct Effect {
+  std::vector<EffectTechnique> techniques;
+  std::vector<EffectParameter> parameters;
+};
+
+// Reads the effect in a file that was parsed with EffectParts::keep. It is linear in the number of
+// tokens, and every text has a result.
+Effect ReadEffect(const File& file);
+
+}  // namespace clipc::ast

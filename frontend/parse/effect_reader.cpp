@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "base/spelling.h"
+#include "frontend/parse/effect.h"
+#include "frontend/parse/keywords.h"
+
+namespace clipc::ast {
+namespace {
+
+using enum TokenKind;
+using TokenSpan = std::span<const Token>;
+
+// A statement of a pass or of a block of states.
+struct Statement {
+  NamedText text;   // the name is empty for a statement of no known form
+  TokenSpan value;  // after the `=`, or in the parentheses of a call
+};
+
+class EffectReader {
+ public:
+  EffectReader(const Names& names, TokenSpan tokens) : names_(names), tokens_(tokens) {}
+
+  // ---- techniques
+
+  // Reads a technique, or a group of them.
+  void ReadTechniques(std::vector<EffectTechnique>& techniques) {
+    if (Word() != "fxgroup") return techniques.push_back(ReadTechnique({}));
+    Take();
+    const std::string group = TakeName();
+    TakeAnnotations();
+    if (At(kLeftBrace)) Take();
+    while (!AtEnd() && !At(kRightBrace)) {
+      if (Word().starts_with("technique")) {
+        techniques.push_back(ReadTechnique(group));
+      } else {
+        Take();
+      }
+    }
+  }
+
+  // ---- parts of variables
+
+  std::vector<Annotation> TakeAnnotations() {
+    std::vector<Annotation> annotations;
+    if (!At(kLess)) return annotations;
+    Take();
+    while (!AtEnd() && !At(kGreater)) {
+      const TokenSpan all = TakeUntil(kGreater);
+      if (At(kSemicolon)) Take();
+      const auto equal = std::ranges::find(all, kEqual, &Token::kind);
+      const TokenSpan left = all.first(static_cast<std::size_t>(equal - all.begin()));
+      if (left.empty()) continue;
+      const TokenSpan right = equal == all.end() ? TokenSpan() : all.subspan(left.size() + 1);
+      annotations.push_back({Text(left.first(left.size() - 1)), Text(left.last(1)), Text(right)});
+    }
+    if (!AtEnd()) Take();
+    return annotations;
+  }
+
+  // { Filter = LINEAR; ... }
+  std::vector<NamedText> ReadStates() {
+    std::vector<NamedText> states;
+    if (At(kLeftBrace)) Take();
+    while (!AtEnd() && !At(kRightBrace)) {
+      if (auto statement = TakeStatement()) states.push_back(std::move(statement->text));
+    }
+    return states;
+  }
+
+  // A shader, or the elements of { a, b }.
+  std::vector<EffectShader> ReadShaders() {
+    if (!At(kLeftBrace)) return {ReadShader(tokens_)};
+    std::vector<EffectShader> shaders;
+    Take();
+    while (!AtEnd() && !At(kRightBrace)) {
+      const std::size_t start = pos_;
+      int depth = 0;
+      for (; !AtEnd() && !(depth == 0 && (At(kComma) || At(kRightBrace))); Take())
+        depth += BracketStep(tokens_[pos_].kind);
+      shaders.push_back(ReadShader(tokens_.subspan(start, pos_ - start)));
+      if (At(kComma)) Take();
+    }
+    return shaders;
+  }
+
+  std::string Text(TokenSpan tokens) const { return TextOf(tokens, names_); }
+
+ private:
+  bool AtEnd() const { return pos_ >= tokens_.size(); }
+  bool At(TokenKind kind) const { return !AtEnd() && tokens_[pos_].kind == kind; }
+  const Token& Take() { return tokens_[pos_++]; }
+  std::string WordOf(const Token& token) const {
+    return token.kind == kIdentifier ? ToLower(names_[token.name()]) : std::string();
+  }
+  std::string Word() const { return AtEnd() ? std::string() : WordOf(tokens_[pos_]); }
+  std::string TakeName() {
+    return At(kIdentifier) ? std::string(names_[Take().name()]) : std::string();
+  }
+
+  // Takes tokens up to a `;`, or an `end` outside of brackets.
+  TokenSpan TakeUntil(TokenKind end) {
+    const std::size_t start = pos_;
+    for (int depth = 0; !AtEnd(); Take()) {
+      if (depth == 0 && (At(kSemicolon) || At(end))) break;
+      depth += BracketStep(tokens_[pos_].kind);
+    }
+    return tokens_.subspan(start, pos_ - start);
+  }
+
+  // Takes `Name = value;`, `Name[0] = value;` or `Name(value);`. None for a lone `;`.
+  std::optional<Statement> TakeStatement() {
+    const TokenSpan all = TakeUntil(kRightBrace);
+    if (At(kSemicolon)) Take();
+    if (all.empty()) return std::nullopt;
+    const auto at = std::ranges::find_if(
+        all, [](const Token& t) { return t.kind == kEqual || t.kind == kLeftParen; });
+    const auto left = all.first(static_cast<std::size_t>(at - all.begin()));
+    if (at == all.end() || left.empty() || left[0].kind != kIdentifier)
+      return Statement{{{}, Text(all)}, {}};
+    const bool is_call = at->kind == kLeftParen;
+    if (is_call && (all.back().kind != kRightParen || left.size() != 1))
+      return Statement{{{}, Text(all)}, {}};
+    const TokenSpan value = all.subspan(left.size() + (is_call ? 0 : 1));
+    return Statement{{Text(left), Text(value)},
+                     is_call ? value.subspan(1, value.size() - 2) : value};
+  }
+
+  // technique10 Name <annotations> { pass ... }
+  EffectTechnique ReadTechnique(const std::string& group) {
+    EffectTechnique technique;
+    technique.group = group;
+    technique.kind = Word();
+    Take();
+    technique.name = TakeName();
+    technique.annotations = TakeAnnotations();
+    if (At(kLeftBrace)) Take();
+    while (!AtEnd() && !At(kRightBrace)) {
+      if (Word() == "pass") {
+        technique.passes.push_back(ReadPass());
+      } else {
+        const TokenSpan other = TakeUntil(kRightBrace);
+        if (At(kSemicolon)) Take();
+        if (!other.empty()) technique.not_read.push_back(Text(other));
+      }
+    }
+    if (!AtEnd()) Take();
+    return technique;
+  }
+
+  // pass Name <annotations> { states }
+  EffectPass ReadPass() {
+    EffectPass pass;
+    pass.span = Take().span();
+    if (At(kIdentifier)) pass.span = tokens_[pos_].span();
+    pass.name = TakeName();
+    pass.annotations = TakeAnnotations();
+    if (!At(kLeftBrace)) {
+      pass.not_read.push_back(Text(TakeUntil(kRightBrace)));
+      return pass;
+    }
+    Take();
+    while (!AtEnd() && !At(kRightBrace)) {
+      if (auto statement = TakeStatement()) AddStatement(pass, std::move(*statement));
+    }
+    if (!AtEnd()) Take();
+    return pass;
+  }
+
+  void AddStatement(EffectPass& pass, Statement statement) const {
+    constexpr std::string_view kOthers[] = {"geometryshader", "hullshader", "domainshader",
+                                            "computeshader"};
+    std::string name = ToLower(statement.text.name);
+    if (name.ends_with("shader") && name.starts_with("set")) name.erase(0, 3);
+    if (name.empty()) {
+      pass.not_read.push_back(std::move(statement.text.value));
+    } else if (name == "vertexshader") {
+      pass.vertex = ReadShader(statement.value);
+    } else if (name == "pixelshader") {
+      pass.pixel = ReadShader(statement.value);
+    } else if (std::ranges::find(kOthers, name) != std::end(kOthers)) {
+      if (ReadShader(statement.value).kind != EffectShader::Kind::kNone)
+        pass.other_shaders.push_back(std::move(statement.text));
+    } else {
+      pass.states.push_back(std::move(statement.text));
+    }
+  }
+
+  // Whether the tokens are in one pair of such brackets.
+  static bool IsIn(TokenSpan tokens, TokenKind open, TokenKind close) {
+    if (tokens.size() < 2 || tokens.front().kind != open || tokens.back().kind != close)
+      return false;
+    int depth = 0;
+    for (const Token& token : tokens.first(tokens.size() - 1)) {
+      depth += BracketStep(token.kind);
+      if (depth == 0 && open != kLess) return false;
+    }
+    return true;
+  }
+
+  EffectShader ReadShader(TokenSpan tokens) const {
+    using enum EffectShader::Kind;
+    EffectShader shader;
+    shader.text = Text(tokens);
+    // (A[i]), <vs>; more brackets than one pair have no use.
+    if (IsIn(tokens, kLeftParen, kRightParen) || IsIn(tokens, kLess, kGreater))
+      tokens = tokens.subspan(1, tokens.size() - 2);
+    const std::string word = tokens.empty() ? "null" : WordOf(tokens[0]);
+    const bool is_zero = tokens.size() == 1 && tokens[0].kind == kIntLiteral && !tokens[0].value;
+    if (word == "null" || is_zero) return shader;
+    shader.kind = kOther;
+    if (word == "compile" && tokens.size() > 2) {
+      ReadCall(WordOf(tokens[1]), tokens.subspan(2), shader);
+    } else if (word == "compileshader" && tokens.size() > 5 && tokens[3].kind == kComma &&
+               IsIn(tokens.subspan(1), kLeftParen, kRightParen)) {
+      ReadCall(WordOf(tokens[2]), tokens.subspan(4, tokens.size() - 5), shader);
+    } else if (tokens[0].kind == kIdentifier && tokens.size() == 1) {
+      shader.kind = kVariable;
+      shader.variable = Text(tokens);
+    } else if (tokens[0].kind == kIdentifier &&
+               IsIn(tokens.subspan(1), kLeftBracket, kRightBracket)) {
+      shader.kind = kVariable;
+      shader.variable = Text(tokens.first(1));
+      shader.index = Text(tokens.subspan(2, tokens.size() - 3));
+    }
+    return shader;
+  }
+
+  // Main(true, 4)
+  void ReadCall(std::string profile, TokenSpan call, EffectShader& shader) const {
+    const auto open = std::ranges::find(call, kLeftParen, &Token::kind);
+    const auto name = call.first(static_cast<std::size_t>(open - call.begin()));
+    const TokenSpan arguments = call.subspan(name.size());
+    if (name.empty() || call.size() > kMaxCallTokens || !IsIn(arguments, kLeftParen, kRightParen))
+      return;
+    shader.kind = EffectShader::Kind::kCompiled;
+    shader.profile = std::move(profile);
+    for (const Token& token : name) shader.function += TextOf({&token, 1}, names_);
+    if (arguments.size() > 2) shader.call = Text(call);
+  }
+
+  const Names& names_;
+  TokenSpan tokens_;
+  std::size_t pos_ = 0;
+};
+
+// Whether a value begins as that of a shader variable does.
+bool IsShader(TokenSpan value, const Names& names) {
+  if (!value.empty() && value[0].kind == kLeftBrace) value = value.subspan(1);
+  if (value.size() < 2 || value[0].kind != kIdentifier) return false;
+  const std::string word = ToLower(names[value[0].name()]);
+  return word == "compileshader" || word == "constructgswithso" ||
+         ((word == "compile" || word == "asm") && value[1].kind != kEqual);
+}
+
+// The type without the qualifiers that say nothing of it.
+std::string TypeText(TokenSpan type, const Names& names) {
+  constexpr std::string_view kLeft[] = {"uniform", "extern", "const", "shared", "static"};
+  while (type.size() > 1 && type[0].kind == kIdentifier &&
+         std::ranges::find(kLeft, names[type[0].name()]) != std::end(kLeft))
+    type = type.subspan(1);
+  return TextOf(type, names);
+}
+
+EffectParameter ReadParameter(const EffectVariable& variable, TokenSpan tokens,
+                              const Names& names) {
+  const auto part = [&](TokenRange range) {
+    return tokens.subspan(range.begin, range.end - range.begin);
+  };
+  EffectParameter parameter;
+  parameter.name = names[variable.name];
+  parameter.type = TypeText(part(variable.type), names) + TextOf(part(variable.dimensions), names);
+  if (variable.semantic) parameter.semantic = names[variable.semantic];
+  parameter.annotations = EffectReader(names, part(variable.annotations)).TakeAnnotations();
+  const TokenSpan value = part(variable.value);
+  const bool has_states = value.size() > 2 && value[0].kind == kLeftBrace &&
+                          value[1].kind == kIdentifier &&
+                          (value[2].kind == kEqual || value[2].kind == kLeftBracket);
+  if (IsShader(value, names)) {
+    parameter.shaders = EffectReader(names, value).ReadShaders();
+  } else if (has_states) {
+    parameter.states = EffectReader(names, value).ReadStates();
+  } else {
+    parameter.value = TextOf(value, names);
+  }
+  return parameter;
+}
+
+bool IsStatic(const EffectVariable& variable, TokenSpan tokens, const Names& names) {
+  const TokenSpan type =
+      tokens.subspan(variable.type.begin, variable.type.end - variable.type.begin);
+  return std::ranges::any_of(type, [&](const Token& token) {
+    return token.kind == kIdentifier && names[token.name()] == "static";
+  });
+}
+
+}  // namespace
+
+Effect ReadEffect(const File& file) {
+  Effect effect;
+  const TokenSpan tokens = file.effect->tokens;
+  for (const TokenRange& range : file.effect->techniques) {
+    EffectReader reader(file.names, tokens.subspan(range.begin, range.end - range.begin));
+    reader.ReadTechniques(effect.techniques);
+  }
+  for (const EffectVariable& variable : file.effect->variables) {
+    EffectParameter parameter = ReadParameter(variable, tokens, file.names);
+    // A static variable is no parameter, but may hold a shader or a block of states.
+    const bool is_data = parameter.shaders.empty() && parameter.states.empty();
+    if (!is_data || !IsStatic(variable, tokens, file.names))
+      effect.parameters.push_back(std::move(parameter));
+  }
+  return effect;
+}
+
+}  // namespace clipc::ast
