@@ -154,6 +154,50 @@ TEST_F(CInterface, GivesTheHlslThatIsAskedFor) {
   EXPECT_THAT(Get(CLIPC_PART_HLSL), IsEmpty());
 }
 
+constexpr std::string_view kHalves =
+    "float4 vs(float4 p : POSITION, out float2 uv : UV) : SV_Position { uv = p.xy; return p; }\n"
+    "float4 ps(float2 uv : UV) : SV_Target { return uv.xyxy; }\n";
+
+TEST_F(CInterface, CompilesThePairOfOneText) {
+  ASSERT_EQ(Compile({"-E", "vs", "--pixel-entry=ps", "--pixel-output=.frag", "-spirv"}, kHalves),
+            CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), HasSubstr("out vec2 vs_UV0;"));
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("in vec2 vs_UV0;"));
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL_SPIRV), StartsWith("\x03\x02\x23\x07"));
+  EXPECT_THAT(Get(CLIPC_PART_REFLECTION), HasSubstr("\"pixelShader\""));
+}
+
+TEST_F(CInterface, TakesThePixelShaderFromMemory) {
+  includes_["half.hlsl"] = "float4 main(float2 uv : UV) : SV_Target { return uv.yxyx; }\n";
+  const std::vector<const char*> fits = {"-E", "vs", "--pixel-shader=half.hlsl"};
+  std::vector<const char*> pair = fits;
+  pair.push_back("--pixel-output=.frag");
+  ASSERT_EQ(Compile(fits, kHalves), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), HasSubstr("out vec2 uv;"));
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), IsEmpty());
+  ASSERT_EQ(Compile(pair, kHalves), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("vs_UV0.yxyx"));
+
+  includes_.clear();
+  EXPECT_EQ(Compile(fits, kHalves), CLIPC_HAS_ERRORS);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("half.hlsl: there is no such file"));
+  EXPECT_EQ(Compile(pair, kHalves), CLIPC_BAD_REQUEST);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("half.hlsl: there is no such file"));
+
+  clipc_request request{};
+  request.size = sizeof request;
+  request.path = "water.hlsl";
+  request.text = kHalves.data();
+  request.text_size = kHalves.size();
+  request.options = pair.data();
+  request.option_count = pair.size();
+  request.pixel_text = "float4 main(float2 uv : UV) : SV_Target { return uv.yyyy; }";
+  request.pixel_text_size = std::strlen(request.pixel_text);
+  ASSERT_EQ(Run(request), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("vs_UV0.yyyy"));
+}
+
 TEST_F(CInterface, EndsWhenTheCallerCancels) {
   std::string long_shader = kShader;
   for (int i = 0; i < 3000; ++i)

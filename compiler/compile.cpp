@@ -209,6 +209,11 @@ CompileResult CompileIn(FrontendContext& context, const CompileRequest& request)
   if (request.link.is_pair) {
     pixel_request = PixelRequest(request);
     half.emplace(context, *pixel_request, stop.watch(), ResolvePixelHalf);
+    const std::string& path = request.link.pixel_shader.path;
+    // The caller who gives the includes gives this text too: no file is read for it.
+    if (request.includes.read && !pixel_request->text && !path.empty())
+      half->job.diagnostics.Report({}, diag::PixelShader,
+                                   fmt::format("{}: there is no such file", path));
   }
   const Job* const pixel = half ? &half->job : nullptr;
   const auto is_wrong = [](const Job& job) { return job.diagnostics.has_errors(); };

@@ -14,6 +14,7 @@ const PART = {
   tableJson: 7,
   tableBinary: 8,
   tableHeader: 9,
+  pixelSpirv: 10,
   hlsl: 11,
 };
 const STOPPED = 'clipc: error: the shader needs more stack or memory than WebAssembly gives\n';
@@ -83,6 +84,9 @@ function optionsOf(options) {
   if (options.entry) list.push('-E', options.entry);
   if (options.target) list.push(`--target=${options.target}`);
   if (options.lower) list.push(`--lower=${options.lower}`);
+  if (options.pixelShader) list.push(`--pixel-shader=${options.pixelShader}`);
+  if (options.pixelEntry) list.push(`--pixel-entry=${options.pixelEntry}`);
+  if (options.pixelShader || options.pixelEntry) list.push('--pixel-output=.frag');
   for (const [name, value] of Object.entries(options.defines ?? {})) {
     list.push('-D', value === true ? name : `${name}=${value}`);
   }
@@ -171,7 +175,9 @@ export class Compiler {
       dependencies: text(part('dependencies')).split('\n').slice(0, -1),
       glsl: text(part('glsl')),
       discard: text(part('discard')),
+      pixel: options.pixelShader || options.pixelEntry ? text(part('discard')) : '',
       spirv: new Uint32Array(part('spirv').buffer),
+      pixelSpirv: new Uint32Array(part('pixelSpirv').buffer),
       reflection: json(part('reflection')),
       table: json(part('tableJson')),
       tableBinary: part('tableBinary'),
@@ -190,7 +196,9 @@ function stopped() {
     dependencies: [],
     glsl: '',
     discard: '',
+    pixel: '',
     spirv: new Uint32Array(),
+    pixelSpirv: new Uint32Array(),
     reflection: null,
     table: null,
     tableBinary: new Uint8Array(),

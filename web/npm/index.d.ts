@@ -11,6 +11,10 @@ export interface CompileOptions {
   target?: string;
   /** `--lower`: how clip planes are lowered. */
   lower?: string;
+  /** `--pixel-entry`: the pixel shader of the same text is compiled too, and both fit each other. */
+  pixelEntry?: string;
+  /** `--pixel-shader`: the pixel shader is in the text that `readInclude` gives for this name. */
+  pixelShader?: string;
   /** `-D`; `true` defines a name without a value, as `-D NAME` does. */
   defines?: Record<string, string | number | true>;
   /** Any other options of the program, but none that names inputs or outputs: `["-Zpr", "-spirv"]`. */
@@ -60,8 +64,11 @@ export interface CompileResult {
   glsl: string;
   /** With `lower: "discard"`: GLSL that discards, for the fragment shader. */
   discard: string;
+  /** The pixel shader, with `pixelEntry` or `pixelShader`. */
+  pixel: string;
   /** With the option `-spirv`. */
   spirv: Uint32Array;
+  pixelSpirv: Uint32Array;
   /** docs/reflection.md */
   reflection: any | null;
   /** The clip table, docs/clip-table.schema.json. */

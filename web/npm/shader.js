@@ -11,7 +11,7 @@ let compiler;
 function optionsOf(query, configured) {
   const options = { profile: 'vs_5_0', target: 'webgl2', ...configured };
   for (const [name, value] of new URLSearchParams(query)) {
-    if (['profile', 'entry', 'target', 'lower'].includes(name)) options[name] = value;
+    if (['profile', 'entry', 'target', 'lower', 'pixelEntry'].includes(name)) options[name] = value;
     else if (name === 'options') options.options = value.split(/\s+/).filter(Boolean);
   }
   return options;
@@ -35,7 +35,7 @@ export async function compileModule(path, text, query, configured) {
     path,
     readInclude,
   });
-  const exported = ['glsl', 'hlsl', 'discard', 'table', 'reflection'];
+  const exported = ['glsl', 'pixel', 'hlsl', 'discard', 'table', 'reflection'];
   const code = exported
     .map((name) => `export const ${name} = ${JSON.stringify(result[name])};\n`)
     .join('');

@@ -64,6 +64,15 @@ await test('every part of a result', () => {
   assert.deepEqual(result.dependencies, ['common.hlsli']);
 });
 
+await test('both shaders of a program', () => {
+  const text =
+    'float4 vs(float2 uv : UV) : SV_Position { return uv.xyxy; } float4 ps() : SV_Target { return 1; }';
+  const result = compiler.compile(text, { entry: 'vs', pixelEntry: 'ps', options: ['-spirv'] });
+  assert.equal(result.status, 'compiled', result.messages);
+  assert.match(result.pixel, /SV_Target0/);
+  assert.equal(result.pixelSpirv[0], 0x07230203);
+});
+
 await test('HLSL with clip distances', () => {
   const result = compiler.compile(SHADER, { readInclude, target: 'hlsl' });
   assert.equal(result.status, 'compiled', result.messages);
