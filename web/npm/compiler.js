@@ -125,7 +125,8 @@ export class Compiler {
     };
     try {
       const instance = this.#started(readInclude);
-      const result = this.#compile(instance, strings, shader);
+      const isPair = Boolean(options.pixelShader || options.pixelEntry);
+      const result = this.#compile(instance, strings, shader, isPair);
       if (thrown) throw thrown;
       return result;
     } catch (error) {
@@ -159,7 +160,7 @@ export class Compiler {
     return this.#instance;
   }
 
-  #compile(instance, strings, shader) {
+  #compile(instance, strings, shader, isPair) {
     const { clipc_module_compile: run, clipc_module_free: free } = instance.exports;
     const stringsAt = instance.copy(strings);
     const shaderAt = instance.copy(shader);
@@ -174,8 +175,8 @@ export class Compiler {
       diagnostics: json(part('messagesJson'))?.diagnostics ?? [],
       dependencies: text(part('dependencies')).split('\n').slice(0, -1),
       glsl: text(part('glsl')),
-      discard: text(part('discard')),
-      pixel: options.pixelShader || options.pixelEntry ? text(part('discard')) : '',
+      discard: isPair ? '' : text(part('discard')),
+      pixel: isPair ? text(part('discard')) : '',
       spirv: new Uint32Array(part('spirv').buffer),
       pixelSpirv: new Uint32Array(part('pixelSpirv').buffer),
       reflection: json(part('reflection')),

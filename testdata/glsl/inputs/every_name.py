@@ -84,7 +84,10 @@ def places(names):
     yield "parameter", shader(names, of_parameter, "  r += f{i}(r);\n")
     yield "variable", shader(names, "", "  {{ float4 {w} = r.yxwz; {w} *= {w}; r += {w}; }}\n")
     yield "static", shader(names, "static float4 {w};\n", "  {w} += r; r += {w}.y;\n")
-    yield "function", shader(names, "float4 {w}(float4 x) {{ return x * x; }}\n", "  r += {w}(r);\n")
+    yield (
+        "function",
+        shader(names, "float4 {w}(float4 x) {{ return x * x; }}\n", "  r += {w}(r);\n"),
+    )
     method = "  float4 {w}() {{ return v * v; }}\n"
     of_methods = "struct S {{\n  float4 v;\n{}}};\nstatic S s;\n"
     yield "method", shader(names, method, "  s.v += r; r += s.{w}();\n", of_methods)
@@ -112,7 +115,11 @@ def main():
         targets = BUFFERS if name == "buffer" else TARGETS
         shaders.append({"source": f"{name}.hlsl", "target": targets, "options": options})
         if name == "member":
-            plain = {"name": "plain", "target": ["glsl450", "essl300"], "options": ["--blocks=plain"]}
+            plain = {
+                "name": "plain",
+                "target": ["glsl450", "essl300"],
+                "options": ["--blocks=plain"],
+            }
             shaders.append({"source": f"{name}.hlsl", **plain})
     manifest = {"version": 1, "shaders": shaders}
     (folder / "names.json").write_text(json.dumps(manifest))
