@@ -67,9 +67,10 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_COMPILER_PACKAGE_NAME clipc)
 set(CPACK_DEBIAN_COMPILER_PACKAGE_SECTION devel)
 set(CPACK_COMPONENT_COMPILER_DESCRIPTION "HLSL shaders with clip planes to GLSL
-clipc translates vertex and pixel shaders in HLSL with the attribute [clipplanes(...)]
-into GLSL or SPIR-V. Planes become clip distances or, under feature level 9,
-entries of a table that tells an application its calls of SetClipPlane.")
+clipc translates vertex and pixel shaders in HLSL into GLSL or SPIR-V. Planes
+of the attribute [clipplanes(...)] become clip distances or, under feature
+level 9, entries of a table that tells an application its calls of
+SetClipPlane.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libclipc1)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "compiler of HLSL vertex shaders with clip planes, as a library
