@@ -6,6 +6,7 @@ usage: counts.py CLIPC SHADER
 
 import os
 import pty
+import re
 import subprocess
 import sys
 
@@ -14,4 +15,5 @@ words = [*sys.argv[1:], "-E", "nothing", "-MT", "x", "-o", os.devnull]
 subprocess.run(words, stderr=slave, check=False, env={**os.environ, "TERM": "xterm"})
 os.close(slave)
 shown = os.read(master, 1 << 16)
-assert shown.endswith(b"1 error and 1 warning generated.\r\n"), shown[-80:]
+shown = re.sub(rb"\x1b\[\?25[hl]", b"", shown)  # Wine hides the cursor while it writes
+assert shown.rstrip().endswith(b"1 error and 1 warning generated."), shown[-80:]
