@@ -85,13 +85,14 @@ void AddMember(Context& context, ast::DeclId id, TypeId type) {
 void MeasureStruct(Context& context, TypeId type, Span span) {
   StructInfo& info = context.structs.infos[context[type].structure.index];
   for (const Field& field : context.types.StructOf(type).fields) {
-    // A field of an empty struct counts too: it takes time to walk, if no room.
-    info.components += std::max<std::uint64_t>(ComponentsOf(context, field.type), 1);
+    info.components += ComponentsOf(context, field.type);
+    info.fields_of_all += FieldsOf(context, field.type) + 1;
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
   if (!IsTooLarge(context, type, span)) return;
   // A struct that is too large to walk is left without fields.
   info.components = 0;
+  info.fields_of_all = 0;
   info.depth = 1;
   info.fields.clear();
   context[context[type].structure].fields.clear();

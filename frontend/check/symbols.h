@@ -97,9 +97,10 @@ struct StructInfo {
   ast::DeclId decl;
   ScopeId scope;
   std::vector<TypeId> bases;
-  std::vector<Name> fields;      // in the order of ir::Struct::fields
-  std::uint64_t components = 0;  // the number in a value of this type
-  int depth = 1;                 // the levels of structs and arrays in it
+  std::vector<Name> fields;         // in the order of ir::Struct::fields
+  std::uint64_t components = 0;     // the number in a value of this type
+  std::uint64_t fields_of_all = 0;  // the number of fields, those of the fields' structs included
+  int depth = 1;                    // the levels of structs and arrays in it
 };
 
 // One overload: a declaration with the types that it has in one instance and for one `this`.

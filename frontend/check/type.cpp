@@ -17,6 +17,9 @@ namespace {
 
 // Limits far above what any shader needs, and low enough that a type can be walked leaf by leaf.
 constexpr std::uint64_t kMaxComponents = 1u << 20;
+// The fields of a struct and of the structs in it, those of an array's element once. A walk over a
+// type visits each; structs of empty structs have many and no component.
+constexpr std::uint64_t kMaxFields = 1u << 14;
 
 constexpr int kMaxTypeDepth = 64;
 
@@ -155,6 +158,12 @@ std::uint64_t ComponentsOf(const Context& context, TypeId id) {
   }
 }
 
+std::uint64_t FieldsOf(const Context& context, TypeId id) {
+  const Type& type = context[context.types.Innermost(id)];
+  if (type.kind != TypeKind::kStruct) return 0;
+  return context.structs.infos[type.structure.index].fields_of_all;
+}
+
 int DepthOf(const Context& context, TypeId id) {
   const Type& type = context[id];
   if (type.kind == TypeKind::kArray) return DepthOf(context, type.element) + 1;
@@ -163,7 +172,11 @@ int DepthOf(const Context& context, TypeId id) {
 
 bool IsTooLarge(Context& context, TypeId type, Span span) {
   if (ComponentsOf(context, type) > kMaxComponents) {
-    context.Report(span, diag::TypeTooLarge, kMaxComponents);
+    context.Report(span, diag::TypeTooLarge, kMaxComponents, "components");
+    return true;
+  }
+  if (FieldsOf(context, type) > kMaxFields) {
+    context.Report(span, diag::TypeTooLarge, kMaxFields, "fields");
     return true;
   }
   if (DepthOf(context, type) > kMaxTypeDepth) {

@@ -17,9 +17,12 @@ TypeId ResolveTypeSymbol(Context& context, SymbolId id);
 View ViewOf(const Context& context, SymbolId id);
 // The number of components of a value of the type, at most one more than is allowed.
 std::uint64_t ComponentsOf(const Context& context, TypeId id);
+// The number of fields of the struct that the type is or is an array of, those of their own structs
+// included.
+std::uint64_t FieldsOf(const Context& context, TypeId id);
 // The number of levels of structs and arrays in the type.
 int DepthOf(const Context& context, TypeId id);
-// Whether the type has too many components or too many levels, which is reported.
+// Whether the type has too many components, fields or levels, which is reported.
 bool IsTooLarge(Context& context, TypeId type, Span span);
 // The type element[d0][d1]. `implied` is the size for an empty first `[]`; a buffer, `is_buffer`,
 // does not need one.
