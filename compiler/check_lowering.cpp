@@ -37,7 +37,6 @@ void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics) {
 
 void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics) {
   if (request.lowering == Lowering::kLevel9) diagnostics.Report({}, diag::RewriteLevel9);
-  if (request.lowering == Lowering::kDiscard) diagnostics.Report({}, diag::RewriteDiscard);
 }
 
 ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,

@@ -13,9 +13,11 @@
 
 namespace {
 
+using testing::AllOf;
 using testing::Eq;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr const char* kShader =
@@ -148,7 +150,7 @@ TEST_F(CInterface, GivesTheHlslThatIsAskedFor) {
   EXPECT_THAT(Get(CLIPC_PART_HLSL), HasSubstr("#include \"planes.hlsli\""));
   for (const clipc_part other : {CLIPC_PART_GLSL, CLIPC_PART_SPIRV, CLIPC_PART_TABLE_JSON})
     EXPECT_THAT(Get(other), IsEmpty());
-  EXPECT_EQ(Compile({"-Ilib", "--target=hlsl", "--lower=discard"}), CLIPC_BAD_REQUEST);
+  EXPECT_EQ(Compile({"-Ilib", "--target=hlsl", "--lower=level9"}), CLIPC_BAD_REQUEST);
   EXPECT_THAT(Get(CLIPC_PART_HLSL), IsEmpty());
   EXPECT_EQ(Compile({"-Ilib"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
   EXPECT_THAT(Get(CLIPC_PART_HLSL), IsEmpty());
@@ -196,6 +198,23 @@ TEST_F(CInterface, TakesThePixelShaderFromMemory) {
   request.pixel_text_size = std::strlen(request.pixel_text);
   ASSERT_EQ(Run(request), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
   EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("vs_UV0.yyyy"));
+}
+
+TEST_F(CInterface, GivesTheHlslOfBothShadersThatDiscard) {
+  constexpr std::string_view kPlane =
+      "float4 plane;\n"
+      "[clipplanes(plane)] float4 vs(float4 p : POSITION) : SV_Position { return p; }\n"
+      "float4 ps() : SV_Target { return 1; }\n";
+  const std::vector<const char*> one = {"-E", "vs", "--pixel-entry=ps", "--target=hlsl",
+                                        "--lower=discard"};
+  std::vector<const char*> two = one;
+  two.push_back("--pixel-output=.frag");
+  ASSERT_EQ(Compile(one, kPlane), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), AllOf(HasSubstr("clipc_vs("), HasSubstr("discard;")));
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), IsEmpty());
+  ASSERT_EQ(Compile(two, kPlane), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), Not(HasSubstr("discard;")));
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), AllOf(HasSubstr("[clipplanes"), HasSubstr("discard;")));
 }
 
 TEST_F(CInterface, EndsWhenTheCallerCancels) {

@@ -68,6 +68,8 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
     pieces.push_back({"preprocessed", outputs.preprocessed, result.preprocessed});
   if (result.hlsl && !outputs.glsl.empty())
     pieces.push_back({"hlsl", outputs.glsl, std::move(*result.hlsl)});
+  if (result.hlsl && !outputs.fragment.empty())
+    pieces.push_back({"fragment.hlsl", outputs.fragment, std::move(result.shaders.fragment)});
   const bool is_complete = result.table.has_value() && !request.debug.dump;
   std::string header;
   if (is_complete && !outputs.header.empty()) {

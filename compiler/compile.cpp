@@ -83,7 +83,7 @@ class JobHolder {
   const Job job;
 };
 
-// `pixel` is the job of the pixel shader of a pair; null where there is none.
+// `pixel` is the job of the pixel shader of CompileRequest::reads_pixel_half, or null.
 void RunStages(const Job& job, const Job* pixel, CompileResult& result) {
   Source& source = job.source;
   Diagnostics& diagnostics = job.diagnostics;
@@ -101,7 +101,7 @@ void RunStages(const Job& job, const Job* pixel, CompileResult& result) {
     return;
   }
   if (request.hlsl.wanted) {
-    result.hlsl = RewriteHlsl(request, job.plan, source, job.watch, diagnostics);
+    RewriteHlsl(job, pixel, result);
     return;
   }
   const auto is_new = [&](const Tokens& tokens) {
@@ -206,7 +206,7 @@ CompileResult CompileIn(FrontendContext& context, const CompileRequest& request)
   const JobHolder shader(context, request, stop.watch());
   std::optional<CompileRequest> pixel_request;
   std::optional<JobHolder> half;
-  if (request.link.is_pair) {
+  if (request.reads_pixel_half()) {
     pixel_request = PixelRequest(request);
     half.emplace(context, *pixel_request, stop.watch(), ResolvePixelHalf);
     const std::string& path = request.link.pixel_shader.path;

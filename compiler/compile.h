@@ -118,7 +118,9 @@ struct LinkOptions {
   bool has_pixel_shader() const { return is_pair || !pixel_shader.path.empty(); }
 };
 
-// HLSL instead of GLSL: the main file with the planes of its entry points as clip distances.
+// HLSL instead of GLSL: the main file with the planes of its entry points as clip distances. Under
+// lowering kDiscard the function LinkOptions::pixel_shader.entry of the file discards; of a pair,
+// it is in a file of its own, which Shaders::fragment gets.
 struct HlslOptions {
   bool wanted = false;
   std::vector<std::string> entries;   // beside LanguageOptions::entry
@@ -168,6 +170,11 @@ struct CompileRequest {
   WarningOptions warnings;
   Limits limits;
   DebugOptions debug;
+
+  // Whether the pixel shader's HLSL is read beside the vertex shader's.
+  bool reads_pixel_half() const {
+    return link.is_pair || (hlsl.wanted && !link.pixel_shader.entry.empty());
+  }
 
   bool record_macros = false;  // fill CompileResult::macros_used
   // Asked about the text after preprocessing, if nothing else decides the result; when it returns

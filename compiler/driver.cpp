@@ -97,7 +97,8 @@ int Driver::CompileAll() {
         CompileRequest request = command_.request;
         request.path = command_.inputs[index];
         // Both halves of a pair read the text.
-        if (request.path == "-" && request.link.is_pair) ReadText("-", request.text.emplace());
+        if (request.path == "-" && request.reads_pixel_half())
+          ReadText("-", request.text.emplace());
         return compiler.Compile(request);
       },
       [&](std::size_t index, CompileResult result) {

@@ -209,7 +209,7 @@ constexpr Option kOwnOptions[] = {
     {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
      "its entry function (main; of SPIR-V the only one)"},
     {"--pixel-output", kEquals, SetPixelOutput, "<FILE>",
-     "compile it too: HLSL, by default of the same file; a file, or .frag beside the other"},
+     "write it too: HLSL, by default of the same file; a file, or .frag beside the other"},
     {"--pixel-profile", kEquals, Set<&PixelShader::profile>, "<PROFILE>",
      "its profile (ps_5_0 beside vs_5_0)"},
     {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",

@@ -54,6 +54,10 @@ std::string PlacePixel(const CommandLine& command, const std::string& input,
                        const std::string& name) {
   const std::string& output = command.pixel_output;
   if (IsExtension(output)) return NameAfter(output, name);
+  if (command.request.hlsl.wanted) {
+    const std::string& path = command.request.link.pixel_shader.path;
+    return InFolder(output, path.empty() ? input : path, ".hlsl");
+  }
   return InFolder(output, input, command.request.outputs.spirv ? ".frag.spv" : ".frag");
 }
 
@@ -113,7 +117,8 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.reflection = NameAfter(command.reflection, name);
   if (command.request.link.is_pair) {
     outputs.fragment = PlacePixel(command, input, name);
-  } else if (command.request.planes.lowering == Lowering::kDiscard) {
+  } else if (command.request.planes.lowering == Lowering::kDiscard &&
+             !command.request.hlsl.wanted) {
     outputs.fragment =
         WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
   }

@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "base/spelling.h"
 #include "frontend/check/entry_point.h"
 #include "frontend/parse/attributes.h"
 #include "frontend/parse/parse.h"
@@ -81,13 +86,42 @@ bool HasName(const ast::File& file, std::string_view name) {
   return false;
 }
 
+// A main file as far as it is understood.
+struct MainFile {
+  const Job& job;
+  std::vector<std::string> entries;  // names of functions
+  std::vector<std::vector<rewrite::Use>> uses;
+  ast::File file;
+  Diagnostics of_text;  // what is wrong in it, wherever that is
+  bool has_bodies;
+};
+
+// Reads the main file of a job. Returns nullopt after an error.
+std::optional<MainFile> ReadMainFile(const Job& job, std::vector<std::string> entries,
+                                     bool has_bodies) {
+  Tokens tokens = Lex(job.source, job.diagnostics);
+  if (job.diagnostics.has_errors()) return std::nullopt;
+  MainFile main{job, std::move(entries), {}, {}, Diagnostics(), has_bodies};
+  main.uses = UsesOf(tokens, main.entries);
+  const std::size_t attributes = CountAttributes(tokens);
+  // What clipc does not know elsewhere is not its business; it is reported only where it may be why
+  // an entry point is not understood.
+  main.of_text.SetWatch(job.watch);
+  main.file = Parse(std::move(tokens), main.of_text,
+                    has_bodies ? FunctionBodies::kParse : FunctionBodies::kSkip);
+  const bool lost_attribute = main.of_text.has_errors() && CountAttributes(main.file) != attributes;
+  if (!lost_attribute) return main;
+  job.diagnostics.Append(main.of_text);
+  return std::nullopt;
+}
+
 // Whether a syntax error may have changed what the planes of the entry are: it is inside of a
 // declaration of the function, or may be.
-bool IsDoubtful(const EntryPoint& entry, const Source& source, const Diagnostics& of_text) {
-  for (const Diagnostic& problem : of_text.all()) {
+bool IsDoubtful(const EntryPoint& entry, const MainFile& main) {
+  for (const Diagnostic& problem : main.of_text.all()) {
     if (problem.severity != Severity::kError) continue;
     for (const Span declaration : entry.declarations) {
-      if (!source.InMainText(declaration) ||
+      if (!main.job.source.InMainText(declaration) ||
           (problem.span.begin >= declaration.begin && problem.span.begin <= declaration.end))
         return true;
     }
@@ -95,72 +129,140 @@ bool IsDoubtful(const EntryPoint& entry, const Source& source, const Diagnostics
   return false;
 }
 
+// Describes the entry of this number. Returns nullopt after an error.
+std::optional<rewrite::Entry> ReadEntry(const MainFile& main, std::size_t number) {
+  const Job& job = main.job;
+  CheckOptions options = job.plan.check;
+  options.entry = main.entries[number];
+  Diagnostics of_entry;
+  of_entry.SetWatch(job.watch);
+  rewrite::Entry entry;
+  entry.source = &job.source;
+  entry.diagnostics = &job.diagnostics;
+  entry.point = CheckEntryPoint(
+      main.file, options, main.has_bodies ? EntryBodies::kCheck : EntryBodies::kLeave, of_entry);
+  const bool is_known = !of_entry.has_errors() &&
+                        entry.point.planes.size() == entry.point.program.clip_planes.size() &&
+                        !IsDoubtful(entry.point, main);
+  if (!is_known) job.diagnostics.Append(main.of_text);
+  job.diagnostics.Append(of_entry);
+  if (!is_known) return std::nullopt;
+  entry.planes = entry.point.planes.size();
+  entry.uses = main.uses[number];
+  return entry;
+}
+
 // Reports the names of new functions that the file has already.
-void CheckNewNames(const CompileRequest& request, const ast::File& file, const EntryPoint& entry,
-                   Diagnostics& diagnostics) {
-  const std::string& wrapper = request.hlsl.wrapper_entry;
+void CheckNewNames(const CompileRequest& request, const ast::File& file,
+                   const rewrite::Entry& entry) {
+  const std::string& wrapper = entry.pixel ? std::string() : request.hlsl.wrapper_entry;
   std::vector<std::string> names;
   if (!wrapper.empty()) names.push_back(wrapper);
-  const std::size_t most =
-      std::min<std::size_t>(entry.planes.size(), request.planes.variants.value_or(0));
+  const std::size_t most = std::min<std::size_t>(entry.planes, request.planes.variants.value_or(0));
   for (std::size_t i = 0; request.planes.variants && i <= most; ++i)
-    names.push_back(fmt::format("{}_{}", wrapper.empty() ? entry.name : wrapper, i));
+    names.push_back(fmt::format("{}_{}", wrapper.empty() ? entry.point.name : wrapper, i));
   for (const std::string& name : names) {
-    if (HasName(file, name)) diagnostics.Report(entry.definition, diag::RewriteNameTaken, name);
+    if (HasName(file, name))
+      entry.diagnostics->Report(entry.point.definition, diag::RewriteNameTaken, name);
   }
+}
+
+// Settles how the planes of a vertex shader are written.
+void PlanPlanes(const Job& job, rewrite::Entry& entry) {
+  const LoweringRequest& lowering = job.plan.lowering;
+  const ir::Program& program = entry.point.program;
+  entry.form = {lowering.lowering, lowering.plane_space,
+                CheckLowering(program, lowering, job.diagnostics), lowering.distances};
+  if (lowering.lowering != Lowering::kDiscard) return;
+  for (const ir::IoVar& output : program.outputs) {
+    if (EqualIgnoringCase(output.semantic, rewrite::kPlaneDistance))
+      job.diagnostics.Report(entry.point.definition, diag::RewriteNameTaken, output.semantic);
+  }
+  if (std::ranges::any_of(program.outputs, &ir::IoVar::is_placed))
+    entry.form.location = rewrite::LocationAfterOutputs(program);
+}
+
+// Whether the pixel shader may write memory: the file has a type of such an object.
+bool MayWriteMemory(const ast::File& file) {
+  constexpr std::string_view kWritten[] = {"RW", "Append", "Consume", "RasterizerOrdered"};
+  for (std::uint32_t i = 0; i < file.names.size(); ++i) {
+    for (const std::string_view begin : kWritten) {
+      if (file.names[Name{i}].starts_with(begin)) return true;
+    }
+  }
+  return false;
+}
+
+// The pixel shader that discards for the planes of `vertex`, the shader of `request`. Returns
+// nullopt after an error.
+std::optional<rewrite::Entry> PixelEntry(const MainFile& main, const rewrite::Entry& vertex,
+                                         const CompileRequest& request) {
+  std::optional<rewrite::Entry> entry = ReadEntry(main, 0);
+  if (!entry) return std::nullopt;
+  const bool has_locations =
+      vertex.form.location ||
+      std::ranges::any_of(entry->point.program.inputs, &ir::IoVar::is_placed);
+  rewrite::PixelForm form;
+  form.planes = vertex.form;
+  if (has_locations) form.planes.location = rewrite::LocationAfterOutputs(vertex.point.program);
+  form.unread = rewrite::UnreadOutputs(vertex.point, entry->point, has_locations);
+  form.discards_first = MayWriteMemory(main.file);
+  entry->pixel = std::move(form);
+  entry->planes = vertex.planes;
+  CheckNewNames(request, main.file, *entry);
+  return entry;
+}
+
+// The main file of the job with its entries changed. `variants` is that of the vertex shader.
+std::string Rewritten(const Job& job, std::span<const rewrite::Entry> entries,
+                      std::optional<std::uint32_t> variants) {
+  const CompileRequest& request = job.request;
+  const std::string& text = job.source.MainText();
+  if (entries.empty()) return text;
+  return rewrite::Rewrite(
+      text, entries,
+      {request.hlsl.wrapper_entry, variants, request.outputs.source_lines, request.path});
 }
 
 }  // namespace
 
-std::string RewriteHlsl(const CompileRequest& request, const Plan& plan, Source& source,
-                        Watch* watch, Diagnostics& diagnostics) {
-  Tokens tokens = Lex(source, diagnostics);
-  if (diagnostics.has_errors()) return {};
-  const std::vector<std::string> names = EntriesOf(request);
-  const std::vector<std::vector<rewrite::Use>> uses = UsesOf(tokens, names);
-  const std::size_t attributes = CountAttributes(tokens);
-
-  // What clipc does not know elsewhere is not its business; it is reported only where it may be why
-  // an entry point is not understood.
-  const bool reads_bodies = plan.lowering.plane_space == PlaneSpace::kObject;
-  Diagnostics of_text;
-  of_text.SetWatch(watch);
-  const ast::File file = Parse(std::move(tokens), of_text,
-                               reads_bodies ? FunctionBodies::kParse : FunctionBodies::kSkip);
-  const bool lost_attribute = of_text.has_errors() && CountAttributes(file) != attributes;
-  if (lost_attribute) {
-    diagnostics.Append(of_text);
-    return {};
-  }
-
+void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result) {
+  const CompileRequest& request = job.request;
+  const bool has_bodies = job.plan.lowering.plane_space == PlaneSpace::kObject;
+  const std::optional<MainFile> main = ReadMainFile(job, EntriesOf(request), has_bodies);
+  if (!main) return;
   std::vector<rewrite::Entry> entries;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!MayHaveClipPlanes(file, names[i])) continue;
-    CheckOptions options = plan.check;
-    options.entry = names[i];
-    Diagnostics of_entry;
-    of_entry.SetWatch(watch);
-    rewrite::Entry entry;
-    entry.point = CheckEntryPoint(
-        file, options, reads_bodies ? EntryBodies::kCheck : EntryBodies::kLeave, of_entry);
-    const bool is_known = !of_entry.has_errors() &&
-                          entry.point.planes.size() == entry.point.program.clip_planes.size() &&
-                          !IsDoubtful(entry.point, source, of_text);
-    if (!is_known) diagnostics.Append(of_text);
-    diagnostics.Append(of_entry);
-    if (!is_known || entry.point.planes.empty()) continue;
-    const ir::VarId position = CheckLowering(entry.point.program, plan.lowering, diagnostics);
-    entry.form = {plan.lowering.lowering, plan.lowering.plane_space, position,
-                  plan.lowering.distances};
-    entry.uses = uses[i];
-    CheckNewNames(request, file, entry.point, diagnostics);
-    entries.push_back(std::move(entry));
+  for (std::size_t i = 0; i < main->entries.size(); ++i) {
+    if (!MayHaveClipPlanes(main->file, main->entries[i])) continue;
+    std::optional<rewrite::Entry> entry = ReadEntry(*main, i);
+    if (!entry || entry->planes == 0) continue;
+    PlanPlanes(job, *entry);
+    CheckNewNames(request, main->file, *entry);
+    if (job.plan.lowering.lowering == Lowering::kDiscard && !pixel) {
+      const auto& planes = entry->point.program.clip_planes;
+      job.diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::RewriteDiscard,
+                             entry->point.name, rewrite::kPlaneDistance);
+    }
+    entries.push_back(std::move(*entry));
   }
-  if (diagnostics.has_errors()) return {};
-  if (entries.empty()) return source.MainText();
-  const rewrite::Options options{request.hlsl.wrapper_entry, request.planes.variants,
-                                 request.outputs.source_lines, request.path};
-  return Rewrite(source, entries, options, diagnostics);
+  if (job.diagnostics.has_errors()) return;
+
+  std::vector<rewrite::Entry> discarding;
+  if (pixel) {
+    const std::optional<MainFile> other =
+        ReadMainFile(*pixel, {pixel->request.language.entry}, false);
+    if (!other) return;
+    if (!entries.empty()) {
+      auto entry = PixelEntry(*other, entries.front(), request);
+      if (!entry) return;
+      discarding.push_back(std::move(*entry));
+    }
+  }
+  const bool is_one_file = !request.link.is_pair;
+  if (is_one_file) std::ranges::move(discarding, std::back_inserter(entries));
+  result.hlsl = Rewritten(job, entries, request.planes.variants);
+  if (!is_one_file)
+    result.shaders.fragment = Rewritten(*pixel, discarding, request.planes.variants);
 }
 
 }  // namespace clipc

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <string>
-
-#include "compiler/plan.h"
+#include "compiler/compile.h"
+#include "compiler/job.h"
 
 namespace clipc {
 
-// Returns the main file with the clip planes of the request's entry points as clip distances; the
-// file itself if they have none. Only what the signatures and the planes name is read: elsewhere
-// the file may have what clipc does not know. `watch` may be null.
-std::string RewriteHlsl(const CompileRequest& request, const Plan& plan, Source& source,
-                        Watch* watch, Diagnostics& diagnostics);
+// Fills CompileResult::hlsl with the main file, in which the clip planes of the request's entry
+// points are clip distances; the file itself if they have none. Only what the signatures and the
+// planes name is read: elsewhere the file may have what clipc does not know. `pixel` is the job of
+// the pixel shader that discards under lowering kDiscard, or null; of a pair, its file goes to
+// Shaders::fragment, and otherwise both shaders are in one file.
+void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result);
 
 }  // namespace clipc

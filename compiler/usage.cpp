@@ -24,7 +24,33 @@ std::string_view NotForHlsl(const CommandLine& command) {
   if (!command.listing.empty()) return "-Fc";
   if (!command.fragment.empty()) return "--fragment";
   if (request.outputs.spirv) return "-spirv";
-  if (request.link.has_pixel_shader()) return "--pixel-shader";
+  return {};
+}
+
+// Returns the first mistake in what is said about HLSL as the target.
+std::string CheckHlsl(const CommandLine& command) {
+  const CompileRequest& request = command.request;
+  const HlslOptions& hlsl = request.hlsl;
+  const Lowering lowering = request.planes.lowering.value_or(Lowering::kClipDistance);
+  if (hlsl.plane_distances > 0 && (!hlsl.wanted || lowering != Lowering::kClipDistance))
+    return "--plane-distances is for --target=hlsl with clip distances, of which it writes more";
+  if (!hlsl.wanted) {
+    return hlsl.wrapper_entry.empty() ? ""
+                                      : "--wrapper-entry is for --target=hlsl; GLSL has one entry "
+                                        "function, `main`";
+  }
+  if (!hlsl.wrapper_entry.empty() && hlsl.entries.size() > 1)
+    return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
+  if (const std::string_view option = NotForHlsl(command); !option.empty())
+    return fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option);
+  const bool has_pixel = request.link.has_pixel_shader() || request.reads_pixel_half();
+  if (has_pixel && lowering != Lowering::kDiscard)
+    return "with --target=hlsl, a pixel shader is for --lower=discard; it stays as it is under the "
+           "other lowerings";
+  if (has_pixel && hlsl.entries.size() > 1)
+    return "the pixel shader fits one vertex shader; with it, give one -E";
+  if (request.link.has_pixel_shader() && !request.link.is_pair)
+    return "--pixel-shader is rewritten too; --pixel-output names the file that it goes to";
   return {};
 }
 
@@ -57,17 +83,7 @@ std::string CheckPair(const CommandLine& command) {
 
 std::string CheckCommand(const CommandLine& command) {
   const CompileRequest& request = command.request;
-  const HlslOptions& hlsl = request.hlsl;
-  if (!hlsl.wanted && !hlsl.wrapper_entry.empty())
-    return "--wrapper-entry is for --target=hlsl; GLSL has one entry function, `main`";
-  if (hlsl.plane_distances > 0 &&
-      (!hlsl.wanted ||
-       request.planes.lowering.value_or(Lowering::kClipDistance) != Lowering::kClipDistance))
-    return "--plane-distances is for --target=hlsl with clip distances, of which it writes more";
-  if (hlsl.wanted && !hlsl.wrapper_entry.empty() && hlsl.entries.size() > 1)
-    return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
-  if (const std::string_view option = NotForHlsl(command); hlsl.wanted && !option.empty())
-    return fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option);
+  if (std::string problem = CheckHlsl(command); !problem.empty()) return problem;
   if (!command.table.empty() && !clip_table::FormatOf(command.table)) {
     return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", command.table);
   }

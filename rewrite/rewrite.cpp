@@ -18,25 +18,25 @@ struct Edit {
 
 class Rewriter {
  public:
-  Rewriter(const Source& source, const Options& options, Diagnostics& diagnostics)
-      : source_(source), options_(options), diagnostics_(diagnostics), text_(source.MainText()) {}
+  Rewriter(const std::string& text, const Options& options) : text_(text), options_(options) {}
 
   void Add(const Entry& entry) {
     const EntryPoint& point = entry.point;
-    const auto end = source_.AfterInMainText(point.definition);
+    source_ = entry.source;
+    diagnostics_ = entry.diagnostics;
+    const auto end = source_->AfterInMainText(point.definition);
     if (!CanWrap(point, end)) return;
     std::vector<std::string> undefined;
     RemoveAttributes(point, undefined);
     if (entry.form.lowering == Lowering::kNone) return;
     for (const Span shader_kind : point.shader_kinds) Remove(shader_kind);
-    const bool renames = options_.wrapper_entry.empty();
+    const bool renames = Renames(entry);
     const std::string inner = renames ? point.prefix + point.name : point.name;
     if (renames) Rename(entry, *end, inner, undefined);
     AddWrappers(entry, *end, inner, undefined);
   }
 
   std::string Finish() {
-    if (diagnostics_.has_errors()) return {};
     constexpr std::string_view kMark = "\xef\xbb\xbf";
     const std::size_t start = text_.starts_with(kMark) ? kMark.size() : 0;
     if (options_.source_lines) head_ += LineDirective(start);
@@ -53,14 +53,17 @@ class Rewriter {
   }
 
  private:
+  // Whether the wrapper takes the name of the entry function.
+  bool Renames(const Entry& entry) const { return entry.pixel || options_.wrapper_entry.empty(); }
+
   bool CanWrap(const EntryPoint& point, std::optional<std::size_t> end) {
     if (!point.unnamed_type.empty()) {
-      diagnostics_.Report(point.definition, diag::RewriteUnnamedType, point.unnamed_type,
-                          point.name);
+      diagnostics_->Report(point.definition, diag::RewriteUnnamedType, point.unnamed_type,
+                           point.name);
       return false;
     }
-    const bool is_here = end && (!point.in_namespace || source_.InMainText(point.definition));
-    if (!is_here) diagnostics_.Report(point.definition, diag::RewriteElsewhere, point.name);
+    const bool is_here = end && (!point.in_namespace || source_->InMainText(point.definition));
+    if (!is_here) diagnostics_->Report(point.definition, diag::RewriteElsewhere, point.name);
     return is_here;
   }
 
@@ -71,7 +74,7 @@ class Rewriter {
       const std::string& word = point.clip_plane_words[i];
       if (std::ranges::find(undefined, word) != undefined.end()) continue;
       const std::string name = point.prefix + word;
-      diagnostics_.Report(point.definition, diag::RewriteAttributeStays, point.name, name);
+      diagnostics_->Report(point.definition, diag::RewriteAttributeStays, point.name, name);
       head_ += fmt::format(
           "// The clip planes of {} are not spelled out in this file: they stay, without effect.\n"
           "#define {} {}\n",
@@ -82,7 +85,7 @@ class Rewriter {
 
   // Removes a phrase that the main file spells, and the blanks after it. Its line ends stay.
   bool Remove(Span span) {
-    const auto range = source_.InMainText(span);
+    const auto range = source_->InMainText(span);
     if (!range) return false;
     const std::string_view removed =
         std::string_view(text_).substr(range->begin, range->end - range->begin);
@@ -107,8 +110,8 @@ class Rewriter {
     for (const Use& use : entry.uses) {
       const bool is_own =
           std::ranges::any_of(point.names, [&](Span name) { return name.end == use.span.end; });
-      const auto range = source_.InMainText(use.span);
-      if (source_.AfterInMainText(use.span).value_or(0) > end) {
+      const auto range = source_->InMainText(use.span);
+      if (source_->AfterInMainText(use.span).value_or(0) > end) {
         if (range && (is_own || use.is_call)) after.push_back(*range);
       } else if (is_own && range) {
         before.push_back(*range);
@@ -126,19 +129,23 @@ class Rewriter {
     }
   }
 
+  static std::string Wrapper(const Entry& entry, const std::string& name, const std::string& inner,
+                             std::size_t planes) {
+    return entry.pixel ? WritePixelWrapper(entry.point, *entry.pixel, name, inner, planes)
+                       : WriteWrapper(entry.point, entry.form, name, inner, planes);
+  }
+
   void AddWrappers(const Entry& entry, std::size_t end, const std::string& inner,
                    const std::vector<std::string>& undefined) {
-    const EntryPoint& point = entry.point;
-    const std::string name = options_.wrapper_entry.empty() ? point.name : options_.wrapper_entry;
-    std::string added = fmt::format("\n\n// Written by clipc: `{}` with its clip planes.\n", name);
+    const std::string name = Renames(entry) ? entry.point.name : options_.wrapper_entry;
+    std::string added =
+        fmt::format("\n\n// Written by clipc: `{}` {}.\n", name,
+                    entry.pixel ? "discards outside of the clip planes" : "with its clip planes");
     for (const std::string& word : undefined) added += fmt::format("#undef {}\n", word);
-    added += WriteWrapper(point, entry.form, name, inner, point.planes.size());
-    const std::size_t most =
-        std::min<std::size_t>(point.planes.size(), options_.variants.value_or(0));
-    for (std::size_t count = 0; options_.variants && count <= most; ++count) {
-      added +=
-          "\n" + WriteWrapper(point, entry.form, fmt::format("{}_{}", name, count), inner, count);
-    }
+    added += Wrapper(entry, name, inner, entry.planes);
+    const std::size_t most = std::min<std::size_t>(entry.planes, options_.variants.value_or(0));
+    for (std::size_t count = 0; options_.variants && count <= most; ++count)
+      added += "\n" + Wrapper(entry, fmt::format("{}_{}", name, count), inner, count);
     const bool ends_line = end < text_.size() && (text_[end] == '\n' || text_[end] == '\r');
     if (options_.source_lines) {
       added += LineDirective(end);
@@ -172,19 +179,19 @@ class Rewriter {
     return result;
   }
 
-  const Source& source_;
-  const Options& options_;
-  Diagnostics& diagnostics_;
   const std::string& text_;
+  const Options& options_;
+  const Source* source_ = nullptr;  // of the entry that is added
+  Diagnostics* diagnostics_ = nullptr;
   std::string head_;  // what comes before the first line
   std::vector<Edit> edits_;
 };
 
 }  // namespace
 
-std::string Rewrite(const Source& source, std::span<const Entry> entries, const Options& options,
-                    Diagnostics& diagnostics) {
-  Rewriter rewriter(source, options, diagnostics);
+std::string Rewrite(const std::string& text, std::span<const Entry> entries,
+                    const Options& options) {
+  Rewriter rewriter(text, options);
   for (const Entry& entry : entries) rewriter.Add(entry);
   return rewriter.Finish();
 }

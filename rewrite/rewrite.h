@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "frontend/lex/source.h"
+#include "rewrite/pixel_wrapper.h"
 #include "rewrite/wrapper.h"
 
 // HLSL with clip planes to HLSL with clip distances. The text is the user's but for what the
@@ -21,16 +22,20 @@ struct Use {
   bool is_call = false;  // not a declaration, nor `compile vs_5_0 main()`
 };
 
-// An entry point with clip planes.
+// An entry point with clip planes, or the pixel shader that discards for them.
 struct Entry {
+  const Source* source = nullptr;  // of the spans
+  Diagnostics* diagnostics = nullptr;
   EntryPoint point;
   PlaneForm form;
+  std::optional<PixelForm> pixel;
+  std::size_t planes = 0;
   std::vector<Use> uses;  // in the order of the text
 };
 
 struct Options {
-  // The name of the wrapper. Empty: the wrapper takes the entry's name, and the entry function gets
-  // another one.
+  // The name of the vertex shader's wrapper. Empty: the wrapper takes the entry's name, and the
+  // entry function gets another one. That of a pixel shader always does so.
   std::string wrapper_entry;
   // The most planes of a variant: beside the entry with all planes there are NAME_0, NAME_1 .. with
   // the first 0, 1 .. of them.
@@ -39,15 +44,17 @@ struct Options {
   std::string path;           // the name of the main file for #line
 };
 
-// Returns the main file's text in which
+// Returns the text of a main file in which
 //
 // - the attributes with the planes are removed. Those that a macro or an include makes stay, under
 //   a name that no compiler knows: a #define at the beginning of the file says so;
 // - the entry functions are renamed, in the text or by a #define where that cannot be;
-// - a wrapper follows each entry function: WriteWrapper.
+// - a wrapper follows each entry function: WriteWrapper, WritePixelWrapper.
 //
-// Lowering::kNone of an entry removes the attribute alone. Reports what cannot be rewritten.
-std::string Rewrite(const Source& source, std::span<const Entry> entries, const Options& options,
-                    Diagnostics& diagnostics);
+// Lowering::kNone of an entry removes the attribute alone. `text` is the main text of all entries'
+// sources. Reports what cannot be rewritten to the diagnostics of its entry; the result is only
+// meaningful if none of these has errors.
+std::string Rewrite(const std::string& text, std::span<const Entry> entries,
+                    const Options& options);
 
 }  // namespace clipc::rewrite

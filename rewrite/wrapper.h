@@ -4,20 +4,10 @@
 #include <cstddef>
 #include <string>
 
-#include "clip-table/vocabulary.h"
 #include "frontend/check/entry_point.h"
+#include "rewrite/distances.h"
 
 namespace clipc::rewrite {
-
-// How an entry's planes are written.
-struct PlaneForm {
-  Lowering lowering = Lowering::kClipDistance;  // or kNearPlane
-  PlaneSpace space = PlaneSpace::kClip;
-  ir::VarId position_input = {};  // the input with the position, for kObject
-  // The least number of clip distances, for kClipDistance: those without a plane are 0, which keeps
-  // everything.
-  std::size_t distances = 0;
-};
 
 // Returns a function `name` that has the signature of the entry function, which is called `inner`
 // by now, and calls it:
@@ -31,8 +21,7 @@ struct PlaneForm {
 //
 // The distances are the last outputs, so that the registers and locations of the others stay as
 // they were: a struct that is returned comes before out parameters in DXC and glslang. A returned
-// position comes after them in DXC, and is an out parameter here where there are others. Parameters
-// with a default value come last, since none without one may follow them (fxc X3044).
+// position comes after them in DXC, and is an out parameter here where there are others.
 // It has the first `planes` planes.
 std::string WriteWrapper(const EntryPoint& entry, const PlaneForm& form, const std::string& name,
                          const std::string& inner, std::size_t planes);

@@ -2,7 +2,8 @@
 // Writes any text as HLSL with clip distances: no crash, no hang, and HLSL exactly when there is no
 // error. What is written has no clip planes any more, so a second call leaves it as it is. The
 // first line of an input may be `//LOWERING SPACE DISTANCES LINES`, up to four digits; a digit that
-// is missing is 0. The entries are `main` and `second`; the includes are empty.
+// is missing is 0. The entries are `main` and `second`, and `pixel` is what discards; the includes
+// are empty.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -23,7 +24,8 @@ std::size_t Digit(std::string_view text, std::size_t position) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr clipc::Lowering kLowerings[] = {clipc::Lowering::kClipDistance,
-                                            clipc::Lowering::kNearPlane, clipc::Lowering::kNone};
+                                            clipc::Lowering::kNearPlane, clipc::Lowering::kNone,
+                                            clipc::Lowering::kDiscard};
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   clipc::CompileRequest request;
   request.path = "fuzz.hlsl";
@@ -34,6 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       static_cast<clipc::PlaneSpace>(Digit(text, 3) % std::size(clipc::kPlaneSpaceNames));
   request.hlsl.wanted = true;
   request.hlsl.entries = {"main", "second"};
+  if (request.planes.lowering == clipc::Lowering::kDiscard)
+    request.link.pixel_shader.entry = "pixel";
   request.hlsl.plane_distances = static_cast<std::uint32_t>(Digit(text, 4) % 9);
   request.outputs.source_lines = Digit(text, 5) % 2 == 1;
   const clipc::CompileResult result = clipc::Compile(request);
