@@ -54,7 +54,8 @@ bool MayChange(const Program& program, const Target& target, const Expr& expr) {
           },
           [&](const Index& node) {
             return node.base &&
-                   (IsOnlyElement(program, node) || As<Swizzle>(program, node.base) != nullptr);
+                   (IsOnlyElement(program, node) || TypeOf(program, node.base).count == 1 ||
+                    As<Swizzle>(program, node.base) != nullptr);
           },
           [](const OneOf<Select, MatrixTruncate> auto&) { return true; },
           [](const auto&) { return false; },

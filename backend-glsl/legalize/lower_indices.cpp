@@ -31,7 +31,6 @@ class IndexLowering {
       if (IsOfWritingKind(program_.exprs[id])) writes.push_back(id);
       if (IsLost(id)) indices.push_back(id);
     });
-    if (indices.empty()) return;
     // Targets are lowered first: GLSL does not assign to a comma expression.
     for (const ExprId id : writes) LowerTargets(id);
     for (const ExprId id : indices) {
@@ -59,6 +58,15 @@ class IndexLowering {
     return node && IsOnlyElement(program_, *node) && !legalizer_.MayBeSkipped(node->index);
   }
 
+  // Whether the expression indexes the only element of an array by a computed index. Mesa 22.3's
+  // OpenGL writes all components where `a[i].y = 1` writes one.
+  bool IsOfOne(ExprId expr) {
+    const auto* node = As<Index>(program_, expr);
+    if (!node || legalizer_.target.IsVulkan() || As<Literal>(program_, node->index)) return false;
+    const Type& type = TypeOf(program_, node->base);
+    return type.kind == TypeKind::kArray && type.count == 1;
+  }
+
   ExprId TakeIndex(ExprId expr) {
     const Index node = *As<Index>(program_, expr);
     program_.exprs[expr].node = Index{node.base, legalizer_.At(expr).Int(0)};
@@ -72,7 +80,9 @@ class IndexLowering {
     for (const ExprId target : targets) {
       const std::size_t begin = indices.size();
       for (ExprId part = target; part; part = WholeOf(program_, part)) {
-        if (IsLost(part)) indices.push_back(TakeIndex(part));
+        if (!IsLost(part) && !IsOfOne(part)) continue;
+        const ExprId index = TakeIndex(part);
+        if (!legalizer_.MayBeSkipped(index)) indices.push_back(index);
       }
       std::reverse(indices.begin() + static_cast<std::ptrdiff_t>(begin), indices.end());
     }
