@@ -247,14 +247,16 @@ std::vector<TextureUse> FindTextureUses(Context& context) {
              return other.sampler && !IsShadow(context, other.sampler);
            });
   });
-  // A texture that goes with one sampler keeps its name.
+  // A texture that goes with one sampler keeps its name, unless the other stage of a pair reads the
+  // texture without a sampler under that name.
   for (TextureUse& use : uses) {
     if (const GlslInfo::Object* written = context.WrittenObject(use.texture, use.sampler)) {
       use.name = written->name;
       continue;
     }
     const std::string& name = context.NameOf(use.texture);
-    const bool is_only = UsesOf(uses, use.texture).size() == 1;
+    const bool is_only =
+        UsesOf(uses, use.texture).size() == 1 && !context.WrittenObject(use.texture, {});
     use.name = is_only || !use.sampler ? name
                                        : context.namer.Global(Concat(context[use.texture].name, "_",
                                                                      context[use.sampler].name));
