@@ -17,6 +17,7 @@
 #include "frontend/rules/check_gradients.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/check_written.h"
+#include "frontend/rules/fold_arguments.h"
 #include "frontend/rules/known_offsets.h"
 #include "frontend/rules/mark_nonuniform.h"
 #include "frontend/rules/push_constants.h"
@@ -59,13 +60,19 @@ void Run(Context& context) {
   CheckEntry(context, entry, attributes, EntryBodies::kCheck);
   CheckUnusedClipPlanes(context, attributes);
   FinishGlobals(context);
+  // A parameter that only a removed branch would write is written, for fxc too.
+  const bool is_specialised = !context.options.entry_call.empty();
+  if (is_specialised && !context.diagnostics.has_errors())
+    CheckWritten(program, context.diagnostics);
+  if (is_specialised && !context.diagnostics.has_errors()) FoldArguments(program);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
-  if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
+  if (!is_specialised && !context.diagnostics.has_errors())
+    CheckWritten(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);
 }
 

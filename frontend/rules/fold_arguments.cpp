@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/fold_arguments.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/overloaded.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "ir/call_order.h"
+#include "ir/evaluate.h"
+#include "ir/walk.h"
+
+namespace clipc::rules {
+namespace {
+
+// What is known of a parameter: nothing yet, one constant for all calls, or several values.
+struct Value {
+  enum class Kind : std::uint8_t { kNone, kConstant, kAny } kind = Kind::kNone;
+  std::uint64_t bits = 0;
+};
+
+class Folder {
+ public:
+  explicit Folder(Program& program) : program_(program), values_(program.vars.size()) {}
+
+  void Run() {
+    std::vector<FunctionId> order = CalleesFirst(program_);
+    // The calls of a function have their last form before its own body is folded.
+    for (auto id = order.rbegin(); id != order.rend(); ++id) {
+      const StmtId body = program_.functions[*id].body;
+      Substitute(*id);
+      Fold(body);
+      ForEachExpr(program_, body, [&](ExprId expr) {
+        if (const auto* call = As<Call>(program_, expr)) Note(*call);
+      });
+    }
+  }
+
+ private:
+  // ---- parameters
+
+  void Note(const Call& call) {
+    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
+    for (std::uint32_t i = 0; i < call.arguments.size && i < parameters.size(); ++i) {
+      const ExprId argument = program_.expr_lists[call.arguments][i];
+      const auto bits = ConstantOf(argument);
+      Value& value = values_[parameters[i].index];
+      if (!bits || (value.kind != Value::Kind::kNone && value.bits != *bits)) {
+        value.kind = Value::Kind::kAny;
+      } else if (value.kind == Value::Kind::kNone) {
+        value = {Value::Kind::kConstant, *bits};
+      }
+    }
+  }
+
+  std::optional<std::uint64_t> ConstantOf(ExprId expr) const {
+    if (TypeOf(program_, expr).kind != TypeKind::kScalar) return std::nullopt;
+    const auto bits = ConstantBits(program_, expr);
+    return bits ? std::optional(bits->front()) : std::nullopt;
+  }
+
+  // Puts the constants in the place of the parameters that the function does not change.
+  void Substitute(FunctionId id) {
+    const StmtId body = program_.functions[id].body;
+    std::vector<bool> assigned;
+    for (const VarId parameter : program_.functions[id].parameters) {
+      Value& value = values_[parameter.index];
+      if (value.kind != Value::Kind::kConstant) continue;
+      if (assigned.empty()) assigned = AssignedIn(program_, {&body, 1});
+      if (program_.vars[parameter].storage != Storage::kIn || assigned[parameter.index])
+        value.kind = Value::Kind::kAny;
+    }
+    if (assigned.empty()) return;
+    ForEachExpr(program_, body, [&](ExprId expr) {
+      const auto* ref = As<VarRef>(program_, expr);
+      if (!ref || values_[ref->var.index].kind != Value::Kind::kConstant) return;
+      program_.exprs[expr].node = Literal{values_[ref->var.index].bits};
+    });
+  }
+
+  // ---- conditions
+
+  std::optional<bool> Decided(ExprId condition) const {
+    const auto bits = ConstantOf(condition);
+    return bits ? std::optional(*bits != 0) : std::nullopt;
+  }
+
+  // Removes from an expression the sides that a constant condition does not choose.
+  ExprId Folded(ExprId expr) {
+    MapOperands(program_, expr, [&](ExprId operand) { return Folded(operand); });
+    if (const auto* choice = As<Conditional>(program_, expr)) {
+      if (const auto chosen = Decided(choice->condition))
+        return *chosen ? choice->when_true : choice->when_false;
+    }
+    const auto* binary = As<Binary>(program_, expr);
+    if (!binary || TypeOf(program_, expr).kind != TypeKind::kScalar) return expr;
+    switch (binary->op) {
+      case BinaryOp::kLogicalAnd:
+      case BinaryOp::kShortCircuitAnd: return OneSide(expr, *binary, true);
+      case BinaryOp::kLogicalOr:
+      case BinaryOp::kShortCircuitOr: return OneSide(expr, *binary, false);
+      default: return expr;
+    }
+  }
+
+  // A side that is `neutral` leaves the other side; one that is not decides alone.
+  ExprId OneSide(ExprId expr, const Binary& binary, bool neutral) const {
+    const ExprId sides[] = {binary.left, binary.right};
+    for (const int i : {0, 1}) {
+      const auto decided = Decided(sides[i]);
+      if (!decided) continue;
+      if (*decided == neutral) return sides[1 - i];
+      if (IsPure(program_, sides[1 - i])) return sides[i];
+    }
+    return expr;
+  }
+
+  // Folds the statement in its place.
+  void Fold(StmtId id) {
+    auto changed = program_.stmts[id];
+    ForEachPartSlot(
+        changed, [&](ExprId& expr) { expr = Folded(expr); }, [&](StmtId& part) { Fold(part); },
+        [&](List<StmtId>& list) { list = FoldedList(list); },
+        [&](List<SwitchCase> cases) {
+          for (std::uint32_t i = 0; i < cases.size; ++i) {
+            const List<StmtId> body = FoldedList(program_.switch_cases[cases][i].body);
+            program_.switch_cases[cases][i].body = body;
+          }
+        });
+    program_.stmts[id] = changed;
+    const auto* branch = As<If>(program_, id);
+    const auto chosen = branch ? Decided(branch->condition) : std::nullopt;
+    if (!chosen) return;
+    const StmtId arm = *chosen ? branch->then : branch->otherwise;
+    if (arm) {
+      const auto taken = program_.stmts[arm];
+      program_.stmts[id] = taken;
+    } else {
+      program_.stmts[id].node = Block{};
+      program_.stmts[id].hint = {};
+    }
+  }
+
+  // The statements folded, without those that an arm before them keeps from running. An arm that
+  // took the place of its `if` is no block of its own.
+  List<StmtId> FoldedList(List<StmtId> list) {
+    std::vector<StmtId> left;
+    for (std::uint32_t i = 0; i < list.size; ++i) {
+      const StmtId id = program_.stmt_lists[list][i];
+      const bool is_branch = As<If>(program_, id) != nullptr;
+      Fold(id);
+      const auto* block = is_branch ? As<Block>(program_, id) : nullptr;
+      if (!block) {
+        left.push_back(id);
+      } else {
+        for (const StmtId inner : program_.stmt_lists[block->body]) left.push_back(inner);
+      }
+      if (is_branch && !left.empty() && Ends(left.back())) break;
+    }
+    return program_.stmt_lists.Add(left);
+  }
+
+  bool Ends(StmtId id) const {
+    return As<Return>(program_, id) || As<Break>(program_, id) || As<Continue>(program_, id);
+  }
+
+  Program& program_;
+  std::vector<Value> values_;  // by VarId, of parameters
+};
+
+}  // namespace
+
+void FoldArguments(Program& program) { Folder(program).Run(); }
+
+}  // namespace clipc::rules

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/rules/rules.h"
+
+namespace clipc::rules {
+
+// Specialises the program by the constants that a technique gives to the entry's `uniform`
+// parameters, `compile vs_3_0 Main(true, 4)`: the entry reads the constants, and so does every
+// function that gets the same constant from all its calls. Where a condition is constant then, the
+// branch that it does not choose is removed, with the calls in it. fxc does the same, so its rules
+// about loops and derivatives ask only what is left.
+//
+//   float4 VS(float4 p, uniform bool fog) { if (fog) p.w += Fog(p); return p; }   // VS(false)
+//       =>
+//   float4 VS(float4 p, bool fog) { return p; }
+//
+// Requires a program without errors that has `main`.
+void FoldArguments(Program& program);
+
+}  // namespace clipc::rules
