@@ -2,40 +2,41 @@
 #include "runtime/edge_error.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace clipc::runtime {
 namespace {
 
 // The most places. Up to kFewPlaces, each place has all directions; with more, each has a fourth of
 // them, in turn.
-constexpr std::size_t kFewPlaces = 64, kPlaces = 256;
+constexpr std::size_t kFewPlaces = 16, kPlaces = 256;
 constexpr int kDirections = 24, kTurns = 4;
-static_assert(kPlaces / kTurns <= kFewPlaces);
+constexpr std::size_t kEdges = std::max(kFewPlaces, kPlaces / kTurns) * kDirections;
 constexpr double kGoldenAngle = 2.399963229728653;  // of a turn, in radians: fills circles evenly
 constexpr double kLeastSine = 0.05;                 // 3 degrees
 
+constexpr std::uint64_t kExponent = 0x7ff0'0000'0000'0000, kMantissa = 0x000f'ffff'ffff'ffff;
+// The largest power of two that is not above |x|, or that of float's least normal number. The
+// functions of <cmath> for exponents take most of a prediction's time.
+double PowerOf(double x) {
+  return std::max(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kExponent), 0x1p-126);
+}
 // The variance of the error that rounding a number of this size to float adds, evenly over half a
 // unit in the last place; none for 0.
 double Rounding(double x) {
   if (x == 0) return 0;
-  const double half_unit = std::scalbn(1.0, std::max(std::ilogb(x), -126) - 24);
+  const double half_unit = PowerOf(x) * 0x1p-24;
   return half_unit * half_unit / 3;
 }
 // Whether `x` is a power of two, which float holds and multiplies without rounding.
 bool IsExact(double x) {
-  int exponent = 0;
-  return std::fabs(std::frexp(x, &exponent)) == 0.5;
+  return x != 0 && std::isfinite(x) && (std::bit_cast<std::uint64_t>(x) & kMantissa) == 0;
 }
 // The variance that rounding adds to the sum of two floats; none where one of them is 0.
 double RoundingOfSum(double a, double b) { return a == 0 || b == 0 ? 0 : Rounding(a + b); }
 double RoundingOfConstant(double x) { return IsExact(x) ? 0 : Rounding(x); }
-
-// The variances of the error of a distance: of the part that all vertices share, from constants,
-// and of the part that each vertex has of its own, from the shader's operations.
-struct Variances {
-  double shared = 0, own = 0;
-};
 
 struct Vector4 {
   double c[4];
@@ -66,9 +67,8 @@ bool IsSameInFloat(const Matrix& m, int row) {
 // differ by.
 double OfPair(double z, double w, const Vector4& slopes) {
   const double of_z = slopes.c[2] * slopes.c[2], of_w = slopes.c[3] * slopes.c[3];
-  if (z == 0 || w == 0 || std::ilogb(z) != std::ilogb(w))
-    return of_z * Rounding(z) + of_w * Rounding(w);
-  const double unit = std::scalbn(1.0, std::ilogb(z) - 23), units = std::fabs(z - w) / unit;
+  if (z == 0 || w == 0 || PowerOf(z) != PowerOf(w)) return of_z * Rounding(z) + of_w * Rounding(w);
+  const double unit = PowerOf(z) * 0x1p-23, units = std::fabs(z - w) / unit;
   const double part = units - std::floor(units), both = slopes.c[2] + slopes.c[3];
   return both * both * Rounding(w) + std::min(of_z, of_w) * part * (1 - part) * unit * unit;
 }
@@ -141,43 +141,49 @@ class Shader {
     const Plane& c = arithmetic.constant;
     slopes_[arithmetic.count] =
         arithmetic.is_xyw1 ? Vector4{{c.x, c.y, 0, c.z}} : Vector4{{c.x, c.y, c.z, c.w}};
+    constant_[0] = c.x, constant_[1] = c.y, constant_[2] = c.z, constant_[3] = c.w;
     for (int k = arithmetic.count; k > 0; --k)
       slopes_[k - 1] = Before(arithmetic.matrices[k - 1], slopes_[k]);
     for (int k = 0; k < arithmetic.count; ++k) {
-      const Matrix matrix = InFloat(arithmetic.matrices[k]);
-      products_[k] = k == 0 ? matrix : Multiply(products_[k - 1], matrix);
+      in_float_[k] = InFloat(arithmetic.matrices[k]);
+      products_[k] = k == 0 ? in_float_[k] : Multiply(products_[k - 1], in_float_[k]);
     }
-    for (int k = arithmetic.count; k-- > 0;) {
-      const Matrix matrix = InFloat(arithmetic.matrices[k]);
-      rests_[k] = k + 1 == arithmetic.count ? matrix : Multiply(matrix, rests_[k + 1]);
-    }
+    for (int k = arithmetic.count; k-- > 0;)
+      rests_[k] = k + 1 == arithmetic.count ? in_float_[k] : Multiply(in_float_[k], rests_[k + 1]);
   }
 
   // The distance, but for a part that is the same at every place.
   double ValueAt(const double (&place)[3]) const { return ValueOf(Last(place)); }
-  Variances VariancesAt(const double (&place)[3]) const {
-    Variances sum;
+  // The variances of the error of the distance: of the part that all vertices share, from
+  // constants, and of the part that each vertex has of its own, from the shader's operations.
+  double SharedAt(const double (&place)[3]) const { return VarianceAt<true>(place); }
+  double OwnAt(const double (&place)[3]) const { return VarianceAt<false>(place); }
+
+ private:
+  template <bool kShared>
+  double VarianceAt(const double (&place)[3]) const {
+    double sum = 0;
     const int count = arithmetic_.count;
     const bool is_product = arithmetic_.product != FloatProduct::kNone;
     const Vector4 vertex = {{place[0], place[1], place[2], 1}};
     Vector4 v = vertex;
     for (int k = 0; k < count; ++k) {
       const Matrix& matrix = arithmetic_.matrices[k];
-      sum.shared += OfElements(v, matrix, slopes_[k + 1]);
-      if (!is_product) sum.own += OfOperations(v, InFloat(matrix), slopes_[k + 1]);
-      if (arithmetic_.product == FloatProduct::kFromLeft && k > 0)
-        sum.shared += OfProduct(vertex, products_[k - 1], InFloat(matrix), slopes_[k + 1]);
-      if (arithmetic_.product == FloatProduct::kFromRight && k + 1 < count)
-        sum.shared += OfProduct(v, InFloat(matrix), rests_[k + 1], slopes_[count]);
+      if (!kShared && !is_product) sum += OfOperations(v, in_float_[k], slopes_[k + 1]);
+      if (kShared) {
+        sum += OfElements(v, matrix, slopes_[k + 1]);
+        if (arithmetic_.product == FloatProduct::kFromLeft && k > 0)
+          sum += OfProduct(vertex, products_[k - 1], in_float_[k], slopes_[k + 1]);
+        if (arithmetic_.product == FloatProduct::kFromRight && k + 1 < count)
+          sum += OfProduct(v, in_float_[k], rests_[k + 1], slopes_[count]);
+      }
       v = Transform(v, matrix);
     }
-    if (is_product && count > 0)
-      sum.own += OfOperations(vertex, products_[count - 1], slopes_[count]);
-    AddDot(v, sum);
-    return sum;
+    if (!kShared && is_product && count > 0)
+      sum += OfOperations(vertex, products_[count - 1], slopes_[count]);
+    return sum + (kShared ? SharedOfDot(v) : OwnOfDot(v));
   }
 
- private:
   Vector4 Last(const double (&place)[3]) const {
     Vector4 v = {{place[0], place[1], place[2], 1}};
     for (int k = 0; k < arithmetic_.count; ++k) v = Transform(v, arithmetic_.matrices[k]);
@@ -200,24 +206,34 @@ class Shader {
     }
     return sum;
   }
-  // The variance from the dot product with the constant.
-  void AddDot(const Vector4& v, Variances& sum) const {
-    const bool is_xyw1 = arithmetic_.is_xyw1;
-    const double operand[4] = {v.c[0], v.c[1], is_xyw1 ? v.c[3] : v.c[2], is_xyw1 ? 1 : v.c[3]};
-    const Plane& c = arithmetic_.constant;
-    const double constant[4] = {c.x, c.y, c.z, c.w};
-    double partial = 0;
+  // The numbers that the constant is dotted with.
+  Vector4 Operand(const Vector4& v) const {
+    return arithmetic_.is_xyw1 ? Vector4{{v.c[0], v.c[1], v.c[3], 1}} : v;
+  }
+  // The variances from the dot product with the constant.
+  double SharedOfDot(const Vector4& v) const {
+    const Vector4 operand = Operand(v);
+    double sum = 0;
+    for (int j = 0; j < 4; ++j)
+      sum += operand.c[j] * operand.c[j] * RoundingOfConstant(constant_[j]);
+    return sum;
+  }
+  double OwnOfDot(const Vector4& v) const {
+    const Vector4 operand = Operand(v);
+    double partial = 0, sum = 0;
     for (int j = 0; j < 4; ++j) {
-      const double product = operand[j] * constant[j], before = partial;
+      const double product = operand.c[j] * constant_[j], before = partial;
       partial += product;
-      sum.shared += operand[j] * operand[j] * RoundingOfConstant(constant[j]);
-      if (!IsExact(operand[j]) && !IsExact(constant[j])) sum.own += Rounding(product);
-      sum.own += RoundingOfSum(before, product);
+      if (!IsExact(operand.c[j]) && !IsExact(constant_[j])) sum += Rounding(product);
+      sum += RoundingOfSum(before, product);
     }
+    return sum;
   }
 
   const DistanceArithmetic& arithmetic_;
+  double constant_[4];
   Vector4 slopes_[4] = {};  // of the distance, by the vector before each matrix and after the last
+  Matrix in_float_[3];      // each matrix
   Matrix products_[3];      // of the matrices up to each, in float
   Matrix rests_[3];         // of the matrices from each on, in float
 };
@@ -315,18 +331,34 @@ class Directions {
   double sine_;
 };
 
-// The number that one in a hundred of normal numbers with these deviations exceeds.
+// The number that one in a hundred of normal numbers with these deviations exceeds, by false
+// position on the logarithm of the share that exceeds a number.
 double Percentile99(const double* deviations, std::size_t count) {
   if (count == 0) return INFINITY;
+  const auto exceeding = [&](double number) {
+    double share = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      // Beyond six deviations nothing counts.
+      if (number < 6 * deviations[i]) share += std::erfc(number / (deviations[i] * std::sqrt(2.0)));
+    }
+    return std::log(share / (0.01 * static_cast<double>(count)));
+  };
   double low = 0, high = 4 * *std::max_element(deviations, deviations + count);
+  if (!(high > 0 && std::isfinite(high))) return high;
+  double at_low = std::log(100.0), at_high = exceeding(high), number = high;
+  if (at_high >= 0) return high;
   for (int step = 0; step < 30; ++step) {
-    const double middle = (low + high) / 2;
-    double over = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      over += std::erfc(middle / (deviations[i] * std::sqrt(2.0)));
-    (over > 0.01 * static_cast<double>(count) ? low : high) = middle;
+    number = low + (high - low) * at_low / (at_low - at_high);
+    const double at = exceeding(number);
+    if (std::fabs(at) < 1e-4) break;
+    // The end that stays weighs half, so that both move.
+    if (at > 0) {
+      low = number, at_low = at, at_high /= 2;
+    } else {
+      high = number, at_high = at, at_low /= 2;
+    }
   }
-  return high;
+  return number;
 }
 
 }  // namespace
@@ -337,7 +369,7 @@ double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane
   const Shader shader(arithmetic);
   const View view(world_view, projection, picture_height);
   const Directions directions(view_plane, sine);
-  double deviations[kFewPlaces * kDirections];
+  double deviations[kEdges];
   std::size_t count = 0;
   const std::size_t places = std::min(cut.count, kPlaces);
   const int stride = places > kFewPlaces ? kTurns : 1;
@@ -351,7 +383,7 @@ double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane
     }
     if (!(view.WAt(seen) > 0)) continue;
     const double length = cut.edge * view.HalfPictureAt(seen);
-    const double shared = shader.VariancesAt(at).shared;
+    const double shared = shader.SharedAt(at);
     for (int number = static_cast<int>(place % static_cast<std::size_t>(stride));
          number < kDirections; number += stride) {
       const Vector3 along = directions.At(number, static_cast<double>(place));
@@ -360,7 +392,7 @@ double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane
       for (int end = 0; end < 2; ++end) {
         double vertex[3];
         for (int i = 0; i < 3; ++i) vertex[i] = at[i] + (end - 0.5) * length * half_edge.c[i];
-        own += shader.VariancesAt(vertex).own;
+        own += shader.OwnAt(vertex);
         values[end] = shader.ValueAt(vertex);
       }
       // The cut lies between the ends, where it takes a part of each one's own error.

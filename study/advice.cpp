@@ -5,49 +5,16 @@
 #include <cmath>
 
 #include "runtime/near_plane.h"
-#include "runtime/plane_space.h"
-#include "study/way.h"
+#include "study/law.h"
 
 namespace clipc::study {
 namespace {
 
-using enum PlaneSpace;
-
-// The multiple of the law that one plane's error is below, whatever its luck: a way whose law is so
-// far below the tolerance need not be measured. An error may be below the law by any factor, as a
-// corner of the cut may be much nearer than the rest.
-constexpr double kMostOfLaw = 12;
-
-double LawOfCut(const Way& way, const DrawFacts& facts, const CutFacts& cut) {
-  // The cut becomes a float vertex, and the error is its rounding.
-  if (way.kind == WayKind::kCpu)
-    return 2 * 0x1p-24 * facts.picture_height / 2 * (0.5 + cut.reach + facts.extent / 2);
-  const Matrix projection = facts.camera.Projection();
-  const auto law = [&](PlaneSpace space, double reach) {
-    const auto pixels = PredictEdgeError(space, cut.view_plane, projection, facts.picture_height,
-                                         facts.sine, reach);
-    return pixels.ok() ? pixels.value * LengthFactor(facts.extent) : INFINITY;
-  };
-  const double world_reach = std::max(cut.reach, cut.world_reach);
-  // Distances by hand are as good as in object space, and twice rounded: the world-space vertex is,
-  // and its dot product with the plane.
-  if (!way.space) return 2 * law(kObject, world_reach);
-  const double own = law(*way.space, cut.reach);
-  if (way.space == kObject) return own;
-  using enum runtime::MatrixOrder;
-  switch (facts.means.order) {
-    case kWorldFirst:
-    case kFloatViewProjection: return law(*way.space, world_reach);
-    case kThreeMatrices:
-    case kFloatWorldView:
-      return std::max(own, law(facts.camera.orthographic ? kClip : kXyw1, world_reach));
-    default: return own;
-  }
-}
-
+// The law of a way in a draw: of the plane where it is largest.
 double LawOf(const Way& way, const DrawFacts& facts) {
   double worst = 0;
-  for (const CutFacts& cut : facts.cuts) worst = std::max(worst, LawOfCut(way, facts, cut));
+  for (const Setup& cut : facts.cuts)
+    worst = std::max(worst, LawOf(cut, way, facts.means.order, facts.picture_height));
   return worst;
 }
 
@@ -57,8 +24,8 @@ bool IsPossible(const Way& way, const DrawFacts& facts) {
   if (way.needs == Needs::kDistances && !means.clip_distances) return false;
   if (way.needs == Needs::kUserPlanes && !means.user_planes) return false;
   if (way.needs == Needs::kDiscard && !means.can_discard) return false;
-  if (way.space == kObject && !means.rigid) return false;
-  if (way.space == kXyw1 && facts.camera.orthographic) return false;
+  if (way.space == PlaneSpace::kObject && !means.rigid) return false;
+  if (way.space == PlaneSpace::kXyw1 && facts.camera.orthographic) return false;
   if (way.kind != WayKind::kNearPlane) return true;
   if (!means.whole_pass) return false;
   // The lowering writes z = d, which is the near plane where z = 0 is near.
@@ -77,24 +44,46 @@ double CostOf(const std::string& way, int planes, const CostTable& costs) {
   return cost;
 }
 
+// Moves the origin of the mesh to each cut.
+void MoveOrigins(DrawFacts& facts) {
+  for (Setup& cut : facts.cuts) {
+    const std::vector<Vector> places = RandomCuts(cut, 1);
+    if (places.empty()) continue;
+    const Vector place = places.front();
+    const Vec4<double> to =
+        Transform(Transform(Vec4<double>{{place.x, place.y, place.z, 1}}, cut.to_object),
+                  ConvertTo<double>(cut.world));
+    for (int i = 0; i < 3; ++i) cut.world.m[3][i] = to[i];
+    Compose(cut);
+  }
+}
+
+void ReverseDepth(DrawFacts& facts) {
+  facts.camera.reversed = true;
+  for (Setup& cut : facts.cuts) {
+    cut.config.camera.reversed = true;
+    cut.projection = facts.camera.Projection();
+    Compose(cut);
+  }
+}
+
 }  // namespace
 
-std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance,
-                           const Measure& measure) {
+std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance) {
   std::vector<Advice> all;
+  std::map<Method (*)(), double> laws;  // of ways that have the same arithmetic
   for (const Way& way : kWays) {
     if (way.kind == WayKind::kNone || way.kind == WayKind::kNearPlaneFloat) continue;
-    Advice& advice = all.emplace_back();
-    advice.way = way.name;
+    Advice& advice = all.emplace_back(Advice{way.name});
     advice.possible = IsPossible(way, facts);
-    advice.predicted = LawOf(way, facts);
-    advice.bound = kBoundFactor * advice.predicted;
-    const bool is_open = advice.possible && kMostOfLaw * advice.predicted > tolerance;
-    if (const auto measured = is_open && measure ? measure(way) : std::nullopt) {
-      advice.predicted = *measured;
-      advice.bound = kMeasuredFactor * *measured;
-    }
     advice.cost = CostOf(way.name, facts.planes, costs);
+    advice.predicted = INFINITY;
+    if (advice.possible) {
+      const auto [law, is_new] = laws.try_emplace(way.method);
+      if (is_new) law->second = LawOf(way, facts);
+      advice.predicted = law->second;
+    }
+    advice.bound = kBound * advice.predicted;
     advice.meets = advice.possible && advice.bound <= tolerance && std::isfinite(advice.cost);
   }
   double least = INFINITY;
@@ -122,16 +111,12 @@ std::string CureFor(const DrawFacts& facts, const CostTable& costs, double toler
     change(changed);
     return Advise(changed, costs, tolerance).front().meets;
   };
-  const auto around_its_origin = [](DrawFacts& f) {
-    for (CutFacts& cut : f.cuts) cut.reach = std::min(cut.reach, runtime::kAroundOrigin);
-  };
-  if (helps(around_its_origin))
+  if (helps(MoveOrigins))
     return "its vertices are far from their own origin: give the mesh one of its own";
   if (helps([](DrawFacts& f) { f.means.order = runtime::MatrixOrder::kOneMatrix; }))
     return "far from the world's origin: multiply its matrices in double, or let the world begin "
            "at the camera";
-  if (!facts.camera.reversed && helps([](DrawFacts& f) { f.camera.reversed = true; }))
-    return "reverse the depth";
+  if (!facts.camera.reversed && helps(ReverseDepth)) return "reverse the depth";
   return "";
 }
 

@@ -8,8 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "study/law.h"
 #include "study/scene.h"
-#include "study/way.h"
+#include "study/sweeps.h"
 
 namespace clipc::study {
 namespace {
@@ -27,28 +28,44 @@ CostTable SomeCosts() {
   return costs;
 }
 
-TEST(Advice, FollowsMeansAndNumbers) {
+DrawFacts FactsFor(const Config& config) {
   DrawFacts facts;
-  facts.camera.far = 1e5;
-  facts.cuts[0].view_plane = {0, 0, 1, -300};
-  const auto best = [&] { return Advise(facts, SomeCosts()).front().way; };
+  facts.camera = config.camera, facts.cuts = {Prepare(config)};
+  return facts;
+}
+
+// An oblique plane that crosses the view's axis where the eye is that far from it; the near
+// distance is 0.1.
+Config PlaneAway(double distance) { return ObliqueAt(distance / 0.77, 0.1, 1e5); }
+
+const Advice& Of(const std::vector<Advice>& all, const char* way) {
+  return *std::ranges::find(all, way, &Advice::way);
+}
+
+TEST(Advice, FollowsMeansAndNumbers) {
+  Config config = PlaneAway(300);
+  Means means;
+  const auto best = [&] {
+    DrawFacts facts = FactsFor(config);
+    facts.means = means;
+    return Advise(facts, SomeCosts()).front().way;
+  };
   EXPECT_EQ(best(), "object");
-  facts.means.rigid = false;
+  means.rigid = false;
   EXPECT_EQ(best(), "xyw1");
-  facts.means.clip_distances = false, facts.means.user_planes = true;
+  means.clip_distances = false, means.user_planes = true;
   EXPECT_NE(best(), "level9");  // 3.4 pixels
-  facts.camera.reversed = true;
+  config.camera.reversed = true;
   EXPECT_EQ(best(), "level9");
-  facts.means.user_planes = false;
+  means.user_planes = false;
   EXPECT_EQ(best(), "discard");
-  facts.camera.orthographic = true, facts.means.clip_distances = true;
-  for (const Advice& way : Advise(facts, SomeCosts()))
+  config.camera.orthographic = true;
+  for (const Advice& way : Advise(FactsFor(config), SomeCosts()))
     EXPECT_FALSE(way.way == "xyw1" && way.possible);
 }
 
 TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
-  DrawFacts facts;
-  facts.cuts[0].view_plane = {0, 0, 1, -3};  // 0.03 pixels in clip space
+  const DrawFacts facts = FactsFor(PlaneAway(3));  // 0.03 pixels in clip space
   CostTable costs = SomeCosts();
   for (const char* way : {"object", "xyw1", "near-plane", "world", "discard-object", "cpu"})
     costs[{way, 1}] = 1.3;
@@ -58,63 +75,58 @@ TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
 
 // A difference that no picture shows does not decide: the way that comes first is taken.
 TEST(Advice, DigitsThatNobodySeesDoNotCount) {
-  DrawFacts facts;
-  facts.camera.far = 1e5;
-  facts.cuts[0].view_plane = {0, 0, 1, -300};
+  DrawFacts facts = FactsFor(PlaneAway(300));
   const std::vector<Advice> all = Advise(facts, SomeCosts());
-  const auto of = [&](const char* way) { return *std::ranges::find(all, way, &Advice::way); };
-  EXPECT_LT(of("cpu").bound, of("xyw1").bound);
+  EXPECT_LT(Of(all, "cpu").bound, Of(all, "xyw1").bound);
   EXPECT_EQ(all.front().way, "object");
   facts.means.rigid = false;
   EXPECT_EQ(Advise(facts, SomeCosts()).front().way, "xyw1");
 }
 
 TEST(Advice, CountsTheDistancesThatFloatsCarry) {
-  DrawFacts facts;
-  facts.camera.far = 1e5;
-  facts.cuts[0].view_plane = {0, 0, 1, -10};
+  Config config = PlaneAway(10);
+  using enum runtime::MatrixOrder;
+  runtime::MatrixOrder order = kOneMatrix;
   const auto bound = [&](const char* way) {
-    for (const Advice& advice : Advise(facts, SomeCosts())) {
-      if (advice.way == way) return advice.bound;
-    }
-    return -1.0;
+    DrawFacts facts = FactsFor(config);
+    facts.means.order = order;
+    return Of(Advise(facts, SomeCosts()), way).bound;
   };
   const double object = bound("object"), xyw1 = bound("xyw1"), cpu = bound("cpu");
-  facts.cuts[0].world_reach = 1e4;  // one matrix: that costs nothing but in `world`
-  EXPECT_EQ(bound("object"), object);
-  EXPECT_EQ(bound("xyw1"), xyw1);
+  config.world_offset = 1e5;  // one matrix: that costs nothing but in `world`
+  EXPECT_NEAR(bound("object") / object, 1, 0.5);
+  EXPECT_NEAR(bound("xyw1") / xyw1, 1, 0.5);
   EXPECT_GT(bound("world"), 1);
-  facts.means.order = runtime::MatrixOrder::kWorldFirst;
-  EXPECT_EQ(bound("object"), object);
+  order = kWorldFirst;
+  EXPECT_NEAR(bound("object") / object, 1, 0.5);
   EXPECT_GT(bound("xyw1"), 100 * xyw1);
-  EXPECT_EQ(bound("cpu"), cpu);
-  facts.means.order = runtime::MatrixOrder::kOneMatrix, facts.cuts[0].reach = 1e4;
+  EXPECT_NEAR(bound("cpu") / cpu, 1, 0.01);
+  order = kOneMatrix, config.world_offset = 0, config.mesh_offset = 1e5;
   for (const auto& [way, before] :
        {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
     EXPECT_GT(bound(way), 100 * before) << way;
-  facts.cuts[0].world_reach = 0;  // the vertex begins in its own space
-  EXPECT_GT(bound("world"), 100 * object);
 }
 
-const Advice& Of(const std::vector<Advice>& all, const char* way) {
-  return *std::ranges::find(all, way, &Advice::way);
-}
-
-TEST(Advice, PredictsByTheLengthOfEdges) {
-  DrawFacts facts;
-  facts.cuts[0].view_plane = {0, 0, 1, -3}, facts.cuts[0].reach = 2;
-  const std::vector<Advice> points = Advise(facts, SomeCosts());
-  facts.extent = 8;
-  const std::vector<Advice> edges = Advise(facts, SomeCosts());
-  for (const char* way : {"object", "xyw1", "clip", "world", "discard"})
-    EXPECT_DOUBLE_EQ(Of(edges, way).predicted, 2 * Of(points, way).predicted) << way;
-  EXPECT_DOUBLE_EQ(Of(points, "cpu").predicted, 0x1p-24 * 1080 * (0.5 + 2));
-  EXPECT_DOUBLE_EQ(Of(edges, "cpu").predicted, 0x1p-24 * 1080 * (0.5 + 2 + 4));
+// The worst of an object's planes counts, for each way another.
+TEST(Advice, AsksEachPlaneByItself) {
+  Config near = PlaneAway(0.5), far = PlaneAway(300);
+  near.mesh_offset = far.mesh_offset = 100;  // one mesh
+  const auto predicted = [](std::initializer_list<Config> planes, const char* way) {
+    DrawFacts facts = FactsFor(*planes.begin());
+    facts.cuts.clear(), facts.planes = static_cast<int>(planes.size());
+    for (const Config& each : planes) facts.cuts.push_back(Prepare(each));
+    return Of(Advise(facts, SomeCosts()), way).predicted;
+  };
+  EXPECT_GT(predicted({near}, "object"), 10 * predicted({far}, "object"));
+  EXPECT_GT(predicted({far}, "clip"), 3 * predicted({near}, "clip"));
+  for (const char* way : {"object", "clip", "world", "cpu"}) {
+    EXPECT_EQ(predicted({near, far}, way), std::max(predicted({near}, way), predicted({far}, way)))
+        << way;
+  }
 }
 
 TEST(Advice, CostsAreThoseOfEnoughPlanes) {
-  DrawFacts facts;
-  facts.camera.far = 1e5, facts.cuts[0].view_plane = {0, 0, 1, -300};
+  DrawFacts facts = FactsFor(PlaneAway(300));
   facts.means.whole_pass = true;
   CostTable costs = SomeCosts();
   for (const int planes : {1, 3, 6}) costs[{"object", planes}] = planes;
@@ -131,8 +143,7 @@ TEST(Advice, CostsAreThoseOfEnoughPlanes) {
 }
 
 TEST(Advice, OrdersWhatIsNotRecommended) {
-  DrawFacts facts;
-  facts.camera.far = 1e5, facts.cuts[0].view_plane = {0, 0, 1, -300};
+  DrawFacts facts = FactsFor(PlaneAway(300));
   // A way that does not meet the tolerance says nothing of how cheap the others should be.
   CostTable costs = SomeCosts();
   costs[{"clip", 1}] = 0.5, costs[{"object", 1}] = 1.1;
@@ -153,65 +164,54 @@ TEST(Advice, OrdersWhatIsNotRecommended) {
 }
 
 TEST(Advice, KnowsCures) {
-  DrawFacts facts;
-  facts.camera.far = 1e5, facts.cuts[0].view_plane = {0, 0, 1, -300};
-  const auto cure = [&](double tolerance = 0.5) { return CureFor(facts, SomeCosts(), tolerance); };
-  facts.means.clip_distances = facts.means.can_discard = facts.means.rigid = false;
-  facts.means.user_planes = true;
+  Config config = PlaneAway(300);
+  Means means;
+  const auto cure = [&](double tolerance = 0.5) {
+    DrawFacts facts = FactsFor(config);
+    facts.means = means;
+    return CureFor(facts, SomeCosts(), tolerance);
+  };
+  means.clip_distances = means.can_discard = means.rigid = false;
+  means.user_planes = true;
   EXPECT_EQ(cure(), "reverse the depth");
   EXPECT_EQ(cure(1e-9), "");
-  facts.camera.reversed = true, facts.cuts[0].reach = 1e5;
+  config.camera.reversed = true, config.mesh_offset = 1e8;
   EXPECT_THAT(cure(), ::testing::HasSubstr("give the mesh one of its own"));
-  facts.cuts[0].reach = 0.5, facts.cuts[0].world_reach = 1e5,
-  facts.means.order = runtime::MatrixOrder::kWorldFirst;
+  config.mesh_offset = 0, config.world_offset = 1e8;
+  means.order = runtime::MatrixOrder::kWorldFirst;
   EXPECT_THAT(cure(), ::testing::HasSubstr("multiply its matrices in double"));
 }
 
-// The errors that the law leaves open are measured, and nothing else is.
-TEST(Advice, MeasuresWhatIsOpen) {
-  DrawFacts facts;
-  facts.cuts[0].view_plane = {0, 0, 1, -3}, facts.means.can_discard = false;
-  const double law = Of(Advise(facts, SomeCosts()), "object").predicted;
-  std::vector<std::string> measured;
-  const auto object = [&](double tolerance, double loses) {
-    measured.clear();
-    return Of(Advise(facts, SomeCosts(), tolerance,
-                     [&](const Way& way) -> std::optional<double> {
-                       measured.push_back(way.name);
-                       return loses;
-                     }),
-              "object");
-  };
-  EXPECT_TRUE(object(13 * law, 99).meets);
-  EXPECT_THAT(measured, ::testing::Not(::testing::Contains("object")));
-  EXPECT_THAT(measured, ::testing::Contains("clip"));
-  EXPECT_THAT(measured, ::testing::Not(::testing::Contains("discard")));
-  const Advice close = object(6 * law, 5 * law);
-  EXPECT_FALSE(close.meets);
-  EXPECT_DOUBLE_EQ(close.predicted, 5 * law);
-  EXPECT_DOUBLE_EQ(close.bound, 5 * law * kMeasuredFactor);
-  EXPECT_TRUE(object(6 * law, 3 * law).meets);
+// A way is advised up to a third of the tolerance, by its law alone.
+TEST(Advice, TheBoundIsThreeTimesTheLaw) {
+  const DrawFacts facts = FactsFor(PlaneAway(3));
+  const Advice clip = Of(Advise(facts, SomeCosts()), "clip");
+  EXPECT_DOUBLE_EQ(clip.predicted, LawOf(facts.cuts.front(), WayOf(WayKind::kClip),
+                                         runtime::MatrixOrder::kOneMatrix));
+  EXPECT_DOUBLE_EQ(clip.bound, 3 * clip.predicted);
+  EXPECT_TRUE(Of(Advise(facts, SomeCosts(), 3.01 * clip.predicted), "clip").meets);
+  EXPECT_FALSE(Of(Advise(facts, SomeCosts(), 2.99 * clip.predicted), "clip").meets);
 }
 
 // The processor's cut is a line of vertices, which are off by their rounding and not by the plane's
 // slant.
 TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
-  const auto predicted = [](const DrawFacts& facts, const char* way) {
-    const std::vector<Advice> all = Advise(facts, SomeCosts());
-    return std::ranges::find(all, way, &Advice::way)->predicted;
+  const auto predicted = [](const Config& config, const char* way, double height = 1080) {
+    DrawFacts facts = FactsFor(config);
+    facts.picture_height = height;
+    return Of(Advise(facts, SomeCosts()), way).predicted;
   };
-  DrawFacts facts;
-  facts.cuts[0].view_plane = {0, 0, 1, -3};
-  DrawFacts slanted = facts;
-  slanted.sine = facts.sine / 100;
-  EXPECT_GT(predicted(slanted, "object"), 10 * predicted(facts, "object"));
-  EXPECT_EQ(predicted(slanted, "cpu"), predicted(facts, "cpu"));
-  DrawFacts tall = facts;
-  tall.picture_height *= 2;
-  EXPECT_DOUBLE_EQ(predicted(tall, "cpu"), 2 * predicted(facts, "cpu"));
-  DrawFacts far = facts;
-  far.cuts[0].reach = 1e4;
-  EXPECT_GT(predicted(far, "cpu"), 100 * predicted(facts, "cpu"));
+  const Config config = PlaneAway(3);
+  Config far = config;
+  far.mesh_offset = 1e4;
+  EXPECT_DOUBLE_EQ(predicted(config, "cpu", 2160), 2 * predicted(config, "cpu"));
+  EXPECT_GT(predicted(far, "cpu"), 100 * predicted(config, "cpu"));
+  const auto setup = Prepare(config);
+  const auto law = [&](WayKind way, double sine) {
+    return LawOf(setup, WayOf(way), runtime::MatrixOrder::kOneMatrix, kPictureHeight, sine);
+  };
+  EXPECT_GT(law(WayKind::kObject, 0.01), 10 * law(WayKind::kObject, 1));
+  EXPECT_EQ(law(WayKind::kCpu, 0.01), law(WayKind::kCpu, 1));
 }
 
 // A scene of small cubes at these heights over the plane y >= 0, before the camera.
@@ -284,23 +284,30 @@ TEST(Scenes, FactsAreThoseOfTheObjectAndEachOfItsPlanes) {
   Scene scene = Cubes({0});
   scene.picture_height = 700;
   const Camera& camera = scene.cameras.front().camera;
-  SceneObject& object = scene.objects[0];
-  object.world.m[0][0] = object.world.m[1][1] = object.world.m[2][2] = 0.5;
-  // The eye is 5 below the water, 40 before the wall, and nowhere from a plane without a normal.
+  const SceneObject& object = scene.objects[0];
+  // The eye is 5 below the water, 40 before the wall, and nowhere from a plane without a normal;
+  // the last plane does not cut the object.
   scene.planes.push_back({"wall", {0, 0, 1, -40}});
   scene.planes.push_back({"none", {0, 0, 0, 1}});
-  const DrawFacts water = FactsOf(object, camera, scene, 0b001),
-                  all = FactsOf(object, camera, scene, 0b111);
+  scene.planes.push_back({"beyond", {0, 0, 1, -400}});
+  const DrawFacts water = FactsOf(object, camera, scene, 0b0001),
+                  all = FactsOf(object, camera, scene, 0b1111);
   EXPECT_EQ(water.planes, 1);
   ASSERT_EQ(water.cuts.size(), 1u);
   EXPECT_NEAR(std::abs(water.cuts[0].view_plane.w), 5, 1e-9);
-  EXPECT_EQ(all.planes, 3);
+  EXPECT_EQ(all.planes, 4);
   ASSERT_EQ(all.cuts.size(), 2u);
   EXPECT_NEAR(std::abs(all.cuts[0].view_plane.w), 5, 1e-9);
   EXPECT_NEAR(std::abs(all.cuts[1].view_plane.w), 40, 1e-9);
   EXPECT_EQ(all.picture_height, 700);
-  EXPECT_NEAR(all.extent, std::sqrt(3.0) / camera.HalfHeightAt(40), 1e-9);
-  EXPECT_TRUE(FactsOf(object, camera, scene, 0).cuts.empty());
+  // The cuts are inside the cube.
+  for (const auto& cut : all.cuts) {
+    for (const Vector& corner : cut.cut) EXPECT_NEAR(corner.z, 40, 1.001);
+  }
+  // A plane whose cut is not seen displaces nothing.
+  const DrawFacts none = FactsOf(object, camera, scene, 0b1000);
+  EXPECT_TRUE(none.cuts.empty());
+  EXPECT_EQ(Of(Advise(none, SomeCosts()), "cpu").predicted, 0);
 }
 
 TEST(Scenes, MostObjectsNeedNoPlane) {

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/edge_error.h"
-#include "runtime/plane_space.h"
 #include "study/edges.h"
+#include "study/law.h"
 
 namespace clipc::study {
 namespace {
@@ -74,23 +73,18 @@ void MoveOffCentre(Config& config, Random& random) {
   config.view_plane = PlaneThroughPoint(random.Direction(), middle);
 }
 
-struct Shader {
-  Method method;
-  std::optional<PlaneSpace> space;
-};
-
-Shader AnyShader(Random& random, bool is_orthographic) {
+WayKind AnyWay(Random& random, bool is_orthographic) {
   switch (random.Below(is_orthographic ? 2 : 3)) {
-    case 0: return {ObjectSpace(), PlaneSpace::kObject};
-    case 1: return {ClipSpace(), PlaneSpace::kClip};
-    default: return {Xyw1Space(), PlaneSpace::kXyw1};
+    case 0: return WayKind::kObject;
+    case 1: return WayKind::kClip;
+    default: return WayKind::kXyw1;
   }
 }
 
 RegimeDraw OneDraw(Regime regime, Random& random) {
   Config config = Ordinary(random);
   const double depth = std::sqrt(config.nearest * config.farthest);
-  Shader shader = AnyShader(random, regime == Regime::kOrthographic);
+  WayKind way = AnyWay(random, regime == Regime::kOrthographic);
   const bool takes_clip = random.Below(2) == 0;
   constexpr MatrixOrder kInTheShader[] = {MatrixOrder::kWorldFirst, MatrixOrder::kWorldViewFirst,
                                           MatrixOrder::kThreeMatrices};
@@ -111,7 +105,7 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
       break;
     case Regime::kWorldSpace:
       config.world_offset = random.Magnitude(1, 1e5) * depth;
-      shader = {WorldSpace(), std::nullopt};
+      way = WayKind::kWorld;
       break;
     case Regime::kOrthographic: MakeOrthographic(config, random); break;
     case Regime::kMinusOneToOne:
@@ -124,10 +118,7 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
       for (double& scale : config.scale) scale = random.Magnitude(1e-3, 1e3);
       break;
   }
-  if (order != MatrixOrder::kOneMatrix) {
-    shader = takes_clip ? Shader{ClipSpaceBy(order), PlaneSpace::kClip}
-                        : Shader{Xyw1SpaceBy(order), PlaneSpace::kXyw1};
-  }
+  if (order != MatrixOrder::kOneMatrix) way = takes_clip ? WayKind::kClip : WayKind::kXyw1;
   // The surfaces have this angle, or all angles.
   const double degrees = random.Magnitude(5, 90);
   double sine = runtime::kAnySurface;
@@ -135,18 +126,7 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
     config.surface_angle = degrees * std::numbers::pi / 180;
     sine = std::sin(config.surface_angle);
   }
-  return {regime, config, std::move(shader.method), shader.space, sine, order};
-}
-
-// Places of the visible part of the cut, evenly over the picture, in the object's own space: x, y
-// and z of each.
-std::vector<double> CutOf(const Setup& setup) {
-  std::vector<double> places;
-  for (const Vector& cut : RandomCuts(setup, 256)) {
-    const Vec4<double> place = Transform(Vec4<double>{{cut.x, cut.y, cut.z, 1}}, setup.to_object);
-    places.insert(places.end(), place.c, place.c + 3);
-  }
-  return places;
+  return {regime, config, way, sine, order};
 }
 
 }  // namespace
@@ -162,31 +142,12 @@ std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed) {
   return draws;
 }
 
-std::optional<double> LawOf(const RegimeDraw& draw) {
-  const Setup setup = Prepare(draw.config);
-  const Camera& camera = draw.config.camera;
-  const double edge =
-      draw.config.edge_length * (camera.orthographic ? 1 : 1 / camera.HalfHeightAt(1));
-  const std::vector<double> places = CutOf(setup);
-  const runtime::SeenCut cut = {places.data(), places.size() / 3, edge};
-  const double sine = draw.config.surface_angle < 0 ? runtime::kAnySurface : draw.sine;
-  if (!draw.space) {
-    // Distances by hand round the world-space vertex, and its dot product with the plane.
-    runtime::DistanceArithmetic by_hand;
-    by_hand.count = 1, by_hand.matrices[0] = setup.world;
-    by_hand.constant = setup.world_plane;
-    return EdgeErrorOf(by_hand, draw.config.view_plane, setup.world_view, setup.projection, cut,
-                       kPictureHeight, sine);
-  }
-  const runtime::DrawMatrices matrices = {setup.world, setup.view, setup.projection, draw.order};
-  const auto law = PredictEdgeError(*draw.space, setup.world_plane, runtime::KnownIn::kWorld,
-                                    matrices, cut, kPictureHeight, sine);
-  return law.ok() ? std::optional(law.value) : std::nullopt;
+double LawOf(const RegimeDraw& draw) {
+  return LawOf(Prepare(draw.config), WayOf(draw.way), draw.order, kPictureHeight, draw.sine);
 }
 
-std::vector<RegimeHeld> HoldLaw(
-    int count, long edges, std::uint64_t seed,
-    const std::function<std::optional<double>(const RegimeDraw&)>& law) {
+std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
+                                const std::function<double(const RegimeDraw&)>& law) {
   // A draw that seems to be outside the law's factor is measured again, over more planes: few of
   // them may all be lucky where one in ten jumps by a unit in the last place.
   constexpr int kPlanes = 12, kMorePlanes = 60;
@@ -200,16 +161,16 @@ std::vector<RegimeHeld> HoldLaw(
   int number = 0;
   for (const RegimeDraw& draw : RegimeDraws(count, seed)) {
     ++number;
-    const std::optional<double> predicted = law(draw);
-    if (!predicted || *predicted > kSaturates) continue;
+    const double predicted = law(draw);
+    if (!(predicted > 0 && predicted <= kSaturates)) continue;
     const int regime = static_cast<int>(draw.regime);
     double share = 0;
     for (const int planes : {kPlanes, kMorePlanes}) {
-      std::vector<double> pixels =
-          DisplacementsOverPlanes(draw.config, draw.method, planes, edges, seed + number);
+      std::vector<double> pixels = DisplacementsOverPlanes(
+          draw.config, MethodOf(WayOf(draw.way), draw.order), planes, edges, seed + number);
       // The plane is hardly in the picture.
       if (std::ssize(pixels) < planes * edges / 2) break;
-      for (double& each : pixels) each /= *predicted;
+      for (double& each : pixels) each /= predicted;
       if (planes == kPlanes) all[regime].insert(all[regime].end(), pixels.begin(), pixels.end());
       share = at(pixels, 0.99);
       if (share > 0.2 && share < 3) break;

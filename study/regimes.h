@@ -3,13 +3,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "clip-table/vocabulary.h"
-#include "study/method.h"
 #include "study/setup.h"
+#include "study/way.h"
 
 namespace clipc::study {
 
@@ -31,21 +28,20 @@ enum class Regime {
 inline constexpr int kRegimes = static_cast<int>(Regime::kUnevenScale) + 1;
 const char* NameOf(Regime regime);
 
-// A draw of a regime, and the arithmetic that clips it.
+// A draw of a regime, and the way that clips it.
 struct RegimeDraw {
   Regime regime;
   Config config;
-  Method method;
-  std::optional<PlaneSpace> space;  // the law's space; none: distances by hand in world space
-  double sine;                      // of the angle between surface and plane
+  WayKind way;
+  double sine;  // of the angle between surface and plane
   runtime::MatrixOrder order = runtime::MatrixOrder::kOneMatrix;
 };
 
 // Random draws of all regimes in turn. Equal seeds give equal draws.
 std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed);
 
-// PredictEdgeError of a draw, from its matrices and its cut; none where it is refused.
-std::optional<double> LawOf(const RegimeDraw& draw);
+// The law (study/law.h) of a draw.
+double LawOf(const RegimeDraw& draw);
 
 // The agreement of a law with the draws of a regime.
 struct RegimeHeld {
@@ -60,6 +56,6 @@ struct RegimeHeld {
 // each plane, and holds them against `law`; five times as many planes of a draw that seems to be
 // outside its factor. Equal arguments give equal results.
 std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
-                                const std::function<std::optional<double>(const RegimeDraw&)>& law);
+                                const std::function<double(const RegimeDraw&)>& law);
 
 }  // namespace clipc::study

@@ -3,6 +3,9 @@
 // and objects that nobody chose. `clipc-study` does the same with 10,000 draws (laws.csv).
 #include "study/regimes.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "runtime/plane_space.h"
@@ -12,7 +15,7 @@ namespace clipc::study {
 namespace {
 
 using runtime::MatrixOrder;
-using Law = std::function<std::optional<double>(const RegimeDraw&)>;
+using Law = std::function<double(const RegimeDraw&)>;
 
 // Whether the law nearly holds: the bounds leave room for the luck of single draws, so that a
 // mutation must break more.
@@ -22,7 +25,8 @@ bool NearlyHolds(const RegimeHeld& held) {
 }
 
 TEST(Regimes, MeasuredErrorsAreWithinAFactorOfTheirLaw) {
-  for (const RegimeHeld& held : HoldLaw(1100, 40, 31, LawOf)) {
+  for (const RegimeHeld& held :
+       HoldLaw(1100, 40, 31, [](const RegimeDraw& draw) { return LawOf(draw); })) {
     EXPECT_GT(held.draws, 60) << NameOf(held.regime);
     EXPECT_EQ(held.low + held.high, 0)
         << NameOf(held.regime) << ": " << held.least << " to " << held.most;
@@ -73,6 +77,65 @@ TEST(Regimes, EachRoundingCounts) {
      0.0422);
 }
 
+// How far the middle place of a cut is from the origin of the space that `to_view` transforms from,
+// in heights of the picture.
+double ReachOf(const Setup& setup, const Matrix& to_view) {
+  std::vector<double> reaches;
+  for (const Vector& place : RandomCuts(setup, 63)) {
+    const Vector away = place - OriginInView(to_view);
+    reaches.push_back(std::sqrt(Dot(away, away)) / (2 * setup.config.camera.HalfHeightAt(place.z)));
+  }
+  std::ranges::sort(reaches);
+  return reaches.empty() ? 0 : reaches[reaches.size() / 2];
+}
+
+// The page of formulas (runtime/plane_space.h, docs/study.md) for a draw.
+double ClosedLawOf(const RegimeDraw& draw) {
+  const Setup setup = Prepare(draw.config);
+  const double own = ReachOf(setup, setup.world_view),
+               world = std::max(own, ReachOf(setup, setup.view));
+  const auto law = [&](PlaneSpace space, double reach) {
+    return PredictEdgeError(space, draw.config.view_plane, setup.projection, kPictureHeight,
+                            draw.sine, reach)
+        .value;
+  };
+  const std::optional<PlaneSpace> space = WayOf(draw.way).space;
+  if (!space) return 2 * law(PlaneSpace::kObject, world);
+  using enum runtime::MatrixOrder;
+  switch (draw.order) {
+    case kWorldFirst:
+    case kFloatViewProjection: return law(*space, world);
+    case kThreeMatrices:
+    case kFloatWorldView:
+      return std::max(
+          law(*space, own),
+          law(draw.config.camera.orthographic ? PlaneSpace::kClip : PlaneSpace::kXyw1, world));
+    default: return law(*space, own);
+  }
+}
+
+// The formulas are a page that a reader can follow. They leave out the object's matrix and how the
+// cut lies in the picture: in the middle of draws they are the followed law.
+TEST(Regimes, TheFormulasAgreeWithTheRoundings) {
+  std::vector<std::vector<double>> shares(kRegimes);
+  for (const RegimeDraw& draw : RegimeDraws(2200, 77)) {
+    const double followed = LawOf(draw);
+    if (followed > 0 && followed < 20)
+      shares[static_cast<std::size_t>(draw.regime)].push_back(ClosedLawOf(draw) / followed);
+  }
+  for (int i = 0; i < kRegimes; ++i) {
+    std::vector<double>& each = shares[static_cast<std::size_t>(i)];
+    std::ranges::sort(each);
+    ASSERT_GT(each.size(), 50u);
+    const auto at = [&](double share) {
+      return each[static_cast<std::size_t>(share * static_cast<double>(each.size() - 1))];
+    };
+    EXPECT_NEAR(at(0.5), 1, 0.4) << NameOf(static_cast<Regime>(i));
+    EXPECT_GT(at(0.05), 0.14) << NameOf(static_cast<Regime>(i));
+    EXPECT_LT(at(0.95), 5) << NameOf(static_cast<Regime>(i));
+  }
+}
+
 // A law that leaves out what `change` takes from the draw.
 Law Without(const std::function<void(RegimeDraw&)>& change) {
   return [change](const RegimeDraw& draw) {
@@ -93,7 +156,7 @@ TEST(Regimes, EachTermIsNeeded) {
        {Regime::kMatricesInTheShader, Regime::kFloatProduct, Regime::kWorldSpace})
     EXPECT_TRUE(breaks(regime, [](RegimeDraw& d) {
       d.order = MatrixOrder::kOneMatrix;
-      d.space = d.space.value_or(PlaneSpace::kObject);
+      if (d.way == WayKind::kWorld) d.way = WayKind::kObject;
     })) << NameOf(regime);
   // The law is that of an eye in the plane, where depth begins.
   EXPECT_TRUE(breaks(Regime::kOrthographic, [](RegimeDraw& d) {

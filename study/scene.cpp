@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <optional>
+#include <utility>
 
 #include "runtime/clip_plane.h"
 #include "study/numbers.h"
-#include "study/scene_measure.h"
 #include "study/setup.h"
 #include "study/visible_cut.h"
 #include "study/way.h"
@@ -17,10 +16,6 @@
 
 namespace clipc::study {
 namespace {
-
-// The numbers of edges to measure: kFewEdges where their error is far from the tolerance, and
-// kEdges where it is not.
-constexpr long kFewEdges = 400, kEdges = 2000;
 
 // A plane of clip space lies in the object's own space at the whole matrix times the plane. It is
 // rounded to float and pushed outwards by as much as the rounding may have moved it.
@@ -44,27 +39,51 @@ bool IsOutsideFrustum(const SceneObject& object, const Camera& camera) {
   return false;
 }
 
-// The error of a way, measured with as many edges as it takes to hold it against the tolerance.
-std::optional<double> MeasureRoughly(const Scene& scene, const Camera& camera,
-                                     const SceneObject& object, std::uint8_t needed,
-                                     const Way& way) {
-  const auto lost = MeasureObject(scene, camera, object, needed, way, kFewEdges, 1);
-  if (!lost || *lost < scene.tolerance / 6 || *lost > 3 * scene.tolerance) return lost;
-  return MeasureObject(scene, camera, object, needed, way, kEdges, 1);
+Vector CornerOf(const runtime::Box& box, int corner) {
+  const auto at = [&](int axis) {
+    return static_cast<double>((corner >> axis & 1) != 0 ? box.high[axis] : box.low[axis]);
+  };
+  return {at(0), at(1), at(2)};
 }
 
-// The largest distance of these places from an origin, in heights of the picture at their depth.
-double FarthestReach(const Camera& camera, const std::vector<Vector>& cut, Vector origin) {
-  double reach = 0;
-  for (const Vector& place : cut) {
-    const Vector away = place - origin;
-    reach = std::max(reach, std::sqrt(Dot(away, away)) / (2 * camera.HalfHeightAt(place.z)));
+Vector Through(const Matrix& matrix, Vector p) {
+  const auto& m = matrix.m;
+  const auto at = [&](int j) { return p.x * m[0][j] + p.y * m[1][j] + p.z * m[2][j] + m[3][j]; };
+  return {at(0), at(1), at(2)};
+}
+
+// The draw of one plane through an object, with the part of its cut that is seen; none where no
+// part is, or where the plane has no normal.
+std::optional<Setup> SetupOf(const Camera& camera, const SceneObject& object, const Plane& plane) {
+  Setup setup;
+  setup.config.camera = camera;
+  setup.world = object.world, setup.view = camera.View(), setup.projection = camera.Projection();
+  Compose(setup);
+  setup.world_plane = plane;
+  setup.view_plane = PlaneBefore(camera.ViewToWorld(), plane);
+  setup.object_plane = PlaneBefore(setup.world, plane);
+  const Plane& v = setup.view_plane;
+  const double length = NormalLength(v);
+  if (!(length > 0)) return std::nullopt;
+  setup.config.view_plane = {v.x / length, v.y / length, v.z / length, v.w / length};
+
+  double nearest = INFINITY, farthest = camera.near, diagonal = 0;
+  const Vector first = Through(setup.world_view, CornerOf(object.box, 0));
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector place = Through(setup.world_view, CornerOf(object.box, corner));
+    nearest = std::min(nearest, place.z), farthest = std::max(farthest, place.z);
+    diagonal = std::max(diagonal, std::sqrt(Dot(place - first, place - first)));
   }
-  return reach;
-}
-
-double Middle(const runtime::Box& box, int axis) {
-  return (static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis])) / 2;
+  nearest = std::max(nearest, camera.near);
+  if (!camera.infinite) farthest = std::min(farthest, camera.far);
+  if (!(farthest > nearest)) return std::nullopt;
+  setup.cut = CutOfBox(VisibleCut(camera, setup.config.view_plane, nearest, farthest), object.box,
+                       setup.world_view);
+  if (setup.cut.size() < 3) return std::nullopt;
+  // Edges as long as a twentieth of the depth, or as half the object where that is less.
+  const double depth = camera.orthographic ? camera.half_height : setup.cut.front().z;
+  setup.config.edge_length = std::min(0.05, diagonal / 2 / depth);
+  return setup;
 }
 
 }  // namespace
@@ -109,38 +128,10 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   facts.picture_height = scene.picture_height;
   facts.means = scene.means;
   facts.means.rigid = object.rigid;
-  const Matrix view = camera.View();
-  const Vec4<double> middle = {
-      {Middle(object.box, 0), Middle(object.box, 1), Middle(object.box, 2), 1}};
-  const Vec4<double> in_world = Transform(middle, ConvertTo<double>(object.world));
-  const Vec4<double> in_view = Transform(in_world, ConvertTo<double>(view));
-  const double depth = std::max(in_view[2], camera.near);
-  double diagonal = 0;
-  for (int j = 0; j < 3; ++j) {
-    double side = 0;
-    for (int i = 0; i < 3; ++i) {
-      side += (static_cast<double>(object.box.high[i]) - static_cast<double>(object.box.low[i])) *
-              std::fabs(object.world.m[i][j]);
-    }
-    diagonal += side * side;
-  }
-  const double size = std::sqrt(diagonal);
-  facts.extent = size / camera.HalfHeightAt(depth);
-  const Matrix world_view = Multiply(object.world, view);
-  const double farthest = camera.infinite ? depth + size : std::min(camera.far, depth + size);
-  facts.cuts.clear();
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;
-    const auto plane = ViewPlaneFromWorld(scene.planes[i].plane, view);
-    if (!plane.ok() || !(NormalLength(plane.value.plane) > 0)) continue;
-    CutFacts& cut = facts.cuts.emplace_back(CutFacts{plane.value.plane});
-    // The visible part of the cut inside the object's box; the object's middle where there is none.
-    std::vector<Vector> seen = CutOfBox(
-        VisibleCut(camera, cut.view_plane, camera.near, std::max(farthest, 2 * camera.near)),
-        object.box, world_view);
-    if (seen.empty()) seen.push_back({in_view[0], in_view[1], depth});
-    cut.reach = FarthestReach(camera, seen, OriginInView(world_view));
-    cut.world_reach = FarthestReach(camera, seen, OriginInView(view));
+    if (auto cut = SetupOf(camera, object, scene.planes[i].plane))
+      facts.cuts.push_back(std::move(*cut));
   }
   return facts;
 }
@@ -164,15 +155,7 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
       if (!plan.drawn() || plan.needed == 0) continue;
       DrawFacts facts = FactsOf(scene.objects[i], camera, scene, plan.needed);
       facts.means.whole_pass = whole_pass;
-      // Ways of the same arithmetic have the same error.
-      std::map<Method (*)(), std::optional<double>> known;
-      const Measure measure = [&](const Way& way) {
-        const auto [found, is_new] = known.try_emplace(way.method);
-        if (is_new)
-          found->second = MeasureRoughly(scene, camera, scene.objects[i], plan.needed, way);
-        return found->second;
-      };
-      all[i].best = Advise(facts, costs, scene.tolerance, measure).front();
+      all[i].best = Advise(facts, costs, scene.tolerance).front();
       if (!all[i].best->meets) all[i].cure = CureFor(facts, costs, scene.tolerance);
       is_shared = is_shared && all[i].best->way == "near-plane";
     }

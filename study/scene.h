@@ -73,13 +73,12 @@ struct ObjectAdvice {
 };
 
 // The advice on every object for a camera, beside scene.objects. `near-plane` is recommended for
-// all that is drawn or for nothing: where each drawn object is cut by the same one plane. The
-// errors that the laws leave open are measured with the scene's own matrices and planes.
+// all that is drawn or for nothing: where each drawn object is cut by the same one plane.
 std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
                                       const CostTable& costs);
 
 // The facts that Advise needs about drawing that object with the planes `needed`, a bit for each.
-// Each plane that has a normal is one of the facts' cuts.
+// Each plane that has a normal, and whose cut the camera sees, is one of the facts' cuts.
 DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& scene,
                   std::uint8_t needed);
 

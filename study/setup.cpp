@@ -19,6 +19,11 @@ void CutThrough(Config& config, Vector direction, Vector point) {
   config.nearest = point.z / 2, config.farthest = 2 * point.z;
 }
 
+double Setup::EdgeInHalfPictures() const {
+  const Camera& camera = config.camera;
+  return config.edge_length * (camera.orthographic ? 1 : 1 / camera.HalfHeightAt(1));
+}
+
 Vector OriginInView(const Matrix& to_view) { return RowOf(to_view, 3); }
 
 std::optional<Vector> RandomCut(const Setup& setup, Random& random) {

@@ -42,6 +42,8 @@ struct Setup {
   Plane world_plane, view_plane, object_plane;  // in double
   // The part of the cut to measure, as VisibleCut returns it; if empty, `config` gives the part.
   std::vector<Vector> cut;
+
+  double EdgeInHalfPictures() const;  // config.edge_length at any depth
 };
 
 // Sets the matrices that follow from world, view and projection.

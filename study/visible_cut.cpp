@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "study/visible_cut.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace clipc::study {
 namespace {
+
+// The width of a polygon, by its length, that the picture shows as a line.
+constexpr double kThin = 1e-3;
 
 double At(const Plane& plane, Vector p) {
   return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w;
@@ -64,31 +70,39 @@ std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& bo
 }
 
 Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random) {
-  const auto weight = [&](Vector p) { return camera.orthographic ? 1 : p.z; };
-  // Triangles around the first corner, by their size in the picture.
   const Vector first = polygon[0];
-  const auto in_picture = [&](Vector p) { return Vector{p.x / weight(p), p.y / weight(p), 0}; };
-  std::vector<double> sizes;
-  double sum = 0;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const Vector a = in_picture(polygon[i - 1]) - in_picture(first),
-                 b = in_picture(polygon[i]) - in_picture(first);
-    sizes.push_back(std::fabs(a.x * b.y - a.y * b.x));
-    sum += sizes.back();
-  }
-  double left = random.Between(0, sum);
-  std::size_t chosen = 2;
-  for (; chosen + 1 < polygon.size() && left > sizes[chosen - 2]; ++chosen)
-    left -= sizes[chosen - 2];
   if (polygon.size() < 3) return first;
+  // Triangles around the first corner, by twice their size: in the picture, or in space where the
+  // picture shows a line, as of a plane that holds the eye.
+  const auto in_picture = [&](Vector p) {
+    const double w = camera.orthographic ? 1 : p.z;
+    return Vector{p.x / w, p.y / w, 0};
+  };
+  std::vector<double> seen, sizes;
+  double longest = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vector a = in_picture(polygon[i]) - in_picture(first),
+                 b = in_picture(polygon[i + 1]) - in_picture(first);
+    const Vector across = Cross(polygon[i] - first, polygon[i + 1] - first);
+    seen.push_back(std::fabs(a.x * b.y - a.y * b.x));
+    sizes.push_back(std::sqrt(Dot(across, across)));
+    longest = std::max({longest, Dot(a, a), Dot(b, b)});
+  }
+  const bool is_line = !(std::accumulate(seen.begin(), seen.end(), 0.0) > kThin * longest);
+  if (!is_line) sizes = std::move(seen);
+  double left = random.Between(0, std::accumulate(sizes.begin(), sizes.end(), 0.0));
+  std::size_t chosen = 0;
+  for (; chosen + 1 < sizes.size() && left > sizes[chosen]; ++chosen) left -= sizes[chosen];
   // Even shares of the triangle in the picture, turned into shares of the triangle in space.
   double u = random.Unit(), v = random.Unit();
   if (u + v > 1) u = 1 - u, v = 1 - v;
-  const Vector corners[3] = {first, polygon[chosen - 1], polygon[chosen]};
-  const double shares[3] = {(1 - u - v) / weight(corners[0]), u / weight(corners[1]),
-                            v / weight(corners[2])};
+  const auto share = [&](double even, Vector corner) {
+    return is_line || camera.orthographic ? even : even / corner.z;
+  };
+  const Vector second = polygon[chosen + 1], third = polygon[chosen + 2];
+  const double shares[3] = {share(1 - u - v, first), share(u, second), share(v, third)};
   const double all = shares[0] + shares[1] + shares[2];
-  return shares[0] / all * corners[0] + shares[1] / all * corners[1] + shares[2] / all * corners[2];
+  return shares[0] / all * first + shares[1] / all * second + shares[2] / all * third;
 }
 
 }  // namespace clipc::study

@@ -73,4 +73,11 @@ inline const Way& WayNamed(std::string_view name) {
   return *std::ranges::find(kWays, name, &Way::name);
 }
 
+// The arithmetic of a way whose shader multiplies by matrices in that order.
+inline Method MethodOf(const Way& way, runtime::MatrixOrder order) {
+  if (way.space == PlaneSpace::kClip) return ClipSpaceBy(order);
+  if (way.space == PlaneSpace::kXyw1) return Xyw1SpaceBy(order);
+  return way.method();
+}
+
 }  // namespace clipc::study

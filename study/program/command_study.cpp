@@ -89,7 +89,8 @@ class Study {
   void Laws() {
     Csv csv(Path("laws.csv"),
             {"regime", "draws", "low", "high", "least", "median", "most", "pooled_p99"});
-    for (const RegimeHeld& held : HoldLaw(options_.quick ? 1100 : 10000, 40, 424242, LawOf)) {
+    for (const RegimeHeld& held : HoldLaw(options_.quick ? 1100 : 10000, 40, 424242,
+                                          [](const RegimeDraw& draw) { return LawOf(draw); })) {
       csv.Row(NameOf(held.regime), held.draws, held.low, held.high, held.least, held.median,
               held.most, held.pooled);
     }

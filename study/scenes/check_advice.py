@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the advice of `clipc-study scene` on scenes of make_scenes.py against arithmetic of its own.
 
-usage: check_advice.py CLIPC-STUDY [--scenes COUNT] [--blind]
+usage: check_advice.py CLIPC-STUDY [--scenes COUNT] [--first NUMBER] [--blind]
 
 Cuts are taken by shooting rays at the plane through random pixels. What is right follows from whole numbers of any length, and
-float32 is every operation rounded by itself. A way that is said to meet the tolerance and does not is a failure, as is a way
-that meets it with a margin of two where none is said to; one way in fifty may be 15 % dearer than one that does. --blind takes a
-hundredth of the tolerance and must fail."""
+float32 is every operation rounded by itself. A way that is said to meet the tolerance and does not is a failure. For one object in
+fifty a way may be overlooked that meets it with a margin of MARGIN, as a law does not know that round numbers are exact, and for
+one in fifty a way may be 15 % dearer than one that meets it so. --blind takes a hundredth of the tolerance and must fail."""
 
 import fractions
 import json
@@ -32,6 +32,8 @@ COSTS = {
 }
 ARITHMETIC = {"discard": "clip", "discard-object": "object"}
 EDGES = 300
+# The advice is bound by three times its law, and the law of one draw in a hundred is more than twice the truth.
+MARGIN = 6
 F = fractions.Fraction
 
 
@@ -362,21 +364,20 @@ def check(study, scene, folder, factor, found):
             ):
                 continue
             lost = by(way, every_plane=True)
-            if lost is None or lost > tolerance / 2:
+            if lost is None or lost > tolerance / MARGIN:
                 continue
             if said["meets"]:
                 found["dearer"] += 1
             else:
-                found["problems"].append(
-                    f"{scene['name']}, {thing['name']}: {way} loses {lost:.3g} of {tolerance:g} pixels and is overlooked"
-                )
+                found["overlooked"] += 1
             break
 
 
 def main():
     arguments = sys.argv[2:]
     count = int(arguments[arguments.index("--scenes") + 1]) if "--scenes" in arguments else 500
-    found = {"advised": 0, "meets": 0, "unseen": 0, "dearer": 0, "problems": []}
+    first = int(arguments[arguments.index("--first") + 1]) if "--first" in arguments else 0
+    found = {"advised": 0, "meets": 0, "unseen": 0, "dearer": 0, "overlooked": 0, "problems": []}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         lines = ["setting,way,planes,median_ms,least_ms,ratio,paired_ratio"]
@@ -386,7 +387,7 @@ def main():
             for planes in (1, 3, 6)
         ]
         (folder / "costs.csv").write_text("\n".join(lines) + "\n")
-        for number in range(count):
+        for number in range(first, first + count):
             check(
                 sys.argv[1],
                 make_scenes.scene(number),
@@ -394,15 +395,16 @@ def main():
                 0.01 if "--blind" in arguments else 1,
                 found,
             )
-    if found["dearer"] > 0.02 * found["advised"]:
-        found["problems"].append("more than one in fifty is dearer than needed")
+    for what in ("dearer", "overlooked"):
+        if found[what] > 0.02 * found["advised"]:
+            found["problems"].append(f"more than one in fifty is {what}")
     if "--blind" in arguments:
         print(f"{len(found['problems'])} problems are seen")
         return not found["problems"]
     print("".join(f"{problem}\n" for problem in found["problems"]), end="")
     print(
         f"{count} scenes, {found['advised']} objects that a plane cuts, {found['meets']} said to meet ({found['unseen']} with hardly a cut in the picture): "
-        f"{len(found['problems'])} problems, {found['dearer']} dearer than needed"
+        f"{len(found['problems'])} problems, {found['dearer']} dearer than needed, {found['overlooked']} overlooked"
     )
     return bool(found["problems"])
 

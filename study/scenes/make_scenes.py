@@ -189,6 +189,10 @@ def scene(number):
     s = Style(r)
     style = STYLES[number % len(STYLES)]
     style(s)
+    # A third of all scenes have things so large that planes at several depths cut them.
+    if len(s.parts) == 1 and r.random() < 0.3:
+        s.size = r.choice([1, 3, 10])
+        s.parts = [1, r.choice([0.02, 0.1, 0.5]), r.choice([0.3, 1.5, 3])]
     # Looks along an axis, or nearly; a turned camera has its things before it.
     yaw = math.radians(r.choice([0, 90, 180, 30, 0.01]))
     s.camera |= {"eye": s.eye, "yaw": yaw}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "runtime/plane_space.h"
+#include "study/setup.h"
+#include "study/way.h"
+
+namespace clipc::study {
+
+// The error of a way in a draw of one plane: pixels of a picture of that height, the 99th
+// percentile of displaced edges. It is followed from the draw's own matrices and its cut through
+// each rounding (runtime::PredictEdgeError); of `cpu`, whose cut becomes a vertex, it is that
+// vertex's rounding. `order` is how float multiplies the matrices, `sine` that of the angle between
+// surface and plane. 0 where the picture shows nothing of the cut; infinity where the runtime
+// refuses the way.
+double LawOf(const Setup& setup, const Way& way, runtime::MatrixOrder order,
+             double picture_height = kPictureHeight, double sine = runtime::kAnySurface);
+
+}  // namespace clipc::study
