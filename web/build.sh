@@ -46,4 +46,5 @@ done
 install_node_packages
 cd build/web/page
 quietly npm run build
+node compress.js ../../page
 mv ../starts ../made

@@ -4,8 +4,9 @@ import { Program, uploadMesh } from './program.js';
 
 const COLORS = /COLOR|TINT/;
 
-/** A fragment shader for the outputs of `result`; it shades by the slope of the depth where there are no normals. */
+/** The pixel shader of `result`, or one for its outputs, which shades by the slope of the depth where there are no normals. */
 export function fragmentShader(result) {
+  if (result.pixel) return result.pixel;
   const outputs = result.reflection.outputs.filter((output) => !output.builtin);
   const find = (test, types) =>
     outputs.find(({ semantic, type }) => test.test(semantic) && types.includes(type));
@@ -37,7 +38,7 @@ export class Canvas {
   #program = null;
   #lines = null;
   #mesh = null;
-  /** What the last draw took. */
+  /** What the draws since the last reset cost. */
   work = { draws: 0, uploads: 0 };
 
   constructor(element, options = {}) {
@@ -82,11 +83,14 @@ export class Canvas {
     return this.#program?.result ?? null;
   }
 
-  /** `constants`: fillConstants(). One draw of the mesh, and one of `lines`, pairs of points of the clip space from -w to w. */
-  draw(constants, isReversed, lines = null) {
+  /**
+   * `constants`: fillConstants(). One draw of the mesh, and one of `lines`, pairs of points of the clip space from -w to w.
+   * `viewport`: another one than the whole image.
+   */
+  draw(constants, isReversed, lines = null, viewport = null) {
     const { gl, element } = this;
     if (!gl || !this.#program || gl.isContextLost()) return;
-    gl.viewport(0, 0, element.width, element.height);
+    gl.viewport(...(viewport ?? [0, 0, element.width, element.height]));
     gl.clearColor(0.125, 0.14, 0.165, 1);
     gl.clearDepth(isReversed ? 0 : 1);
     gl.enable(gl.DEPTH_TEST);
@@ -99,7 +103,8 @@ export class Canvas {
     for (let i = 0; i < planes; ++i) gl.enable(this.clip.CLIP_DISTANCE0_WEBGL + i);
     gl.drawElements(gl.TRIANGLES, this.#mesh.source.indices.length, gl.UNSIGNED_INT, 0);
     for (let i = 0; i < planes; ++i) gl.disable(this.clip.CLIP_DISTANCE0_WEBGL + i);
-    this.work = { draws: 1, uploads };
+    this.work.draws += 1;
+    this.work.uploads += uploads;
     if (lines?.length) this.#drawLines(lines);
   }
 

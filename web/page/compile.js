@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // One compile at a time in a worker. A newer request replaces one that waits, and a shader that takes too long is ended with its
 // worker.
+import { module } from './module.js';
+
 const MOST_MILLISECONDS = 4000;
 
 export class Compiles {
@@ -28,6 +30,11 @@ export class Compiles {
   #start() {
     this.#isReady = false;
     this.#worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    const worker = this.#worker;
+    module.then(
+      (compiled) => worker.postMessage({ module: compiled }),
+      (error) => this.#finish({ failed: String(error) }),
+    );
     this.#worker.onmessage = ({ data }) => {
       if (data.version) {
         this.#isReady = true;

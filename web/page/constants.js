@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Fills a shader's constant buffers for the scene, by the names of their members, and each clip plane by clipc's table.
 import { multiply, multiplyFloats, transpose } from './matrices.js';
+import { buffersOf } from './program.js';
 
 /** What a matrix of this name is, from the scene; null if the name says nothing. */
 function matrixNamed(name, { world, view, projection, isFloat }) {
@@ -108,11 +109,12 @@ export function fillConstants(reflection, text, scene, planeConstant) {
     reflection.clipPlanes.some(
       (plane) => plane.cbuffer === buffer && plane.offset >= offset && plane.offset < offset + size,
     );
-  for (const { name: buffer, size, members } of reflection.cbuffers) {
+  const structs = [...reflection.structs, ...(reflection.pixelShader?.structs ?? [])];
+  for (const { name: buffer, size, members } of buffersOf(reflection)) {
     const bytes = new ArrayBuffer(Math.ceil(size / 16) * 16);
     const view = { floats: new Float32Array(bytes), words: new Uint32Array(bytes) };
     buffers.set(buffer, bytes);
-    for (const member of flat(members, reflection.structs)) {
+    for (const member of flat(members, structs)) {
       const isFilled = fillMember(member, view, text, scene);
       if (!isFilled && !holdsPlane(buffer, member)) unknown.push(member.name);
     }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+import { adviceFor, short } from './advice.js';
 import { Chart } from './chart.js';
 import { Compiles } from './compile.js';
 import { planesOf } from './constants.js';
 import { Editor } from './editor.js';
 import { readGltf } from './gltf.js';
+import { Handle } from './handle.js';
+import { Lens } from './lens.js';
 import { readLink, writeLink } from './link.js';
-import { MESHES } from './mesh.js';
+import { baked, MESHES } from './mesh.js';
 import { Pictures } from './pictures.js';
+import { presetOf, PRESETS } from './presets.js';
 import { loadRuntime, SPACES } from './runtime.js';
 import { CHAINS, Scene } from './scene.js';
 import { isStart, startOf } from './start.js';
@@ -36,7 +40,7 @@ const TARGETS = [
 ];
 const LOWERINGS = ['clip-distance', 'discard', 'near-plane', 'level9', 'none'];
 const DRAGS = { camera: 'turns the camera', plane: 'moves the plane', turn: 'turns the plane' };
-const SAVED = ['options', 'target', 'lower', 'space', 'near', 'depth', 'offset', 'chain'];
+const SAVED = ['options', 'target', 'lower', 'space', 'near', 'depth', 'offset', 'chain', 'mesh'];
 const START = 'A cut model';
 const WAIT = 120; // milliseconds after the last key
 const MOST_FILE = 64 << 20;
@@ -63,11 +67,15 @@ const views = [
   { element: element('clipped'), caption: element('clipped-caption'), name: 'Clip distances' },
   { element: element('discarded'), caption: element('discarded-caption'), name: 'Discard' },
 ];
-const pictures = new Pictures(scene, views, showScene, showNumbers);
+const lens = new Lens(element('lens'));
+const pictures = new Pictures(scene, views, lens, showScene, showNumbers);
+const handle = new Handle(
+  scene,
+  Object.fromEntries(['stage', 'overlay', 'move', 'turn'].map((id) => [id, element(id)])),
+  () => pictures.redraw(),
+);
 const chart = new Chart(element('chart'), ({ space, lower }) => {
-  element('space').value = space;
-  element('lower').value = lower;
-  compileSoon();
+  setValues({ space, lower });
 });
 const tabs = new Tabs(element('tabs'), element('text'), () => tabs.needsSpirv && compileSoon());
 const compiles = new Compiles((version) => (dataset.version = version));
@@ -78,14 +86,35 @@ const editor = new Editor(element('source'), () => compileSoon());
 /** The controls follow the scene. */
 function showScene() {
   for (const id of ['height', 'tilt', 'heading']) element(id).value = scene.plane[id];
+  handle.show();
   const works = pictures.views.map(({ canvas }) => canvas.work);
   dataset.draws = String(works.reduce((sum, work) => sum + work.draws, 0));
   dataset.uploads = String(works.reduce((sum, work) => sum + work.uploads, 0));
 }
 
-const short = (pixels) => (pixels === 0 ? '0' : Number(pixels.toPrecision(2)).toString());
+/** The cut's displacement in each plane space: measured in that of the shader, predicted in the others. */
+function pixelsOf({ space, predicted, found }) {
+  return found ? { ...predicted, [space]: found.displacement.p99 } : predicted;
+}
+
+let numbersShown = null;
+
+/** The sentence under the image. */
+function showAdvice() {
+  const { text, fix } = adviceFor(numbersShown, {
+    view: viewChosen(),
+    lower: element('lower').value,
+    chain: scene.chain,
+  });
+  element('sentence').textContent = text;
+  element('fix').hidden = !fix;
+  element('fix').textContent = fix?.text ?? '';
+  element('fix').onclick = () => setValues(fix.values);
+}
 
 function showNumbers(numbers) {
+  numbersShown = numbers;
+  showAdvice();
   const place = element('prediction');
   place.textContent = numbers ? sentences(numbers) : 'No plane that a constant moves.';
   const { displacement, flicker } = numbers?.found ?? {};
@@ -97,7 +126,7 @@ function showNumbers(numbers) {
   });
   element('chart-part').hidden = !numbers;
   if (numbers)
-    chart.show(numbers.planes, numbers.predicted, {
+    chart.show(numbers.planes, pixelsOf(numbers), {
       space: element('space').value,
       lower: element('lower').value,
     });
@@ -119,29 +148,35 @@ function sentences({ space, predicted, found, warning }) {
 
 // ---- compiling
 
-/** The shown result, both pictures', and SPIR-V where it is looked at. */
+const viewChosen = () => document.querySelector('#view input:checked').value;
+
+/** The shown result, both images', and SPIR-V where it is looked at. */
 function settings() {
   const space = element('space').value;
   const lower = element('lower').value;
-  const options = element('options').value.split(/\s+/).filter(Boolean);
+  const words = element('options').value.split(/\s+/).filter(Boolean);
+  const [pixelEntry] = words.flatMap((word) => /^--pixel-entry=(.+)/.exec(word)?.[1] ?? []);
+  const options = words.filter((word) => !word.startsWith('--pixel-entry='));
   if (space !== 'clip') options.push(`--plane-space=${space}`);
   const drawn = (how) => ({
     target: 'webgl2',
     lower: how,
+    pixelEntry,
     options: [...options, '--depth-range=negative-one-to-one'],
   });
-  const left = ['near-plane', 'none'].includes(lower) ? lower : 'clip-distance';
+  const isLeft = ['near-plane', 'none'].includes(lower);
+  const left = viewChosen() === 'others' ? 'none' : isLeft ? lower : 'clip-distance';
   pictures.views[0].name = {
     'near-plane': 'Near plane',
-    none: 'No planes',
+    none: 'Without the plane',
     'clip-distance': 'Clip distances',
   }[left];
   return [
-    { target: element('target').value, lower, options },
+    { target: element('target').value, lower, options, pixelEntry },
     left === 'clip-distance' && !pictures.hasClipDistances ? null : drawn(left),
     drawn('discard'),
     tabs.needsSpirv
-      ? { target: 'vulkan', lower: 'clip-distance', options: [...options, '-spirv'] }
+      ? { target: 'vulkan', lower: 'clip-distance', options: [...options, '-spirv'], pixelEntry }
       : null,
   ];
 }
@@ -197,6 +232,53 @@ function bind(id, set) {
   });
 }
 
+/** Gives controls other values, as a person does. */
+function setValues(values) {
+  for (const [id, value] of Object.entries(values)) {
+    element(id).value = value;
+    element(id).dispatchEvent(new Event('input'));
+  }
+}
+
+/** The canvas that is looked at, and the presets whose values the controls have. */
+function showView() {
+  const isDiscard =
+    viewChosen() === 'discard' || (viewChosen() === 'clipc' && !pictures.hasClipDistances);
+  for (const [id, isHidden] of [
+    ['clipped', isDiscard],
+    ['discarded', !isDiscard],
+  ]) {
+    element(id).hidden = isHidden;
+    element(`${id}-caption`).hidden = isHidden;
+  }
+  showAdvice();
+  pictures.redraw();
+}
+
+function showPreset() {
+  const name = presetOf((id) => element(id).value);
+  for (const button of element('presets').children)
+    button.setAttribute('aria-pressed', String(button.textContent === name));
+}
+
+function makePresets() {
+  for (const [name, values] of Object.entries(PRESETS)) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = name;
+    button.addEventListener('click', () => setValues(values));
+    element('presets').append(button);
+  }
+  for (const id of Object.keys(PRESETS.Near)) element(id).addEventListener('input', showPreset);
+  showPreset();
+}
+
+/** The mesh that is chosen, where its vertices are. */
+function placeMesh(mesh = MESHES[element('mesh').value]?.() ?? placeMesh.last) {
+  placeMesh.last = mesh;
+  pictures.mesh = baked(mesh, scene.baked);
+}
+
 function choose(name) {
   const text = gallery[name] ?? startOf(scene.chain);
   element('options').value = text.match(/^\/\/ clipc (.*)$/m)?.[1] ?? '-T vs_5_0';
@@ -207,7 +289,7 @@ async function loadFile(file) {
   if (!file) return;
   try {
     if (file.size > MOST_FILE) throw new Error('the file is larger than 64 MB');
-    pictures.mesh = readGltf(await file.arrayBuffer());
+    placeMesh(readGltf(await file.arrayBuffer()));
     if (![...element('mesh').options].some(({ value }) => value === 'file'))
       element('mesh').append(new Option('', 'file'));
     element('mesh').options[element('mesh').options.length - 1].text = file.name;
@@ -223,29 +305,52 @@ function bindScene() {
     bind(id, (value) => (scene.plane[id] = Number(value)));
   bind('plane', (value) => (scene.chosen = Number(value) - 1));
   bind('near', (value) => (scene.near = Number(value)));
-  bind('offset', (value) => (scene.offset = Number(value)));
+  bind('offset', (value) => {
+    scene.offset = Number(value);
+    if (scene.chain === 'baked') placeMesh(placeMesh.last);
+  });
   bind('depth', (value) => (scene.isReversed = value === 'reversed'));
   bind('chain', (value) => {
+    const wasBaked = scene.baked;
     scene.chain = value;
+    if (scene.baked !== wasBaked) placeMesh(placeMesh.last);
     if (isStart(editor.text)) editor.text = startOf(value);
   });
   element('reference').addEventListener('input', () => {
     pictures.showsReference = element('reference').checked;
     pictures.redraw();
   });
-  element('mesh').addEventListener(
-    'input',
-    () => MESHES[element('mesh').value] && (pictures.mesh = MESHES[element('mesh').value]()),
-  );
+  element('mesh').addEventListener('input', () => placeMesh());
   element('file').addEventListener('change', () => loadFile(element('file').files[0]));
-  pictures.mesh = MESHES.Teapot();
-  for (const { element: picture } of views)
+  placeMesh();
+  element('shows-lens').addEventListener('input', () => {
+    lens.isOn = element('shows-lens').checked;
+    pictures.redraw();
+  });
+  element('view').addEventListener('input', () => {
+    showView();
+    compileNow();
+  });
+  for (const { element: picture } of views) {
+    picture.addEventListener('pointermove', ({ offsetX, offsetY, buttons }) => {
+      if (buttons) return;
+      lens.place = [
+        (2 * offsetX) / picture.clientWidth - 1,
+        1 - (2 * offsetY) / picture.clientHeight,
+      ];
+      pictures.redraw();
+    });
+    picture.addEventListener('pointerleave', () => {
+      lens.place = null;
+      pictures.redraw();
+    });
     steer(
       picture,
       scene,
       () => element('drag').value,
       () => pictures.redraw(),
     );
+  }
 }
 
 function start() {
@@ -254,7 +359,7 @@ function start() {
   fill('lower', LOWERINGS);
   fill('space', SPACES);
   fill('mesh', Object.keys(MESHES));
-  fill('near', ['0.1', '0.01', '0.001', '0.0001']);
+  fill('near', ['0.1', '0.01', '0.001', '0.0001', '0.00001']);
   fill('depth', ['standard', 'reversed']);
   fill('offset', ['0', '1000', '100000']);
   fill('chain', CHAINS);
@@ -263,9 +368,12 @@ function start() {
   for (const id of ['target', 'lower', 'space', 'options'])
     element(id).addEventListener('input', compileSoon);
   element('gallery').addEventListener('input', () => choose(element('gallery').value));
+  makePresets();
   bindScene();
+  showView();
   element('link').addEventListener('click', async () => {
     const state = Object.fromEntries(SAVED.map((id) => [id, element(id).value]));
+    Object.assign(state, { view: viewChosen(), scene: scene.saved });
     location.hash = await writeLink({ ...state, text: editor.text });
     await navigator.clipboard?.writeText(location.href).catch(() => {});
     say('The address of this page now carries the shader');
@@ -283,9 +391,19 @@ function start() {
 async function openLink() {
   const state = await readLink(location.hash).catch(() => null);
   if (!state) return choose(element('gallery').value);
-  for (const id of SAVED) element(id).value = state[id] ?? element(id).value;
+  for (const id of SAVED) {
+    const { options } = element(id);
+    const isKnown = options ? [...options].some(({ value }) => value === state[id]) : id in state;
+    if (isKnown) element(id).value = state[id];
+  }
+  scene.restore(state.scene);
   [scene.near, scene.offset] = [Number(element('near').value), Number(element('offset').value)];
   [scene.chain, scene.isReversed] = [element('chain').value, element('depth').value === 'reversed'];
+  for (const choice of document.querySelectorAll('#view input'))
+    if (choice.value === state.view) choice.checked = true;
+  placeMesh();
+  showView();
+  showPreset();
   editor.text = state.text;
 }
 

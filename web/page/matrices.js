@@ -12,6 +12,10 @@ export const multiply = (a, b) =>
     );
   });
 
+/** A point times a matrix. */
+export const transformed = (point, m) =>
+  [0, 1, 2, 3].map((column) => point.reduce((sum, x, row) => sum + x * m[4 * row + column], 0));
+
 export const transpose = (m) => m.map((_, at) => m[(at % 4) * 4 + (at >> 2)]);
 
 export const translation = (x, y, z) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];

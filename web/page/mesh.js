@@ -2,6 +2,16 @@
 // Meshes: {positions, normals, uvs, indices}, within about one unit of the origin, y up.
 import { cross } from './matrices.js';
 
+/** `mesh` with its vertices moved by `offset` along x, as floats. */
+export const baked = (mesh, offset) =>
+  offset
+    ? {
+        ...mesh,
+        edges: mesh.edges,
+        positions: mesh.positions.map((x, i) => (i % 3 ? x : x + offset)),
+      }
+    : mesh;
+
 /** Surfaces over the unit square, each [columns, rows, point]: so many quads, and `point(u, v)` gives [x, y, z]. */
 function surfaces(...parts) {
   const positions = [];

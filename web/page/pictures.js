@@ -22,8 +22,9 @@ export class Pictures {
   #timer = 0;
 
   /** `views`: [{element, caption, name}], by clip distances and by discard. `drawn()` and `measured(numbers)` are called after. */
-  constructor(scene, views, drawn, measured) {
+  constructor(scene, views, lens, drawn, measured) {
     this.scene = scene;
+    this.lens = lens;
     this.views = views.map((view) => ({ ...view, canvas: new Canvas(view.element), problem: '' }));
     this.drawn = drawn;
     this.measured = measured;
@@ -65,7 +66,10 @@ export class Pictures {
     this.#isDrawing = true;
     requestAnimationFrame(() => {
       this.#isDrawing = false;
-      this.views.forEach((view) => this.#draw(view));
+      this.views.forEach((view) => {
+        view.canvas.work = { draws: 0, uploads: 0 };
+        this.#draw(view);
+      });
       this.drawn();
       this.#timer = setTimeout(() => this.#measure(), WAIT);
     });
@@ -89,18 +93,23 @@ export class Pictures {
     return { ...fillConstants(result.reflection, result.source, matrices, constantOf), problems };
   }
 
+  /** Where the planes should cut; null where nobody looks at that. */
+  #linesOf(result, mesh, matrices) {
+    const planes = this.showsReference || this.lens.isOn ? planesOf(result.reflection) : null;
+    return planes?.length ? new Reference(mesh, matrices, planes).lines() : null;
+  }
+
   #draw({ canvas, caption, name, problem }) {
     const { element, result, mesh } = canvas;
     let said = problem;
     if (result) {
       const matrices = this.scene.matrices(element.width / element.height);
       const { buffers, unknown, problems } = this.#fill(result, matrices, element.height);
-      const planes = this.showsReference ? planesOf(result.reflection) : null;
-      canvas.draw(
-        buffers,
-        matrices.isReversed,
-        planes?.length ? new Reference(mesh, matrices, planes).lines() : null,
-      );
+      const lines = this.#linesOf(result, mesh, matrices);
+      const drawn = this.showsReference ? lines : null;
+      const draw = (viewport) => canvas.draw(buffers, matrices.isReversed, drawn, viewport);
+      if (!element.hidden) this.seen = this.lens.show(element, lines, draw);
+      draw(null);
       said ||= problems[0] ?? (unknown.length ? `zeros for ${unknown.join(', ')}` : '');
     }
     caption.textContent = said ? `${name}: ${said}` : name;

@@ -42,6 +42,7 @@ export class Program {
   /** Makes the program current. Returns the number of uploads: one for each constant buffer, or for each uniform without one. */
   bind(constants, buffers) {
     this.gl.useProgram(this.program);
+    bindTexture(this.gl, Boolean(this.result.pixel));
     this.#bindInputs(buffers);
     return this.#bindBlocks(constants) + this.#bindUniforms(constants);
   }
@@ -49,7 +50,7 @@ export class Program {
   #bindBlocks(constants) {
     const { gl } = this;
     let uploads = 0;
-    this.result.reflection.cbuffers.forEach(({ name, glsl }, binding) => {
+    buffersOf(this.result.reflection).forEach(({ name, glsl }, binding) => {
       const block = gl.getUniformBlockIndex(this.program, glsl?.block ?? '');
       if (block === gl.INVALID_INDEX) return;
       this.#uniforms[binding] ??= gl.createBuffer();
@@ -64,7 +65,7 @@ export class Program {
   #bindUniforms(constants) {
     const { gl } = this;
     let uploads = 0;
-    for (const { name, members } of this.result.reflection.cbuffers) {
+    for (const { name, members } of buffersOf(this.result.reflection)) {
       const floats = new Float32Array(constants.get(name));
       for (const { type, offset, glsl } of members) {
         const place = glsl ? gl.getUniformLocation(this.program, glsl) : null;
@@ -102,6 +103,45 @@ export class Program {
       }
     }
   }
+}
+
+/** The constant buffers of a vertex shader and of the pixel shader that was compiled with it, each once. */
+export function buffersOf({ cbuffers, pixelShader }) {
+  const own = (pixelShader?.cbuffers ?? []).filter(
+    ({ glsl }) => glsl && !glsl.sharedWithVertexShader,
+  );
+  return [
+    ...cbuffers,
+    ...own.map((buffer) => ({ ...buffer, name: `${buffer.name} of the pixel shader` })),
+  ];
+}
+
+const checkers = new WeakMap();
+
+/** Every texture of a pair is a checker board; a vertex shader alone reads zeros. */
+function bindTexture(gl, isPair) {
+  gl.activeTexture(gl.TEXTURE0);
+  if (!isPair) return gl.bindTexture(gl.TEXTURE_2D, null);
+  if (checkers.has(gl)) return gl.bindTexture(gl.TEXTURE_2D, checkers.get(gl));
+  const texture = gl.createTexture();
+  checkers.set(gl, texture);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  const pixels = Array.from({ length: 64 }, (_, i) => ((i + (i >> 3)) % 2 ? 255 : 150)).flatMap(
+    (x) => [x, x, x, 255],
+  );
+  gl.texImage2D(
+    gl.TEXTURE_2D,
+    0,
+    gl.RGBA,
+    8,
+    8,
+    0,
+    gl.RGBA,
+    gl.UNSIGNED_BYTE,
+    new Uint8Array(pixels),
+  );
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
 }
 
 /** The mesh's arrays as buffers. */

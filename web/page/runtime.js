@@ -3,6 +3,7 @@
 import { Instance } from 'clipc/compiler.js';
 
 import { planeInView } from './matrices.js';
+import { module } from './module.js';
 
 export const SPACES = ['clip', 'xyw1', 'object'];
 const KNOWN_IN_WORLD = 1;
@@ -14,9 +15,7 @@ const KEEP_FAR = 1;
 const REVERSED = 2;
 
 export async function loadRuntime() {
-  const response = await fetch(new URL('clipc/clipc.wasm', import.meta.url));
-  const module = await WebAssembly.compile(await response.arrayBuffer());
-  return new Runtime(new Instance(module, null, () => null));
+  return new Runtime(new Instance(await module, null, () => null));
 }
 
 class Runtime {

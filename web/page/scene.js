@@ -14,6 +14,7 @@ export const CHAINS = {
   one: 'one matrix',
   float: 'one matrix, multiplied in float',
   relative: 'camera-relative world',
+  baked: 'vertices baked into the world',
 };
 
 const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
@@ -31,8 +32,13 @@ export class Scene {
   chosen = 0;
   /** The first plane cuts through the mesh; the others take little off its sides. */
   planes = Array.from({ length: MOST_PLANES }, (_, i) =>
-    i ? { height: 0.75, tilt: 90, heading: 72 * i } : { height: 0.25, tilt: 20, heading: 30 },
+    i ? { height: 0.75, tilt: 90, heading: 72 * i } : { height: 0.1, tilt: 70, heading: -170 },
   );
+
+  /** Where the mesh's vertices are in its own space. */
+  get baked() {
+    return this.chain === 'baked' ? this.offset : 0;
+  }
 
   get plane() {
     return this.planes[this.chosen];
@@ -62,9 +68,10 @@ export class Scene {
     const mesh =
       this.chain === 'relative' ? [x * center, y * center, z * center] : [this.offset, 0, 0];
     const eye = mesh.map((at, i) => at + this.distance * [x, y, z][i]);
+    this.middle = mesh;
     const view = multiply(lookAt(eye, mesh), rotationY(pan));
     return {
-      world: floats(translation(...mesh)),
+      world: floats(this.baked ? translation(0, 0, 0) : translation(...mesh)),
       view: floats(view),
       projection: floats(perspective(FIELD_OF_VIEW, aspect, this.near, FAR, this.isReversed)),
       planes: this.planes.map((_, i) => this.#plane(i, floats(mesh))),
@@ -73,6 +80,23 @@ export class Scene {
       isFloat: this.chain === 'float',
       isReversed: this.isReversed,
     };
+  }
+
+  /** What a link keeps of it. */
+  get saved() {
+    const { yaw, pitch, distance, planes } = this;
+    return { yaw, pitch, distance, planes };
+  }
+
+  /** Takes over the numbers of what `saved` gave; a link may hold anything. */
+  restore(saved) {
+    const copy = (to, from, names) => {
+      for (const name of names) if (Number.isFinite(from?.[name])) to[name] = from[name];
+    };
+    copy(this, saved, ['yaw', 'pitch', 'distance']);
+    this.planes.forEach((plane, i) => copy(plane, saved?.planes?.[i], Object.keys(plane)));
+    this.turnCamera(0, 0);
+    this.approach(1);
   }
 
   turnCamera(right, up) {

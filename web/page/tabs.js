@@ -5,7 +5,7 @@ const TEXTS = {
   Messages: ({ shown }) => shown.messages,
   'Clip table': ({ shown }) => (shown.table ? JSON.stringify(shown.table, null, 2) : ''),
   Reflection: ({ shown }) => (shown.reflection ? JSON.stringify(shown.reflection, null, 2) : ''),
-  Discard: ({ shown }) => shown.discard,
+  'Pixel shader': ({ shown }) => shown.pixel || shown.discard,
   'SPIR-V': ({ spirv }) => (spirv?.ok ? spirv.text : (spirv?.messages ?? '')),
 };
 

@@ -2,7 +2,10 @@
 // Compiles away from the page, which may end this worker at any time.
 import { createCompiler } from 'clipc';
 
-const ready = createCompiler().then((compiler) => {
+/** The page's first message is the module. */
+let setModule;
+const module = new Promise((resolve) => (setModule = resolve));
+const ready = createCompiler(module).then((compiler) => {
   postMessage({ version: compiler.version });
   return compiler;
 });
@@ -13,7 +16,8 @@ function compile(compiler, text, options) {
   return result.spirv.length ? { ...result, text: compiler.disassemble(result.spirv) } : result;
 }
 
-addEventListener('message', async ({ data: { number, text, settings } }) => {
+addEventListener('message', async ({ data: { module, number, text, settings } }) => {
+  if (module) return setModule(module);
   const compiler = await ready;
   const began = performance.now();
   const results = settings.map((options) => options && compile(compiler, text, options));
