@@ -130,12 +130,14 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
 
 ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
                   Span span) {
-  const ExprId object = CheckExpr(context, member.base);
+  const auto* owner = context.GetIf<ast::TypeExpr>(member.base);  // S<int> in S<int>::f()
+  const ExprId object = owner ? ExprId{} : CheckExpr(context, member.base);
   Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
-  if (context.IsError(object) || !ok) return context.ErrorExpr(span);
-  const TypeId type = context.TypeIdOf(object);
-  if (context[type].kind == TypeKind::kObject) {
+  if ((object && context.IsError(object)) || !ok) return context.ErrorExpr(span);
+  const TypeId type = owner ? ResolveType(context, owner->type) : context.TypeIdOf(object);
+  if (context.IsError(type)) return context.ErrorExpr(span);
+  if (object && context[type].kind == TypeKind::kObject) {
     if (IsTypedAccess(context, member, object))
       return CheckTypedAccess(context, member, object, arguments, span);
     return CheckMethodCall({context.program, context[member.name], member.name_span, arguments,
@@ -148,7 +150,7 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     return context.ErrorExpr(span);
   }
   if (context[symbol].kind != SymbolKind::kFunction) {
-    const auto field = FindField(context, type, member.name);
+    const auto field = object ? FindField(context, type, member.name) : std::nullopt;
     const ExprId value = field ? context.At(member.name_span).Field(object, *field)
                                : UseSymbol(context, symbol, member.name_span);
     return CallValue(context, value, std::string(context[member.name]), member.name_span, expr,
@@ -163,8 +165,11 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     ReportNoOverload(context, overloads, arguments, member.name, member.name_span);
     return context.ErrorExpr(span);
   }
-  const ExprId self = context[choice.function].self ? object : ExprId{};
-  return CallFunction(context, choice.function, self, std::move(arguments), member.name_span, span);
+  const bool is_static = !context[choice.function].self;
+  if (owner && !is_static)
+    return context.Fail(member.name_span, diag::FieldWithoutObject, context[member.name]);
+  return CallFunction(context, choice.function, is_static ? ExprId{} : object, std::move(arguments),
+                      member.name_span, span);
 }
 
 // The function for arguments whose classes are known although its parameters are interfaces. There

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -48,6 +49,13 @@ struct Structs {
   std::unordered_map<std::uint32_t, SymbolId> symbols;
   // The values of enums, as far as they are known, by the SymbolId of the enum.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> enum_values;
+  // The specialisations `template<> struct S<float> {..}`, by the SymbolId of the template.
+  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> specialisations;
+  bool IsSpecialisation(SymbolId symbol, ast::DeclId decl) const {
+    const auto found = specialisations.find(symbol.index);
+    return found != specialisations.end() &&
+           std::ranges::find(found->second, decl) != found->second.end();
+  }
 };
 
 // The variables outside functions.

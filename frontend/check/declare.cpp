@@ -84,8 +84,11 @@ void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl
     ReportLanguage(context, decl.name_span, "templates", LanguageVersion::k2021);
   const SymbolId older = decl.name ? context.names.FindIn(scope, decl.name, true) : SymbolId{};
   const auto* before = older ? context.GetIf<ast::StructDecl>(context[older].decl) : nullptr;
-  if (before && !decl.template_arguments.empty()) {
-    context.names.Declare(SymbolKind::kType, scope, decl.name, id, decl.name_span);
+  if (!decl.template_arguments.empty()) {
+    if (!before || !before->is_template)
+      context.Report(decl.name_span, diag::SpecialisationOfNone, context[decl.name]);
+    else if (decl.is_definition)
+      context.structs.specialisations[older.index].push_back(id);
     return;
   }
   if (before && !decl.is_definition) return;
@@ -102,14 +105,23 @@ void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& 
   if (decl.is_template && !context.options.has_templates)
     ReportLanguage(context, decl.name_span, "templates", LanguageVersion::k2021);
   DeclareTypeInside(context, decl.return_type, scope);
+  const bool is_special = decl.is_template && decl.template_parameters.empty();
+  const bool has_arguments = !decl.template_arguments.empty();
   if (decl.out_of_line_of.name) {
+    if (is_special || (has_arguments && !decl.is_template))
+      context.Report(decl.name_span, diag::Unsupported,
+                     fmt::format("a specialisation of the method `{}`, outside of its struct",
+                                 context[decl.name]));
     context.functions.out_of_line.Add(decl.name, decl.out_of_line_of, id);
     return;
   }
-  if (!decl.template_arguments.empty()) {
-    context.Report(
-        decl.name_span, diag::Unsupported,
-        fmt::format("a specialisation of the function template `{}`", context[decl.name]));
+  if (has_arguments && !is_special) {
+    context.Report(decl.name_span, diag::SpecialisationWithoutHeader, context[decl.name]);
+    return;
+  }
+  if (is_special) {
+    context.functions.specialisations[decl.name.index].push_back(
+        context.names.Declare(SymbolKind::kFunction, scope, {}, id, decl.name_span));
     return;
   }
   context.names.Declare(SymbolKind::kFunction, scope, decl.name, id, decl.name_span);

@@ -48,6 +48,9 @@ struct Overloads {
   // The overload sets, by KeyOf the newest symbol of the name.
   std::unordered_map<std::uint64_t, std::vector<FunctionInfoId>> overloads;
   OutOfLine out_of_line;
+  // The specialisations `template<> int f<int>(int x)`, which have no name of their own, by the
+  // Name of the template.
+  std::unordered_map<std::uint32_t, std::vector<SymbolId>> specialisations;
   // Whether a method changes its object, by DeclId.
   std::unordered_map<std::uint32_t, bool> changes_self;
   // The instances of templates, each the index of a TypeId or FunctionInfoId, by declaration, scope

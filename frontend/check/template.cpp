@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/template.h"
 
+#include <algorithm>
+
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/struct.h"
@@ -70,13 +72,13 @@ std::string InstanceKey(ast::DeclId decl, ScopeId scope, TypeId self,
 
 // Adds to `found` the arguments of the template that follow from passing a value of `type` to a
 // parameter whose type is written as `pattern`.
-void Deduce(Context& context, ast::TypeId pattern_id, TypeId type, const ast::FunctionDecl& decl,
-            std::vector<std::uint64_t>& found) {
+void Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
+            List<ast::TemplateParameter> parameters, std::vector<std::uint64_t>& found) {
   const ast::Type& pattern = context[pattern_id];
   const Type given = context[type];
   const auto parameter_of = [&](Name name) -> std::optional<std::uint32_t> {
-    for (std::uint32_t i = 0; i < decl.template_parameters.size; ++i) {
-      if (context[decl.template_parameters][i].name == name) return i;
+    for (std::uint32_t i = 0; i < parameters.size; ++i) {
+      if (context[parameters][i].name == name) return i;
     }
     return std::nullopt;
   };
@@ -100,6 +102,99 @@ void Deduce(Context& context, ast::TypeId pattern_id, TypeId type, const ast::Fu
   }
 }
 
+// A specialisation of a struct that fits the arguments of the template.
+struct StructSpecialisation {
+  ast::DeclId decl;
+  std::vector<std::uint64_t> found;  // the arguments of its own parameters
+};
+
+// Whether `written`, the arguments of a specialisation with these parameters, are `given`. Then
+// `found` has what the parameters stand for.
+bool Fits(Context& context, const ast::StructDecl& general, const ast::StructDecl& special,
+          const Symbol& symbol, std::uint32_t order, const std::vector<std::uint64_t>& given,
+          std::vector<std::uint64_t>& found) {
+  const List<ast::TemplateParameter> own = special.template_parameters;
+  const List<ast::ExprId> written = special.template_arguments;
+  for (std::uint32_t i = 0; i < written.size && i < given.size(); ++i) {
+    const ast::Expr& argument = context[context[written][i]];
+    if (const auto* type = std::get_if<ast::TypeExpr>(&argument.node)) {
+      if (context[general.template_parameters][i].is_type)
+        Deduce(context, type->type, TypeId{static_cast<std::uint32_t>(given[i])}, own, found);
+    } else if (const auto* name = std::get_if<ast::NameExpr>(&argument.node)) {
+      for (std::uint32_t p = 0; p < own.size; ++p) {
+        const bool is_it = context[own][p].name == name->name.name;
+        if (is_it && found[p] == kUnknown) found[p] = given[i];
+      }
+    }
+  }
+  if (std::ranges::find(found, kUnknown) != found.end()) return false;
+  const ScopeId scope = BindTemplate(context, own, symbol.scope, order, found);
+  const ViewSwitch in(context, context.ViewFrom(scope, order));
+  std::vector<std::uint64_t> meant(given.size(), kUnknown);
+  if (!ReadTemplateArguments(context, general.template_parameters, written, meant)) return false;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (i < written.size && meant[i] != given[i]) return false;
+  }
+  return true;
+}
+
+// The specialisation of the struct `symbol` that has these arguments: the one without parameters of
+// its own, else the one that is left; none: the template itself. Several that are left are an
+// error, since the order of partial specialisations is not worked out.
+std::optional<StructSpecialisation> SpecialisationOf(Context& context, SymbolId id,
+                                                     const ast::StructDecl& general,
+                                                     std::uint32_t order,
+                                                     const std::vector<std::uint64_t>& given,
+                                                     Span span) {
+  const auto known = context.structs.specialisations.find(id.index);
+  if (known == context.structs.specialisations.end()) return std::nullopt;
+  const Symbol symbol = context[id];
+  std::vector<StructSpecialisation> fitting;
+  for (const ast::DeclId decl : known->second) {
+    const auto& special = context.Get<ast::StructDecl>(decl);
+    std::vector<std::uint64_t> found(special.template_parameters.size, kUnknown);
+    if (!Fits(context, general, special, symbol, order, given, found)) continue;
+    if (found.empty()) return StructSpecialisation{decl, found};
+    fitting.push_back({decl, found});
+  }
+  if (fitting.empty()) return std::nullopt;
+  if (fitting.size() > 1)
+    context.Report(
+        span, diag::Unsupported,
+        fmt::format("a choice between partial specialisations of `{}`", context[general.name]));
+  return fitting.front();
+}
+
+// The specialisation of the function template `id` that has these arguments; none: the template
+// itself is meant.
+SymbolId SpecialisationOf(Context& context, SymbolId id, const std::vector<std::uint64_t>& given) {
+  const ast::FunctionDecl& general = DeclOf(context, id);
+  const auto known = context.functions.specialisations.find(general.name.index);
+  if (known == context.functions.specialisations.end()) return {};
+  const ScopeId parent = context[id].scope;
+  SymbolId result;
+  for (const SymbolId special : known->second) {
+    const ast::FunctionDecl& decl = DeclOf(context, special);
+    if (context[special].scope != parent || decl.parameters.size != general.parameters.size)
+      continue;
+    const std::uint32_t order = OrderOf(context, special);
+    const ViewSwitch in(context, context.ViewFrom(parent, order));
+    std::vector<std::uint64_t> meant(given.size(), kUnknown);
+    if (!ReadTemplateArguments(context, general.template_parameters, decl.template_arguments,
+                               meant))
+      continue;
+    for (std::uint32_t i = 0; i < decl.parameters.size; ++i) {
+      const auto& pattern = context.Get<ast::VarDecl>(context[general.parameters][i]);
+      const auto& own = context.Get<ast::VarDecl>(context[decl.parameters][i]);
+      Deduce(context, pattern.type, ResolveVarType(context, own), general.template_parameters,
+             meant);
+    }
+    if (!BindTemplate(context, general.template_parameters, parent, order, meant)) continue;
+    if (meant == given && (decl.body || !result)) result = special;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type) {
@@ -109,10 +204,11 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
   // Inside its own body the bare name means this instance.
   if (!type.has_arguments) {
     for (ScopeId scope = context.view.scope; scope; scope = context[scope].parent) {
-      const bool is_own =
-          context[scope].kind == ScopeKind::kStruct &&
-          context.structs.infos[context[context[scope].self].structure.index].decl == symbol.decl;
-      if (is_own) return context[scope].self;
+      if (context[scope].kind != ScopeKind::kStruct) continue;
+      const ast::DeclId around =
+          context.structs.infos[context[context[scope].self].structure.index].decl;
+      if (around == symbol.decl || context.structs.IsSpecialisation(id, around))
+        return context[scope].self;
     }
   }
   const RecursionGuard guard(context, type.span, RecursionGuard::kDeclaration);
@@ -127,13 +223,19 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
   // The struct's own name is known inside it.
   const bool is_in_namespace = symbol.scope && context[symbol.scope].kind == ScopeKind::kNamespace;
   const std::uint32_t order = is_in_namespace ? id.index + 1 : OrderOf(context, id);
-  const ScopeId scope =
-      BindTemplate(context, decl->template_parameters, symbol.scope, order, found);
+  ScopeId scope = BindTemplate(context, decl->template_parameters, symbol.scope, order, found);
   if (!scope) {
     return context.FailType(type.span, diag::MissingTypeArgument, context[decl->name]);
   }
+  ast::DeclId meant = symbol.decl;
+  if (auto special = SpecialisationOf(context, id, *decl, order, found, type.span)) {
+    meant = special->decl;
+    found = std::move(special->found);
+    scope = BindTemplate(context, context.Get<ast::StructDecl>(meant).template_parameters,
+                         symbol.scope, order, found);
+  }
   const auto [slot, is_new] = context.functions.instances.try_emplace(
-      InstanceKey(symbol.decl, symbol.scope, {}, found), kUnderWay);
+      InstanceKey(meant, symbol.scope, {}, found), kUnderWay);
   if (!is_new && slot->second == kUnderWay) {
     return context.FailType(type.span, diag::TypeContainsItself, context[decl->name]);
   }
@@ -143,8 +245,8 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
   }
   std::uint32_t& result = slot->second;
   const SymbolId instance =
-      context.names.Declare(SymbolKind::kType, scope, {}, symbol.decl, decl->name_span);
-  const TypeId made = ResolveStruct(context, symbol.decl, instance, scope, order);
+      context.names.Declare(SymbolKind::kType, scope, {}, meant, decl->name_span);
+  const TypeId made = ResolveStruct(context, meant, instance, scope, order);
   result = made.index;
   return made;
 }
@@ -159,20 +261,22 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
     return {};
   for (std::uint32_t i = 0; i < arguments.size(); ++i) {
     const ast::DeclId parameter = context[decl.parameters][i];
-    Deduce(context, context.Get<ast::VarDecl>(parameter).type, context.TypeIdOf(arguments[i]), decl,
-           found);
+    Deduce(context, context.Get<ast::VarDecl>(parameter).type, context.TypeIdOf(arguments[i]),
+           decl.template_parameters, found);
   }
   const ScopeId scope =
       BindTemplate(context, decl.template_parameters, symbol.scope, OrderOf(context, id), found);
   if (!scope) return {};
+  const SymbolId special = SpecialisationOf(context, id, found);
+  const SymbolId meant = special ? special : id;
   const auto [slot, is_new] = context.functions.instances.try_emplace(
-      InstanceKey(symbol.decl, symbol.scope, self, found), context.functions.infos.size());
+      InstanceKey(context[meant].decl, symbol.scope, self, found), context.functions.infos.size());
   if (!is_new) return FunctionInfoId{slot->second};
   if (context.functions.instances.size() > kMaxInstances) {
     context.Report(decl.name_span, diag::TooManyInstances, kMaxInstances);
     return {};
   }
-  const FunctionInfoId result = AddFunction(context, id, self, scope);
+  const FunctionInfoId result = AddFunction(context, meant, self, special ? symbol.scope : scope);
   ResolveSignature(context, result);
   return result;
 }

@@ -69,12 +69,34 @@ TypeId OfProfile(Context& context, TypeId type, Span span) {
                           profile.name);
 }
 
+// The unsigned type of `unsigned` before a typedef of integers, as DXC's
+// ApplyTypeSpecSignToParsedType has it; fxc X3085 for every other type.
+TypeId Unsigned(Context& context, TypeId named, Span span) {
+  if (context.IsError(named)) return named;
+  const Type& type = context[named];
+  if (type.IsNumeric()) {
+    switch (type.scalar) {
+      case Scalar::kInt: return context.types.WithScalar(named, Scalar::kUint);
+      case Scalar::kMin16Int: return context.types.WithScalar(named, Scalar::kMin16Uint);
+      case Scalar::kInt64: return context.types.WithScalar(named, Scalar::kUint64);
+      case Scalar::kUint:
+      case Scalar::kMin16Uint:
+      case Scalar::kUint64: return named;
+      default: break;
+    }
+  }
+  return context.FailType(span, diag::UnsignedType, context.TypeName(named));
+}
+
 }  // namespace
 
 TypeId ResolveType(Context& context, ast::TypeId id) {
   if (!id) return context.types.Error();
   const ast::Type& type = context[id];
-  if (!type.struct_definition) return ResolveNamedType(context, type);
+  if (!type.struct_definition) {
+    const TypeId named = ResolveNamedType(context, type);
+    return type.is_unsigned ? Unsigned(context, named, type.span) : named;
+  }
   const auto known = context.structs.symbols.find(type.struct_definition.index);
   if (known != context.structs.symbols.end())
     return known->second ? ResolveTypeSymbol(context, known->second) : context.types.Error();

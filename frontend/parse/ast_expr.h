@@ -45,6 +45,7 @@ struct Type {
   DeclId struct_definition;
   bool has_arguments = false;  // tells `Texture2D<>` from `Texture2D`
   TypeId outer;                // A<int> in `A<int>::T`, where the name is T; otherwise none
+  bool is_unsigned = false;    // `unsigned` before the name of a typedef
 };
 
 // ---- expressions

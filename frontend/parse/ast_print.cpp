@@ -145,7 +145,7 @@ class Printer {
 void Printer::PutPart(TypeId id) {
   if (!id) return Put("<no type>");
   const Type& type = file_.types[id];
-  Put(With{"", type.outer}, If(bool(type.outer), "::"));
+  Put(If(type.is_unsigned, "unsigned "), With{"", type.outer}, If(bool(type.outer), "::"));
   if (type.name.name) {
     Put(type.name);
   } else {

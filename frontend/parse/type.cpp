@@ -48,7 +48,11 @@ TypeId Parser::ParseTaggedType(bool may_define) {
 TypeId Parser::ParseNamedType() {
   const std::size_t start = pos_;
   Type type{};
-  if (AtWord(Word::kUnsigned)) {
+  if (AtWord(Word::kUnsigned) && AtName(1) && AtName(2)) {  // `unsigned index_t x`
+    Next();
+    type.is_unsigned = true;
+    type.name = ParseQualifiedName();
+  } else if (AtWord(Word::kUnsigned)) {
     type.name.name = ParseUnsigned();
   } else if (AtName() || At(kColonColon) || AtWord(Word::kNumericType)) {
     type.name = ParseQualifiedName();
