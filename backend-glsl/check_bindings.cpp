@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -14,9 +15,8 @@ using namespace ir;
 
 namespace {
 
-// The highest binding and set that glslang takes: layoutBindingEnd, layoutSetEnd.
+// The highest binding that glslang takes: layoutBindingEnd.
 constexpr std::uint32_t kHighestBinding = 0xfffe;
-constexpr std::uint32_t kHighestSet = 0x3e;
 
 }  // namespace
 
@@ -29,12 +29,15 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
     bool is_chosen;  // [[vk::binding]] gives the place
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
+  std::set<std::uint32_t> renumbered;
   const auto take = [&](const Register& reg, const std::string& name, Span span,
                         ObjectCategory category) {
     const Descriptor at = descriptors.Of(reg);
     if (at.binding > kHighestBinding || at.set > kHighestSet)
       diagnostics.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
                          kHighestBinding, kHighestSet);
+    if (descriptors.IsRenumbered(reg) && renumbered.insert(reg.space).second)
+      diagnostics.Report(span, diag::TargetSetRenumbered, name, reg.space, kHighestSet);
     const auto [found, is_free] =
         taken.try_emplace({at.set, at.binding}, Taken{name, category, reg.descriptor.has_value()});
     Taken& other = found->second;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/descriptors.h"
 
+#include <algorithm>
 #include <ranges>
 #include <vector>
 
@@ -22,6 +23,7 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
   for (const ir::Resource& resource : program.resources) {
     if (reached.Has(resource.var)) all.push_back(&resource.reg);
   }
+  RenumberSpaces(all, other);
   const bool bound_by_option = target.bindings.globals.has_value();
   Taken taken;
   if (other && other->written && pixel_sets_ == 0) taken = TakeFromOther(program, *other);
@@ -46,6 +48,33 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     while (!taken.emplace(at.set, at.binding).second) ++at.binding;
     moved_.emplace(reg, at);
   }
+}
+
+void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all,
+                                 const OtherStage* other) {
+  if (!target_.bindings.rules.empty()) return;  // the host binds them by these rules
+  std::set<std::uint32_t> used, far;
+  for (const ir::Register* reg : all) {
+    const std::uint32_t set = Plain(*reg).set;
+    const bool is_far = set > kHighestSet && !reg->descriptor && set == reg->space;
+    (is_far ? far : used).insert(set);
+  }
+  if (far.empty()) return;
+  const auto take = [&](const GlslInfo::Place& place) { used.insert(place.set.value_or(0)); };
+  if (other && other->written) {
+    std::ranges::for_each(other->written->blocks, take);
+    std::ranges::for_each(other->written->objects, take);
+  }
+  std::uint32_t next = 0;
+  for (const std::uint32_t space : far) {
+    while (used.contains(next)) ++next;
+    renumbered_.emplace(space, next++);
+  }
+}
+
+bool Descriptors::IsRenumbered(const ir::Register& reg) const {
+  return !reg.descriptor && !moved_.contains(&reg) && renumbered_.contains(reg.space) &&
+         Plain(reg).set == renumbered_.at(reg.space);
 }
 
 // Gives what both stages share the other's place. Returns all places that the other stage has.
@@ -83,7 +112,11 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
   if (reg.descriptor) return *reg.descriptor;
   const BindingRules& rules = target_.bindings;
   if (&reg == globals_ && rules.globals) return *rules.globals;
-  const std::uint32_t space = reg.is_explicit ? reg.space : rules.unplaced_set.value_or(reg.space);
+  const bool is_unplaced = !reg.is_explicit && rules.unplaced_set;
+  const auto far = is_unplaced ? renumbered_.end() : renumbered_.find(reg.space);
+  const std::uint32_t space = is_unplaced                ? *rules.unplaced_set
+                              : far != renumbered_.end() ? far->second
+                                                         : reg.space;
   for (const BindingRule& rule : rules.rules | std::views::reverse) {
     if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||
         rule.space.value_or(reg.space) != reg.space)

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "backend-glsl/other_stage.h"
 #include "backend-glsl/reach.h"
@@ -14,15 +15,20 @@
 // The bindings of the buffers and objects of a Vulkan shader. Direct3D numbers constant buffers,
 // textures and samplers apart; a Vulkan set has one row of bindings. Register n becomes binding n +
 // the shift of its letter, one of those below unless the target has other rules; the space becomes
-// the set. [[vk::binding]] comes before all of that. An object that has neither it nor a written
-// register moves to the next free binding if its own is taken, as in DXC. Of a pair, the stage that
-// is written second has the other's bindings for what both share, and moves what is in their way.
+// the set. A space above the highest set becomes the lowest set that no other space has, unless the
+// user says how registers are bound. [[vk::binding]] comes before all of that. An object that has
+// neither it nor a written register moves to the next free binding if its own is taken, as in DXC.
+// Of a pair, the stage that is written second has the other's bindings for what both share, and
+// moves what is in their way.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kVulkanShiftB = 0;
 inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
 inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
 inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
+
+// The highest set that glslang takes: layoutSetEnd.
+inline constexpr std::uint32_t kHighestSet = 0x3e;
 
 class Descriptors {
  public:
@@ -33,16 +39,21 @@ class Descriptors {
   // The set and binding of the buffer or resource of the program that has this register.
   ir::Descriptor Of(const ir::Register& reg) const;
 
+  // Whether the set of the register is not its space, which is too high.
+  bool IsRenumbered(const ir::Register& reg) const;
+
  private:
   using Taken = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // sets and bindings
 
   Taken TakeFromOther(const ir::Program& program, const OtherStage& other);
+  void RenumberSpaces(const std::vector<const ir::Register*>& all, const OtherStage* other);
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;
   const std::uint32_t pixel_sets_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;
+  std::map<std::uint32_t, std::uint32_t> renumbered_;  // the sets of spaces that are too high
 };
 
 }  // namespace clipc::glsl

@@ -71,7 +71,11 @@ float4 misplaced(float4 p : POSITION) : SV_Position {
 float4 high([[vk::location(4093)]] float4x2 a[2] : A) : SV_Position { return a[0][0].xyxy + a[1][1].xyxy; }
 
 // FAR: error: `space` becomes binding 3 of set 900; the highest binding is 65534 and the highest set 62 [target-binding-too-high]
-cbuffer space : register(b3, space900) { float4 in_space; };
+[[vk::binding(3, 900)]] cbuffer space : register(b3) { float4 in_space; };
+// RUN: not %clipc -T vs_5_1 -E ruled %s --target=vulkan --bindings=dxc 2>&1 | FileCheck %s --check-prefix=RULED
+// RULED: error: `other` becomes binding 4 of set 901; the highest binding is 65534 and the highest set 62 [target-binding-too-high]
+cbuffer other : register(b4, space901) { float4 in_other; };
+float4 ruled(float4 p : POSITION) : SV_Position { return p * in_other; }
 float4 far(float4 p : POSITION) : SV_Position { return p * in_space; }
 
 // SAME: error: `first` and `second` both have the `vk::constant_id` 3 [target-constant-id-twice]
