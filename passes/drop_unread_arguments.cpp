@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/invariant.h"
@@ -65,10 +68,82 @@ void MakeFieldsZero(Program& program, ExprId argument, const std::set<std::uint3
   }
 }
 
+// The fields of a struct that functions read, also in others that get it as an argument.
+class FieldsRead {
+ public:
+  explicit FieldsRead(const Program& program) : program_(program) {}
+
+  // The fields of `var` that the statement and the functions that it calls read; null: all.
+  const std::set<std::uint32_t>* Of(StmtId body, VarId var, int depth = 0) {
+    const auto [known, is_new] = known_.try_emplace(var.index);
+    if (!is_new) return known->second ? &*known->second : nullptr;
+    if (depth > kMaxDepth) return nullptr;
+    std::set<std::uint32_t> fields;
+    std::uint32_t all = 0, of_parts = 0;
+    const auto is_var = [&](ExprId id) {
+      const auto* ref = As<VarRef>(program_, id);
+      return ref && ref->var == var;
+    };
+    ForEachExpr(program_, body, [&](ExprId id) {
+      if (is_var(id)) ++all;
+      if (const auto* field = As<FieldRef>(program_, id); field && is_var(field->base)) {
+        ++of_parts;
+        fields.insert(field->field);
+      }
+      const auto* call = As<Call>(program_, id);
+      for (std::uint32_t i = 0; call && i < call->arguments.size; ++i) {
+        if (!is_var(program_.expr_lists[call->arguments][i])) continue;
+        const Function& callee = program_.functions[call->function];
+        const VarId parameter = callee.parameters[i];
+        if (program_.vars[parameter].storage != Storage::kIn) continue;
+        const auto* inner = Of(callee.body, parameter, depth + 1);
+        if (!inner) continue;
+        ++of_parts;
+        fields.insert(inner->begin(), inner->end());
+      }
+    });
+    auto& result = known_[var.index];
+    if (all == of_parts) result = std::move(fields);
+    return result ? &*result : nullptr;
+  }
+
+ private:
+  static constexpr int kMaxDepth = 32;
+
+  const Program& program_;
+  std::map<std::uint32_t, std::optional<std::set<std::uint32_t>>> known_;  // by VarId
+};
+
+// Makes zero the inputs that no target has, `POSITION` of a pixel shader of Direct3D 9, where a
+// struct carries them to functions that do not read them. fxc, which inlines functions, takes such
+// a shader.
+void DropUntranslated(Program& program) {
+  const auto is_untranslated = [&](ExprId id) {
+    const auto* ref = As<VarRef>(program, id);
+    return ref && std::ranges::any_of(program.inputs, [&](const IoVar& input) {
+             return input.builtin == Builtin::kUntranslated && input.var == ref->var;
+           });
+  };
+  FieldsRead read(program);
+  for (const StmtId id : MainBody(program)) {
+    const auto* declare = As<Declare>(program, id);
+    const auto* construct = declare ? As<Construct>(program, declare->init) : nullptr;
+    for (std::uint32_t i = 0; construct && i < construct->arguments.size; ++i) {
+      if (!is_untranslated(program.expr_lists[construct->arguments][i])) continue;
+      const auto* fields = read.Of(program.functions[program.main].body, declare->var);
+      if (fields && !fields->contains(i)) MakeZero(program, construct->arguments, i);
+    }
+  }
+}
+
 }  // namespace
 
 void DropUnreadArguments(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
+  const auto is_untranslated = [](const IoVar& input) {
+    return input.builtin == Builtin::kUntranslated;
+  };
+  if (std::ranges::any_of(program.inputs, is_untranslated)) DropUntranslated(program);
   ExprId call;
   for (const StmtId id : MainBody(program)) {
     if (!call) call = EntryCall(program, id);
