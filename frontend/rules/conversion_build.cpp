@@ -306,6 +306,8 @@ void SetSamplerKind(Program& program, ExprId object, ObjectKind kind) {
     Var& var = program.vars[ref->var];
     var.type = retype(retype, var.type);
     expr.type = var.type;
+  } else {
+    expr.type = retype(retype, expr.type);  // a field, which ResolveObjects replaces
   }
 }
 

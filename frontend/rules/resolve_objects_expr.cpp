@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
+#include "frontend/rules/conversion.h"
 #include "frontend/rules/object_resolver.h"
 #include "ir/access.h"
 #include "ir/walk.h"
@@ -50,7 +51,10 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Index& node) {
   program_.exprs[id].node = Index{base.expr, index};
   Value value{is_object ? ExprId{} : id, {}};
   if (base.slots.empty()) return value;
-  if (const auto* literal = As<Literal>(program_, index)) {
+  const auto* ref = As<VarRef>(program_, index);
+  const bool is_named = ref && program_.vars[ref->var].storage == Storage::kConstant;
+  const ExprId number = is_named ? program_.vars[ref->var].init : index;
+  if (const auto* literal = number ? As<Literal>(program_, number) : nullptr) {
     value.slots = Inside(base.slots, static_cast<std::uint32_t>(literal->bits));
     return value;
   }
@@ -182,6 +186,9 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const ObjectCall& cal
         continue;
       }
       made = Make(object->second, span);
+      // The `sampler` that reached a parameter or field is of the kind that the call reads there.
+      const ObjectKind kind = program_.types[type].object;
+      if (IsCombinedSampler(kind)) SetSamplerKind(program_, made, kind);
     }
     program_.expr_lists[call.arguments][i] = made;
   }
