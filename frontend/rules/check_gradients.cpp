@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ir/access.h"
+#include "ir/evaluate.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
@@ -68,7 +69,8 @@ class GradientCheck {
     }
     for (const FunctionId function : program_.functions.ids()) {
       function_ = function;
-      loop_ = returned_ = Graph::kUniform;
+      loop_ = returned_ = left_ = Graph::kUniform;
+      is_once_ = false;
       Statement(program_.functions[function].body, FlowInto(function));
     }
     Report();
@@ -125,18 +127,29 @@ class GradientCheck {
               },
               [&](const Switch& node) {
                 const Node inside = graph_.Join(flow, Value(node.value, flow));
+                const bool outer = std::exchange(is_once_, false);  // its breaks leave the switch
                 for (const SwitchCase& arm : program_.switch_cases[node.cases])
                   List(arm.body, inside);
+                is_once_ = outer;
               },
               [&](const For& node) {
                 List(node.init, flow);
                 Loop(node.condition, node.step, node.body, flow);
               },
-              [&](const OneOf<While, DoWhile> auto& node) {
-                Loop(node.condition, {}, node.body, flow);
+              [&](const While& node) { Loop(node.condition, {}, node.body, flow); },
+              [&](const DoWhile& node) {
+                if (IsFalse(node.condition))
+                  Once(node.body, flow);
+                else
+                  Loop(node.condition, {}, node.body, flow);
               },
               [&](const Return& node) { Returned(node.value, flow); },
-              [&](const OneOf<Break, Continue> auto&) { graph_.Follow(Flow(flow), loop_); },
+              [&](const OneOf<Break, Continue> auto&) {
+                if (is_once_)
+                  left_ = graph_.Join(left_, Flow(flow));
+                else
+                  graph_.Follow(Flow(flow), loop_);
+              },
               [](const Discard&) {},
           },
           program_.stmts[id].node);
@@ -145,11 +158,28 @@ class GradientCheck {
   // A break, a continue or a return in the loop makes its further turns follow from it.
   void Loop(ExprId condition, ExprId step, StmtId body, Node flow) {
     const Node inside = graph_.Add(), outer = std::exchange(loop_, inside);
+    const bool was_once = std::exchange(is_once_, false);
     graph_.Follow(Flow(flow), inside);
     if (condition) graph_.Follow(Value(condition, inside), inside);
     Statement(body, inside);
     if (step) Value(step, inside);
     loop_ = outer;
+    is_once_ = was_once;
+  }
+
+  bool IsFalse(ExprId condition) const {
+    const auto value = ConstantBits(program_, condition);
+    return value && value->front() == 0;
+  }
+
+  // `do { ... } while (false);`, which SPIRV-Cross writes, has no further turns: a break makes only
+  // what comes after it in the body follow from it.
+  void Once(StmtId body, Node flow) {
+    const bool was_once = std::exchange(is_once_, true);
+    const Node left = left_;
+    Statement(body, flow);
+    left_ = left;
+    is_once_ = was_once;
   }
 
   void Returned(ExprId value, Node flow) {
@@ -159,8 +189,9 @@ class GradientCheck {
     returned_ = graph_.Join(returned_, flow);
   }
 
-  // The flow at a place in `flow`: pixels that have returned are not there.
-  Node Flow(Node flow) { return graph_.Join(flow, returned_); }
+  // The flow at a place in `flow`: pixels that have returned, or left a loop that runs once, are not
+  // there.
+  Node Flow(Node flow) { return graph_.Join(graph_.Join(flow, returned_), left_); }
 
   void Assigned(VarId var, Node value, Node flow) {
     graph_.Follow(value, Of(var));
@@ -215,6 +246,8 @@ class GradientCheck {
   Graph graph_;
   FunctionId function_;
   Node loop_ = Graph::kUniform;      // the loop around the place
+  bool is_once_ = false;             // whether that loop runs once, and is not loop_
+  Node left_ = Graph::kUniform;      // of the breaks of such loops before the place
   Node returned_ = Graph::kUniform;  // of the returns of the function before the place
   std::vector<Gradient> gradients_;
 };

@@ -5,6 +5,7 @@
 // RUN: %clipc -T ps_5_0 -E both_sides -Werror %s -o %t.frag
 // RUN: %clipc -T ps_5_0 -E through_calls %s -o - 2>&1 >%t.frag | FileCheck %s --check-prefix=CALLS
 // RUN: %clipc -T ps_5_0 -E uniform_flow -Werror %s -o %t.frag
+// RUN: %clipc -T ps_5_0 -E once %s -o - 2>&1 >%t.frag | FileCheck %s --check-prefix=ONCE --implicit-check-not=warning
 Texture2D map;
 SamplerState linearly;
 cbuffer C {
@@ -67,4 +68,16 @@ float4 uniform_flow(float2 uv : UV, nointerpolation float material : MATERIAL, u
   [unroll] for (int k = 0; k < 3; ++k) c += ddx(uv.x * k);
   if (setting.y > 0) return c;
   return c + fwidth(uv.x);
+}
+
+// The loop of SPIRV-Cross that runs once has no turns that differ: fxc takes a sample in it, and one before or after its breaks.
+float4 once(float2 uv : UV) : SV_Target {
+  float4 c = 0;
+  do {
+    c = map.Sample(linearly, uv);
+    if (c.w < 0.5) break;
+    // ONCE: [[#@LINE+1]]:10: warning: a sample takes {{.*}} [-Wgradient-in-branch]
+    c += map.Sample(linearly, 2 * uv);
+  } while (false);
+  return c + map.Sample(linearly, 3 * uv);
 }
