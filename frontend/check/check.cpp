@@ -60,10 +60,10 @@ void Run(Context& context) {
   CheckEntry(context, entry, attributes, EntryBodies::kCheck);
   CheckUnusedClipPlanes(context, attributes);
   FinishGlobals(context);
-  // A parameter that only a removed branch would write is written, for fxc too.
+  // Before FoldArguments, since a parameter that only a removed branch would write is written, for
+  // fxc too, and before KnowOffsets, since what one iteration of a loop writes the next may read.
+  if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
   const bool is_specialised = !context.options.entry_call.empty();
-  if (is_specialised && !context.diagnostics.has_errors())
-    CheckWritten(program, context.diagnostics);
   if (is_specialised && !context.diagnostics.has_errors()) FoldArguments(program);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
@@ -71,8 +71,6 @@ void Run(Context& context) {
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
-  if (!is_specialised && !context.diagnostics.has_errors())
-    CheckWritten(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);
 }
 
