@@ -51,19 +51,7 @@ bool HaveOneRoot(const Program& program, ExprId left, ExprId right) {
 
 }  // namespace
 
-void ValueCheck::Check(ExprId expr) {
-  const auto& node = program_.exprs[expr].node;
-  if (const auto* binary = std::get_if<Binary>(&node)) {
-    CheckDivision(binary->op, binary->right);
-  } else if (const auto* assign = std::get_if<Assign>(&node)) {
-    if (assign->op) CheckDivision(*assign->op, assign->value);
-  } else if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
-    if (call->op == Intrinsic::kPow) CheckPow(*call);
-  }
-}
-
 void ValueCheck::CheckDivision(BinaryOp op, ExprId divisor) {
-  if (op != BinaryOp::kDiv && op != BinaryOp::kMod) return;
   const bool is_float = IsFloat(TypeOf(program_, divisor).scalar);
   // A float divided by 0 is infinity, which is what some shaders want; dxc has no word about it.
   if (is_float && (op == BinaryOp::kMod || program_.profile.IsAtLeast(6, 0))) return;

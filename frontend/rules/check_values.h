@@ -16,13 +16,22 @@ class ValueCheck {
   ValueCheck(const Program& program, Diagnostics& diagnostics)
       : program_(program), diagnostics_(diagnostics) {}
 
-  // Checks the node of an expression that control reaches, not its operands.
-  void Check(ExprId expr);
+  // Each checks a node that control reaches, not its operands.
+  void Check(const Binary& node) { CheckOperator(node.op, node.right); }
+  void Check(const Assign& node) {
+    if (node.op) CheckOperator(*node.op, node.value);
+  }
+  void Check(const IntrinsicCall& node) {
+    if (node.op == Intrinsic::kPow) CheckPow(node);
+  }
 
  private:
   // What is known of the sign of a value. A value whose parts are not looked into is kUnknown.
   enum class Sign : std::uint8_t { kNotNegative, kMayBeNegative, kUnknown };
 
+  void CheckOperator(BinaryOp op, ExprId right) {
+    if (op == BinaryOp::kDiv || op == BinaryOp::kMod) CheckDivision(op, right);
+  }
   void CheckDivision(BinaryOp op, ExprId divisor);
   void CheckPow(const IntrinsicCall& call);
   Sign SignOf(ExprId expr);

@@ -317,7 +317,7 @@ void WrittenWalk::Visit(ExprId expr) {
                      if (!ChangesOperand(node.op)) return;
                      WriteTo(node.operand, {});
                    },
-                   [&](const Assign& node) { shared_.values.Check(expr), VisitAssign(node); },
+                   [&](const Assign& node) { shared_.values.Check(node), VisitAssign(node); },
                    [&](const Call& node) { VisitCall(expr, node); },
                    [&](const Conditional& node) {
                      Visit(node.condition);
@@ -325,15 +325,25 @@ void WrittenWalk::Visit(ExprId expr) {
                      if (known.value_or(1) != 0) Visit(node.when_true);
                      if (known.value_or(0) == 0) Visit(node.when_false);
                    },
-                   [&]<typename Node>(const Node&) {
-                     if constexpr (OneOf<Node, Binary, IntrinsicCall>) shared_.values.Check(expr);
+                   [&](const IntrinsicCall& node) {
+                     shared_.values.Check(node);
                      std::size_t i = 0;
-                     ForEachOperand(program_, expr, [&](ExprId operand) {
-                       const bool is_written = WritesOperand(program_, expr, i++);
-                       if (!is_written) return Visit(operand);
-                       VisitTarget(operand);
-                       WriteTo(operand, {});
-                     });
+                     for (const ExprId argument : program_.expr_lists[node.arguments]) {
+                       if (!WritesArgument(node.op, i++)) {
+                         Visit(argument);
+                         continue;
+                       }
+                       VisitTarget(argument);
+                       WriteTo(argument, {});
+                     }
+                   },
+                   [&]<typename Node>(const Node& node) {
+                     if constexpr (std::same_as<Node, Binary>) shared_.values.Check(node);
+                     ForEachSlot(
+                         node, [&](ExprId operand) { Visit(operand); },
+                         [&](List<ExprId> list) {
+                           for (const ExprId operand : program_.expr_lists[list]) Visit(operand);
+                         });
                    },
                },
                program_.exprs[expr].node);
@@ -342,16 +352,19 @@ void WrittenWalk::Visit(ExprId expr) {
 // Visits the indices of a path, and what it is a part of if that is no variable. Returns whether it
 // is a variable that is tracked.
 bool WrittenWalk::VisitTarget(ExprId path) {
-  bool is_tracked = false;
-  if (const ExprId whole = WholeOf(program_, path)) {
-    is_tracked = VisitTarget(whole);
-  } else if (const auto* ref = As<VarRef>(program_, path)) {
-    is_tracked = shared_.slots.IsTracked(ref->var);
-  } else {
-    Visit(path);
-  }
-  if (const auto* index = As<Index>(program_, path)) Visit(index->index);
-  return is_tracked;
+  return clipc::Visit(Overloaded{
+                          [&](const VarRef& node) { return shared_.slots.IsTracked(node.var); },
+                          [&](const OneOf<FieldRef, Swizzle, MatrixSwizzle> auto& node) {
+                            return VisitTarget(node.base);
+                          },
+                          [&](const Index& node) {
+                            const bool is_tracked = VisitTarget(node.base);
+                            Visit(node.index);
+                            return is_tracked;
+                          },
+                          [&](const auto&) { return Visit(path), false; },
+                      },
+                      program_.exprs[path].node);
 }
 
 void WrittenWalk::VisitAssign(const Assign& node) {
