@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/spelling.h"
 #include "compiler/output_files.h"
 #include "compiler/stages.h"
 #include "compiler/suggest.h"
@@ -39,12 +40,20 @@ void ReportUnknown(const auto& kind, const std::string& name,
   diagnostics.Report({}, kind, name, Suggest(name, names));
 }
 
+// Reports an unknown profile, and the near ones of the stage that its first letter names.
+void ReportUnknownProfile(const std::string& name, Diagnostics& diagnostics) {
+  const bool is_pixel = ToLower(name).starts_with('p');
+  const std::vector<std::string> known = ir::ProfilesOf(is_pixel ? Stage::kPixel : Stage::kVertex);
+  ReportUnknown(diag::UnknownProfile, name,
+                std::vector<std::string_view>(known.begin(), known.end()), diagnostics);
+}
+
 CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagnostics) {
   CheckOptions options;
   if (auto profile = ir::ParseProfile(language.profile)) {
     options = CheckOptions::For(std::move(*profile), language.version);
   } else {
-    ReportUnknown(diag::UnknownProfile, language.profile, ProfileNames(), diagnostics);
+    ReportUnknownProfile(language.profile, diagnostics);
   }
   options.entry = language.entry;
   options.entry_call = language.entry_call;

@@ -8,11 +8,6 @@
 namespace clipc {
 namespace {
 
-constexpr std::string_view kProfiles[] = {
-    "vs_2_0", "vs_3_0", "vs_4_0_level_9_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_4_0",
-    "vs_4_1", "vs_5_0", "vs_5_1",           "vs_6_0",           "vs_6_1",           "vs_6_2",
-    "vs_6_3", "vs_6_4", "vs_6_5",           "vs_6_6",           "vs_6_7",           "vs_6_8"};
-
 // The names as a choice: "`a`, `b` or `c`".
 std::string Choices(std::span<const std::string_view> names) {
   std::string text;
@@ -32,7 +27,5 @@ std::string Suggest(std::string_view name, std::span<const std::string_view> nam
   return names.empty() || names.size() > kFew ? std::string()
                                               : fmt::format("; there is {}", Choices(names));
 }
-
-std::span<const std::string_view> ProfileNames() { return kProfiles; }
 
 }  // namespace clipc

@@ -11,7 +11,4 @@ namespace clipc {
 // when there are not many and none is near; empty when there is nothing to offer.
 std::string Suggest(std::string_view name, std::span<const std::string_view> names);
 
-// The profiles for which clipc compiles.
-std::span<const std::string_view> ProfileNames();
-
 }  // namespace clipc

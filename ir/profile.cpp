@@ -76,4 +76,15 @@ std::optional<Profile> ParseProfile(std::string_view name) {
                  .level9 = Level9Of(lower)};
 }
 
+std::vector<std::string> ProfilesOf(Stage stage) {
+  const std::string prefix(InfoOf(stage).prefix);
+  const auto& versions = *std::ranges::find(kVersions, prefix, &Versions::prefix);
+  std::vector<std::string> names;
+  for (const auto version : std::views::split(versions.before6, ' '))
+    names.push_back(prefix + "_" + std::string(version.begin(), version.end()));
+  for (int minor = versions.first_minor6; minor <= Versions::kLastMinor6; ++minor)
+    names.push_back(prefix + "_6_" + std::to_string(minor));
+  return names;
+}
+
 }  // namespace clipc::ir

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/stage.h"
 
@@ -34,5 +35,7 @@ struct Profile {
 // Reads the name of a profile, "vs_4_0_level_9_1" or the like, in any case. Returns nullopt for a
 // name that neither compiler takes.
 std::optional<Profile> ParseProfile(std::string_view name);
+// The names of the stage's profiles that either compiler takes, in the order of their versions.
+std::vector<std::string> ProfilesOf(Stage stage);
 
 }  // namespace clipc::ir
