@@ -14,6 +14,10 @@
 #include "compiler/clipc.h"
 #include "compiler/driver.h"
 
+namespace clipc {
+extern const char kCommit[];  // made by cmake/write_commit.cmake
+}  // namespace clipc
+
 #define CLIPC_EXPORT(name) __attribute__((export_name(#name)))
 
 extern "C" {
@@ -98,7 +102,7 @@ CLIPC_EXPORT(clipc_module_version) const char* clipc_module_version() { return c
 CLIPC_EXPORT(clipc_module_run) int clipc_module_run(const char* strings, std::size_t size) {
   const std::vector<const char*> words = Strings({strings, size});
   if (chdir(words[0]) != 0) std::perror(words[0]);
-  const int status = clipc::RunCommandLine(std::span(words).subspan(1));
+  const int status = clipc::RunCommandLine(std::span(words).subspan(1), clipc::kCommit);
   std::fflush(nullptr);
   return status;
 }

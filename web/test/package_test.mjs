@@ -278,5 +278,6 @@ for (const file of files.filter((_, i) => i % Math.ceil(files.length / 12) === 0
 await test('the program of the package', () => {
   assert.deepEqual(run(bin, ['--help']), run(program, ['--help']));
   assert.deepEqual(run(bin, ['--no-such']), run(program, ['--no-such']));
+  assert.match(run(bin, ['--version']).stdout, /^commit [0-9a-f]{12}, /m);
 });
 await compile('');
