@@ -19,7 +19,7 @@ endif()
 install(TARGETS ${targets} EXPORT clipc
   RUNTIME COMPONENT compiler LIBRARY COMPONENT library NAMELINK_COMPONENT development ARCHIVE COMPONENT development)
 foreach(folder runtime clip-table)
-  install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc COMPONENT development FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE
+  install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc COMPONENT development FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE PATTERN effect_gl.h EXCLUDE
     PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN test_tables.h EXCLUDE PATTERN json.h EXCLUDE)
 endforeach()
 install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc/compiler
@@ -53,7 +53,8 @@ endforeach()
 ]])
 write_basic_package_version_file(${clipc_BINARY_DIR}/clipc-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${clipc_BINARY_DIR}/clipc-config.cmake ${clipc_BINARY_DIR}/clipc-config-version.cmake
-  ${clipc_SOURCE_DIR}/cmake/ClipcShaders.cmake ${clipc_SOURCE_DIR}/cmake/embed_shaders.cmake DESTINATION ${package} COMPONENT development)
+  ${clipc_SOURCE_DIR}/cmake/ClipcShaders.cmake ${clipc_SOURCE_DIR}/cmake/embed_shaders.cmake
+  ${clipc_SOURCE_DIR}/cmake/effect_table.py ${clipc_SOURCE_DIR}/cmake/effect_states.py DESTINATION ${package} COMPONENT development)
 
 # clipc_pkg_config(NAME DESCRIPTION LIBRARIES): a file for pkg-config, which may be moved with what it names.
 function(clipc_pkg_config name description libraries)

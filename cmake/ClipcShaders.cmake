@@ -31,6 +31,14 @@
 # INCLUDES and of the shader's folder. Both commands run whenever the file or one that it includes has changed. The target may be a
 # custom target; the property CLIPC_HLSL_FOLDER names the folder of what is written, which is an include folder of any other target.
 #
+#   clipc_add_effect(TARGET EFFECT water.fx
+#     [NAME water]               # of what is written; the effect's file name without its extension
+#     [TARGET glsl330]           # the GLSL to write: one with uniform blocks
+#     [DEFINES A B=1] [OPTIONS --lower=clip-distance ...])
+#
+# compiles every pass of an effect. The target gets an include folder with NAME.effect.h: static const clipc_gl_effect_table
+# NAME_effect, for runtime/gl/effect.h. It needs Python 3.
+#
 # The compiler is CLIPC_EXECUTABLE if that is set, as when cross-compiling; else that of this build or of the installed package.
 
 if(CMAKE_VERSION VERSION_LESS 3.20)
@@ -38,6 +46,8 @@ if(CMAKE_VERSION VERSION_LESS 3.20)
 endif()
 
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
+set(CLIPC_EFFECT_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/effect_table.py)
+set(CLIPC_EFFECT_STATES ${CMAKE_CURRENT_LIST_DIR}/effect_states.py)
 
 # Sets `variable` to the compiler.
 function(clipc_find_compiler variable)
@@ -277,4 +287,41 @@ function(clipc_add_hlsl_pass target)
     target_include_directories(${target} PRIVATE ${folder})
   endif()
   set_target_properties(${target} PROPERTIES CLIPC_HLSL_FOLDER ${folder})
+endfunction()
+
+function(clipc_add_effect target)
+  cmake_parse_arguments(PARSE_ARGV 1 effect "" "EFFECT;NAME;TARGET" "DEFINES;OPTIONS")
+  if(effect_UNPARSED_ARGUMENTS OR NOT effect_EFFECT)
+    message(FATAL_ERROR "clipc_add_effect(${target} EFFECT file ...): what is `${effect_UNPARSED_ARGUMENTS}`?")
+  endif()
+  clipc_find_compiler(compiler)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  cmake_path(ABSOLUTE_PATH effect_EFFECT OUTPUT_VARIABLE source)
+  cmake_path(GET effect_EFFECT STEM stem)
+  if(NOT effect_NAME)
+    set(effect_NAME ${stem})
+  endif()
+  if(NOT effect_NAME MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
+    message(FATAL_ERROR "clipc_add_effect(${target} EFFECT ${effect_EFFECT}): `${effect_NAME}` cannot name a C constant; give another NAME")
+  endif()
+  if(NOT effect_TARGET)
+    set(effect_TARGET glsl330)
+  endif()
+  list(TRANSFORM effect_DEFINES PREPEND -D)
+  set(flips)
+  if("--flip-y" IN_LIST effect_OPTIONS)
+    set(flips --flip-y)
+  endif()
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
+  set(header ${folder}/${effect_NAME}.effect.h)
+  file(MAKE_DIRECTORY ${folder}/${effect_NAME}.effect)
+  add_custom_command(OUTPUT ${header}
+    COMMAND ${compiler} --effect ${source} -o ${folder}/${effect_NAME}.effect --target=${effect_TARGET} --reflect=.json
+      ${effect_DEFINES} ${effect_OPTIONS}
+    COMMAND ${Python3_EXECUTABLE} -B ${CLIPC_EFFECT_SCRIPT} ${folder}/${effect_NAME}.effect/${stem}.json -o ${header}
+      --name ${effect_NAME}_effect ${flips}
+    DEPENDS ${source} ${compiler} ${CLIPC_EFFECT_SCRIPT} ${CLIPC_EFFECT_STATES}
+    VERBATIM)
+  target_sources(${target} PRIVATE ${header})
+  target_include_directories(${target} PRIVATE ${folder})
 endfunction()

@@ -82,6 +82,7 @@ ROOMS = {
     },
     "study": {"runtime", "tools/harness", VOCABULARY, LIBRARY},
     "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
+    "tools/effects": {"runtime", "tools/harness"},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
     "web/module": {"compiler", "runtime"},
@@ -93,7 +94,7 @@ ROOMS = {
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
     r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/(draw/vulkan/glslang\.(cpp|h)|peer/glslang\.cpp)|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
-    r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
+    r"epoxy/": r"tools/(harness|draw|study/program|scenes|effects)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
@@ -102,7 +103,7 @@ LIBRARIES = {
 }
 
 # The files that clipc_add_shader() and study/program/CMakeLists.txt write into a build folder.
-GENERATED = re.compile(r"[\w-]+\.(shader|clip|text)\.h")
+GENERATED = re.compile(r"[\w-]+\.(shader|clip|text|effect)\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
