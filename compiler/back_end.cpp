@@ -253,7 +253,7 @@ std::vector<std::uint32_t> TranslateToSpirv(const Job& job, const std::string& g
 
 // Describes the written program in the parts of the result that were asked for.
 void Describe(const Job& job, const LoweredProgram& lowered, const WrittenProgram& written,
-              CompileResult& result) {
+              const PositionMatrices& position, CompileResult& result) {
   const OutputOptions& outputs = job.request.outputs;
   result.table = MakeClipTable(lowered.shader, written.shader.info);
   ReflectedStage shader{lowered.shader, written.shader.info, *result.table};
@@ -263,8 +263,7 @@ void Describe(const Job& job, const LoweredProgram& lowered, const WrittenProgra
     no_planes = MakeClipTable(*lowered.pixel, written.pixel->info);
     pixel.emplace(ReflectedStage{*lowered.pixel, written.pixel->info, *no_planes});
   }
-  if (outputs.reflection)
-    result.reflection = Reflect(shader, result.position_matrices, pixel ? &*pixel : nullptr);
+  if (outputs.reflection) result.reflection = Reflect(shader, position, pixel ? &*pixel : nullptr);
   if (outputs.structs) {
     result.structs = WriteStructs(lowered.shader.program, outputs.struct_prefix,
                                   lowered.pixel ? &lowered.pixel->program : nullptr);
@@ -283,7 +282,7 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
   }
   const ir::VarId position_input = Fit(job, half, pixel, typed, result.dependencies);
   if (job.diagnostics.has_errors()) return;
-  if (outputs.reflection) result.position_matrices = CountPositionMatrices(typed);
+  const PositionMatrices position = outputs.reflection ? FollowPosition(typed) : PositionMatrices{};
   const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
   const LowerSettings settings = SettingsOf(job, position_input, result.dump);
   LoweredProgram lowered{LowerAndLegalize(job, std::move(typed), settings), std::move(pixel)};
@@ -295,7 +294,7 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
 
   if (outputs.listing) result.listing = Write(lowered.shader, WriteOptionsOf(job, true)).glsl;
   WrittenProgram written = WriteProgram(job, half, lowered);
-  Describe(job, lowered, written, result);
+  Describe(job, lowered, written, position, result);
   Finished finished = Finish(job, half, lowered, std::move(written));
   std::string_view unjudged = finished.unjudged;
   result.shaders = std::move(finished.shaders);

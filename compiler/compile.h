@@ -203,7 +203,6 @@ struct CompileResult {
   std::optional<std::string> hlsl;  // on request, instead of all that comes with `shaders`
   std::optional<clip_table::ClipTable> table;  // with `shaders`
   std::string reflection;                      // JSON, with `shaders`, on request
-  std::optional<int> position_matrices;        // with `reflection`: CountPositionMatrices
   std::string structs;                         // a C header: structs.h
   std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
   std::vector<std::uint32_t> pixel_spirv;      // of `shaders.fragment` of a pair, on request

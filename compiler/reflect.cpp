@@ -260,11 +260,12 @@ Json StageJson(const ReflectedStage& stage) {
 }
 
 // The part about clip planes and the position, of a stage with a stage after it.
-void AddPlanes(const ReflectedStage& stage, std::optional<int> position_matrices, Json& json) {
+void AddPlanes(const ReflectedStage& stage, const PositionMatrices& position, Json& json) {
   const ClipTable& table = stage.table;
   json["lowering"] = NameOf(table.lowering);
   json["positionSpace"] = clip_table::TableNameOf(table.plane_space);
-  json["positionMatrices"] = position_matrices ? Json(*position_matrices) : Json(nullptr);
+  json["positionMatrices"] = position.count ? Json(*position.count) : Json(nullptr);
+  json["positionProduct"] = position.product ? Json(*position.product) : Json(nullptr);
   json["clipPlanes"] = Planes(table);
   json["enableMask"] = table.enable_mask;
   json["clipDistanceMask"] = stage.info.clip_distance_mask;
@@ -273,11 +274,10 @@ void AddPlanes(const ReflectedStage& stage, std::optional<int> position_matrices
 
 }  // namespace
 
-std::string Reflect(const ReflectedStage& stage, std::optional<int> position_matrices,
+std::string Reflect(const ReflectedStage& stage, const PositionMatrices& position,
                     const ReflectedStage* pixel) {
   Json json = StageJson(stage);
-  if (InfoOf(stage.lowered.program.stage).has_stage_after)
-    AddPlanes(stage, position_matrices, json);
+  if (InfoOf(stage.lowered.program.stage).has_stage_after) AddPlanes(stage, position, json);
   if (pixel) {
     Json& half = json["pixelShader"] = StageJson(*pixel);
     half.erase("version");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "clip-table/clip_table.h"
+#include "compiler/count_matrices.h"
 #include "compiler/stages.h"
 
 namespace clipc {
@@ -12,14 +12,14 @@ namespace clipc {
 // The text of --reflect, a JSON document with everything that the host needs to feed the shader:
 // inputs and outputs with semantics, locations and types; constant buffers with members, offsets,
 // registers and their layout in the GLSL; textures and samplers; clip planes and what to enable.
-// docs/reflection.md describes every key. `position_matrices` is what CountPositionMatrices says.
-// The pixel shader of a pair, if given, is a part of the document.
+// docs/reflection.md describes every key. The pixel shader of a pair, if given, is a part of the
+// document.
 struct ReflectedStage {
   const Lowered& lowered;
   const glsl::GlslInfo& info;
   const clip_table::ClipTable& table;
 };
-std::string Reflect(const ReflectedStage& stage, std::optional<int> position_matrices,
+std::string Reflect(const ReflectedStage& stage, const PositionMatrices& position,
                     const ReflectedStage* pixel = nullptr);
 
 }  // namespace clipc
