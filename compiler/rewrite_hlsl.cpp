@@ -17,6 +17,7 @@
 #include "frontend/check/entry_point.h"
 #include "frontend/parse/attributes.h"
 #include "frontend/parse/parse.h"
+#include "ir/profile.h"
 #include "rewrite/rewrite.h"
 
 namespace clipc {
@@ -32,11 +33,16 @@ std::vector<std::string> EntriesOf(const CompileRequest& request) {
 
 std::string_view LastPart(std::string_view entry) { return entry.substr(entry.rfind(':') + 1); }
 
-// Whether the name at `at` is called: a word before it is a type or a profile.
+// Whether the name at `at` is called. `vs_5_0 main()` and `CompileShader(vs_5_0, main())` of an
+// effect name an entry function; and a word before the name is its type.
 bool IsCall(const Tokens& tokens, std::size_t at) {
   if (tokens.list[at + 1].kind != TokenKind::kLeftParen || at == 0) return false;
-  const Token& before = tokens.list[at - 1];
-  return before.kind != TokenKind::kIdentifier || tokens.names[before.name()] == "return";
+  const auto word = [&](std::size_t back) {
+    const bool is_word = at >= back && tokens.list[at - back].kind == TokenKind::kIdentifier;
+    return is_word ? tokens.names[tokens.list[at - back].name()] : std::string_view();
+  };
+  if (!word(1).empty()) return word(1) == "return";
+  return tokens.list[at - 1].kind != TokenKind::kComma || !ir::ParseProfile(word(2));
 }
 
 // The tokens that are the last part of the name of an entry, by entry.

@@ -33,7 +33,8 @@ class Rewriter {
     const bool renames = Renames(entry);
     const std::string inner = renames ? point.prefix + point.name : point.name;
     if (renames) Rename(entry, *end, inner, undefined);
-    AddWrappers(entry, *end, inner, undefined);
+    // glslang finds no function by its name alone in a namespace.
+    AddWrappers(entry, *end, point.scope + inner, undefined);
   }
 
   std::string Finish() {
@@ -62,7 +63,7 @@ class Rewriter {
                            point.name);
       return false;
     }
-    const bool is_here = end && (!point.in_namespace || source_->InMainText(point.definition));
+    const bool is_here = end && (point.scope.empty() || source_->InMainText(point.definition));
     if (!is_here) diagnostics_->Report(point.definition, diag::RewriteElsewhere, point.name);
     return is_here;
   }

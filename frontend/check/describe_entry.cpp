@@ -154,7 +154,8 @@ EntryPoint Describe(const Context& context, FunctionInfoId function,
   const ast::FunctionDecl& decl = DeclOf(context, info);
   EntryPoint entry;
   entry.name = context[decl.name];
-  entry.in_namespace = info.scope != context.names.global();
+  for (ScopeId scope = info.scope; scope != context.names.global(); scope = context[scope].parent)
+    entry.scope = fmt::format("{}::{}", context[context[scope].name], entry.scope);
   entry.prefix = FreePrefix(context.file);
   entry.definition = context[info.decl].span;
   const auto note_unnamed = [&](ast::TypeId type, std::string_view what) {

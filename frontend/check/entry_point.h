@@ -25,7 +25,7 @@ struct EntryParameterText {
 struct EntryPoint {
   ir::Program program;  // whose functions have no bodies if they were not checked
   std::string name;
-  bool in_namespace = false;
+  std::string scope;                         // the namespaces around it, "A::B::"; empty: none
   std::string attributes;                    // without the clip planes: "[RootSignature(\"\")]\n"
   std::string return_type, return_semantic;  // "precise float4", ": SV_Position"
   std::vector<EntryParameterText> parameters;

@@ -1,16 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Shows on a corpus that the HLSL of --target=hlsl means what the HLSL with [clipplanes] does.
+"""Shows on many shaders that the HLSL of --target=hlsl means what the HLSL with [clipplanes] does.
 
-usage: compare_rewritten.py CLIPC CLIPC_DRAW LIST [--most N] [-v]
+usage: compare_rewritten.py CLIPC CLIPC_DRAW LIST [--most N] [-j JOBS] [-v]
+       compare_rewritten.py CLIPC CLIPC_DRAW --tests FOLDER...
 
 LIST is that of tools/bench/compare_corpus.py. Planes in a cbuffer of their own are written before the first line of each shader, and
-`[clipplanes(...)]` before its entry function. Of the shaders that clipc then compiles,
+`[clipplanes(...)]` before its entry function. With --tests the shaders are those of the folders that have the attribute, with the
+options of their first RUN line, and stay as they are. Of the shaders that clipc then compiles,
 
+- clipc leaves the file of LIST, which has no planes, as it is, byte for byte;
 - clipc reads what it wrote, and both GLSL texts, drawn by Mesa with the same random vertices and constants, write the same positions and
   clip distances, bit for bit;
 - glslang's HLSL front end reads it, SPIRV-Cross writes GLSL of that, and Mesa draws the same within the rounding of a dot product. A
-  shader that this front end does not read without planes either is counted apart;
+  shader that this front end does not read without planes either is counted apart; so is one whose position it computes otherwise, if
+  the distances are those of that position, and one whose constant buffers it lays out otherwise than Direct3D;
 - lines of the input that the output does not have are counted: those of the attribute and of the function's name.
 
 Needs glslangValidator and spirv-cross.
@@ -18,6 +22,7 @@ Needs glslangValidator and spirv-cross.
 
 import argparse
 import collections
+import concurrent.futures
 import difflib
 import json
 import pathlib
@@ -33,6 +38,8 @@ BUFFER = f"cbuffer ClipPassPlanes {{ float4 clip_pass_plane[{PLANES}]; }};\n"
 ATTRIBUTE = f"[clipplanes({', '.join(f'clip_pass_plane[{i}]' for i in range(PLANES))})]\n"
 INPUT = re.compile(r"layout\(location = (\d+)\) in (\w+) (\w+);")
 BLOCK = re.compile(r"layout\(([^)]*)\) uniform (\w+)")
+DISTANCES = re.compile(r"gl_ClipDistance\[(\d+)\];")
+PEER = ("glslangValidator", "-D", "-V", "-UVULKAN", "--amb", "-S", "vert")
 
 
 def run(*command):
@@ -63,39 +70,59 @@ def with_planes(text, entry):
     return None
 
 
-def numbers(count, mark):
+def numbers(chance, count, mark):
     if mark:
-        return ",".join(f"{random.randint(0, 3)}{mark}" for _ in range(count))
-    return ",".join(f"{random.uniform(-2, 2):.6f}" for _ in range(count))
+        return ",".join(f"{chance.randint(0, 3)}{mark}" for _ in range(count))
+    return ",".join(f"{chance.uniform(-2, 2):.6f}" for _ in range(count))
 
 
 class Scene:
     """Random vertices, by location, and constants, by the name of their block."""
 
     def __init__(self, seed, buffers):
-        self.seed = seed
+        self.seed, self.cbuffers = seed, buffers
         self.buffers = {}  # by the name in the HLSL and by that in the GLSL
         for buffer in buffers:
             for name in (buffer["name"], buffer.get("glsl", {}).get("block")):
                 self.buffers[name] = buffer
+
+    def rows(self, buffer):
+        chance = random.Random(f"{self.seed} {buffer['name']}")
+        return [(offset, numbers(chance, 4, "")) for offset in range(0, buffer["size"], 16)]
+
+    def has_distances(self, drawn):
+        """Whether the distances are those of the positions to the planes of BUFFER."""
+        planes = [
+            [float(word) for word in row.split(",")]
+            for _, row in self.rows({"name": "ClipPassPlanes", "size": 16 * PLANES})
+        ]
+        positions = [values(row) for row in re.findall(r"gl_Position = (.*)", drawn)]
+        distances = [values(row) for row in re.findall(r"gl_ClipDistance = (.*)", drawn)]
+        return len(positions) == len(distances) and all(
+            len(row) == PLANES
+            and all(
+                x != x or abs(x - sum(a * b for a, b in zip(position, plane))) <= 4e-6 * scale
+                for x, plane in zip(row, planes)
+            )
+            for position, row in zip(positions, distances)
+            for scale in [max([abs(value) for value in position if value == value] + [1]) * 8]
+        )
 
     def draw(self, draw, path):
         """The position and the distances of each vertex; None if the driver has none."""
         text = path.read_text()
         command = [draw, "capture", path]
         for location, kind, name in INPUT.findall(text):
-            random.seed(f"{self.seed} {location}")
+            chance = random.Random(f"{self.seed} {location}")
             mark = {"u": "u", "i": "i"}.get(kind[0], "")
             count = int(kind[-1]) if kind[-1].isdigit() else 1
-            vertices = "/".join(numbers(count, mark) for _ in range(VERTICES))
+            vertices = "/".join(numbers(chance, count, mark) for _ in range(VERTICES))
             command += ["--attribute", f"{name}={vertices}"]
         for _, name in BLOCK.findall(text):
+            # A block that clipc does not have, such as push constants: any numbers.
             buffer = self.buffers.get("$Globals" if name == "_Global" else name)
-            if not buffer:
-                continue
-            random.seed(f"{self.seed} {buffer['name']}")
-            for offset in range(0, buffer["size"], 16):
-                command += ["--block", f"{name}@{offset}={numbers(4, '')}"]
+            for offset, row in self.rows(buffer or {"name": name, "size": 4096}):
+                command += ["--block", f"{name}@{offset}={row}"]
         drawn = run(*command)
         if drawn.returncode or "gl_ClipDistance" not in drawn.stdout:
             return None
@@ -121,8 +148,8 @@ def is_near(a, b):
     )
 
 
-def judge(tools, line, folder):
-    clipc, draw = tools
+def options_of(line):
+    """The path, the options of clipc and those of the peer."""
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     options, peer = ["-E", entry, "-T", profile], ["-e", entry]
     source = pathlib.Path(path)
@@ -130,70 +157,141 @@ def judge(tools, line, folder):
         for value in filter(None, several.split(";")):
             options += [flag, value]
             peer.append(flag + value)
-    text = with_planes(source.read_text(errors="replace"), entry)
+    return source, entry, options, peer
+
+
+def lines_of(folders):
+    """A line of a list for each shader of the folders that has planes and compiles."""
+    for folder in folders:
+        for path in sorted(pathlib.Path(folder).rglob("*.hlsl")):
+            text = path.read_text(errors="replace")
+            if path.name.startswith("fail_") or not re.search(r"\[\s*clipplanes", text, re.I):
+                continue
+            command = re.search(r"RUN: (.*)|^// clipc (.*)", text, re.M)
+            words = command[0].split() if command else []
+            given = {flag: [b for a, b in zip(words, words[1:]) if a == flag] for flag in ("-T", "-E")}
+            profile = (given["-T"] or ["vs_5_0"])[0]
+            profile = profile if re.fullmatch(r"vs_[56]_\d", profile) else "vs_5_0"
+            defines = ";".join(word[2:] for word in words if re.match(r"-D\w", word))
+            yield "\t".join([str(path), (given["-E"] or ["main"])[0], profile, "", defines])
+
+
+def is_laid_out_alike(spirv, buffers):
+    """Whether the peer gives the members of constant buffers the offsets of Direct3D, as clipc does."""
+    types = json.loads(run("spirv-cross", spirv, "--reflect").stdout).get("types", {}).values()
+    offsets = {
+        (kind["name"], member["name"]): member.get("offset")
+        for kind in types
+        for member in kind["members"]
+    }
+    return all(
+        offsets.get((buffer["name"], member["name"]), member["offset"]) == member["offset"]
+        for buffer in buffers
+        for member in buffer["members"]
+    )
+
+
+def judge_at_peer(draw, scene, drawn, peer, folder, knows_planes):
+    """What the peer makes of the rewritten text; `drawn` is what clipc's GLSL draws."""
+    after, spirv, third = (folder / name for name in ("after.hlsl", "peer.spv", "3.vert"))
+    if run(*PEER, *peer, after, "-o", spirv).returncode:
+        plain = run(*PEER, *peer, folder / "plain.hlsl", "-o", spirv)
+        return "same; the peer reads neither" if plain.returncode else "refused by the peer"
+    crossing = run("spirv-cross", spirv, "--version", "450")
+    if crossing.returncode:  # a buffer that the peer packs as GLSL cannot say
+        return "same; SPIRV-Cross writes no GLSL"
+    third.write_text(crossing.stdout)
+    count = DISTANCES.search((folder / "1.vert").read_text())[1]
+    if f"gl_ClipDistance[{count}];" not in crossing.stdout:
+        return "lost by the peer"
+    crossed = scene.draw(draw, third)
+    if not crossed:
+        return "same; the peer's is not drawn"
+    if is_near(drawn, crossed):
+        return "same, and at the peer"
+    if not is_laid_out_alike(spirv, scene.cbuffers):
+        return "same; the peer lays a buffer out otherwise"
+    positions = ["\n".join(re.findall(r"gl_Position = .*", text)) for text in (drawn, crossed)]
+    if is_near(*positions) or (knows_planes and not scene.has_distances(crossed)):
+        return "same; the peer differs"
+    return "same; the peer's position differs"
+
+
+def named_lines(entry):
+    """What the lines that may change have in them."""
+    return rf"clipplanes|\[shader|(?<!\w){re.escape(entry.split('::')[-1])}(?!\w)"
+
+
+def judge(tools, line, is_test, folder):
+    clipc, draw = tools
+    source, entry, options, peer = options_of(line)
+    plain = source.read_text(errors="replace")
+    text = plain if is_test else with_planes(plain, entry)
     if text is None:
         return "not in the file", 0
     before, after, reflection = (folder / n for n in ("before.hlsl", "after.hlsl", "r.json"))
-    first, second, third = (folder / n for n in ("1.vert", "2.vert", "3.vert"))
+    first, second = (folder / n for n in ("1.vert", "2.vert"))
     before.write_text(text)
-    if run(clipc, before, *options, "-o", first, f"--reflect={reflection}").returncode:
+    compiled = run(clipc, before, *options, "-o", first, f"--reflect={reflection}")
+    if compiled.returncode or not DISTANCES.search(first.read_text()):
         return "not compiled with planes", 0
+    if not is_test:
+        same = run(clipc, source, *options, "--target=hlsl", "-o", after)
+        if same.returncode or after.read_bytes() != source.read_bytes():
+            return "not left alone without planes", 0
     rewritten = run(clipc, before, *options, "--target=hlsl", "-o", after)
     if rewritten.returncode:
         return "refused: " + rewritten.stderr[:90], 0
+    run(clipc, before, *options, "--target=hlsl", "--lower=none", "-o", folder / "plain.hlsl")
     lines = difflib.SequenceMatcher(
         None, text.splitlines(), after.read_text().splitlines(), autojunk=False
     )
-    changed = sum(b - a for tag, a, b, _, _ in lines.get_opcodes() if tag in ("replace", "delete"))
+    removed = [
+        row
+        for tag, a, b, _, _ in lines.get_opcodes()
+        if tag in ("replace", "delete")
+        for row in text.splitlines()[a:b]
+    ]
+    changed = len(removed)
+    if not all(re.search(named_lines(entry), row, re.I) for row in removed):
+        return "another line changes", changed
     again = run(clipc, after, *options, "-o", second)
     if again.returncode:
         return "not read again: " + again.stderr[:90], changed
-    scene = Scene(path + entry, json.loads(reflection.read_text())["cbuffers"])
+    scene = Scene(str(source) + entry, json.loads(reflection.read_text())["cbuffers"])
     drawn, redrawn = scene.draw(draw, first), scene.draw(draw, second)
     if not drawn or not redrawn:
         return "not drawn", changed
     one, other = in_common(drawn, redrawn)
     if one != other:
-        return "different", changed
-    spirv = folder / "peer.spv"
-    if run(
-        "glslangValidator", "-D", "-V", "--amb", "-S", "vert", *peer, after, "-o", spirv
-    ).returncode:
-        before.write_text(text.replace(ATTRIBUTE, ""))
-        plain = run(
-            "glslangValidator", "-D", "-V", "--amb", "-S", "vert", *peer, before, "-o", spirv
-        )
-        verdict = "same; the peer reads neither" if plain.returncode else "refused by the peer"
-        return verdict, changed
-    crossing = run("spirv-cross", spirv, "--version", "450")
-    if crossing.returncode:  # a buffer that the peer packs as GLSL cannot say
-        return "same; SPIRV-Cross writes no GLSL", changed
-    third.write_text(crossing.stdout)
-    if f"gl_ClipDistance[{PLANES}]" not in third.read_text():
-        return "lost by the peer", changed
-    crossed = scene.draw(draw, third)
-    if not crossed:
-        return "same; the peer's is not drawn", changed
-    return (
-        "same, and at the peer" if is_near(drawn, crossed) else "same; the peer differs"
-    ), changed
+        is_undefined = "[-Wvariable-not-written]" in compiled.stderr
+        return "undefined" if is_undefined else "different", changed
+    return judge_at_peer(draw, scene, drawn, peer, folder, not is_test), changed
+
+
+def judge_alone(tools, line, is_test):
+    with tempfile.TemporaryDirectory() as name:
+        return judge(tools, line, is_test, pathlib.Path(name))
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("clipc")
     parser.add_argument("draw")
-    parser.add_argument("list")
+    parser.add_argument("list", nargs="?")
+    parser.add_argument("--tests", nargs="+", default=[], help="folders with shaders")
     parser.add_argument("--most", type=int, default=500, help="judged shaders that are enough")
+    parser.add_argument("-j", type=int, default=2)
     parser.add_argument("-v", action="store_true", help="list what is not the same")
     arguments = parser.parse_args()
+    tools, is_test = (arguments.clipc, arguments.draw), bool(arguments.tests)
+    lines = list(lines_of(arguments.tests))
+    if arguments.list:
+        lines = pathlib.Path(arguments.list).read_text().splitlines()
     verdicts, changes, judged = collections.Counter(), collections.Counter(), 0
-    with tempfile.TemporaryDirectory() as name, open(arguments.list) as lines:
-        for line in lines:
-            if judged == arguments.most:
-                break
-            tools = (arguments.clipc, arguments.draw)
-            verdict, changed = judge(tools, line, pathlib.Path(name))
+    with concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
+        results = pool.map(lambda line: (line, *judge_alone(tools, line, is_test)), lines)
+        for line, verdict, changed in results:
             verdicts[verdict.split(":")[0]] += 1
             if verdict.startswith(("not in", "not compiled")):
                 continue
@@ -201,10 +299,13 @@ def main():
             changes[changed] += 1
             if arguments.v and verdict != "same, and at the peer":
                 print(verdict, *line.split("\t")[:2], flush=True)
+            if judged == arguments.most:
+                pool.shutdown(wait=False, cancel_futures=True)
+                break
     for verdict, count in verdicts.most_common():
         print(f"{count:5} {verdict}")
     print("lines of the input that change:", dict(sorted(changes.items())))
-    wrong = ("refused", "not read", "different", "lost")
+    wrong = ("refused", "not read", "not left", "another", "different", "lost", "same; the peer differs")
     return 1 if any(verdict.startswith(wrong) for verdict in verdicts) else 0
 
 
