@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Shows on many shaders that the HLSL of --target=hlsl means what the HLSL with [clipplanes] does.
 
-usage: compare_rewritten.py CLIPC CLIPC_DRAW LIST [--most N] [-j JOBS] [-v]
+usage: compare_rewritten.py CLIPC CLIPC_DRAW LIST [--most N] [-j JOBS] [--plane-space SPACE] [-v]
        compare_rewritten.py CLIPC CLIPC_DRAW --tests FOLDER...
 
 LIST is that of tools/bench/compare_corpus.py. Planes in a cbuffer of their own are written before the first line of each shader, and
@@ -218,12 +218,12 @@ def judge_at_peer(draw, scene, drawn, peer, folder, knows_planes):
 
 
 def named_lines(entry):
-    """What the lines that may change have in them."""
-    return rf"clipplanes|\[shader|(?<!\w){re.escape(entry.split('::')[-1])}(?!\w)"
+    """What the lines that may change have in them; what follows the function's end is on a line of its own."""
+    return rf"clipplanes|\[shader|^\s*\}}|(?<!\w){re.escape(entry.split('::')[-1])}(?!\w)"
 
 
 def judge(tools, line, is_test, folder):
-    clipc, draw = tools
+    clipc, draw, space = tools
     source, entry, options, peer = options_of(line)
     plain = source.read_text(errors="replace")
     text = plain if is_test else with_planes(plain, entry)
@@ -232,14 +232,15 @@ def judge(tools, line, is_test, folder):
     before, after, reflection = (folder / n for n in ("before.hlsl", "after.hlsl", "r.json"))
     first, second = (folder / n for n in ("1.vert", "2.vert"))
     before.write_text(text)
-    compiled = run(clipc, before, *options, "-o", first, f"--reflect={reflection}")
+    planes = [*options, f"--plane-space={space}"]
+    compiled = run(clipc, before, *planes, "-o", first, f"--reflect={reflection}")
     if compiled.returncode or not DISTANCES.search(first.read_text()):
         return "not compiled with planes", 0
     if not is_test:
         same = run(clipc, source, *options, "--target=hlsl", "-o", after)
         if same.returncode or after.read_bytes() != source.read_bytes():
             return "not left alone without planes", 0
-    rewritten = run(clipc, before, *options, "--target=hlsl", "-o", after)
+    rewritten = run(clipc, before, *planes, "--target=hlsl", "-o", after)
     if rewritten.returncode:
         return "refused: " + rewritten.stderr[:90], 0
     run(clipc, before, *options, "--target=hlsl", "--lower=none", "-o", folder / "plain.hlsl")
@@ -266,7 +267,7 @@ def judge(tools, line, is_test, folder):
     if one != other:
         is_undefined = "[-Wvariable-not-written]" in compiled.stderr
         return "undefined" if is_undefined else "different", changed
-    return judge_at_peer(draw, scene, drawn, peer, folder, not is_test), changed
+    return judge_at_peer(draw, scene, drawn, peer, folder, not is_test and space == "clip"), changed
 
 
 def judge_alone(tools, line, is_test):
@@ -282,9 +283,11 @@ def main():
     parser.add_argument("--tests", nargs="+", default=[], help="folders with shaders")
     parser.add_argument("--most", type=int, default=500, help="judged shaders that are enough")
     parser.add_argument("-j", type=int, default=2)
+    parser.add_argument("--plane-space", default="clip")
     parser.add_argument("-v", action="store_true", help="list what is not the same")
     arguments = parser.parse_args()
-    tools, is_test = (arguments.clipc, arguments.draw), bool(arguments.tests)
+    tools = (arguments.clipc, arguments.draw, arguments.plane_space)
+    is_test = bool(arguments.tests)
     lines = list(lines_of(arguments.tests))
     if arguments.list:
         lines = pathlib.Path(arguments.list).read_text().splitlines()
