@@ -160,7 +160,7 @@ Result<std::string> WriteBinary(const ClipTable& table) {
   std::string problem = ProblemOf(table);
   if (problem.empty()) problem = ProblemOf(Direct3DPart(table));
   if (problem.empty() && table.plane_space != PlaneSpace::kClip) {
-    problem = std::string("the binary form takes planes in clip space only; these are in space ") +
+    problem = std::string("the binary form holds planes in clip space only; these are in space ") +
               NameOf(table.plane_space);
   }
   if (!problem.empty()) return Problem{std::move(problem)};

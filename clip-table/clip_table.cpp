@@ -19,7 +19,7 @@ std::string ProblemOf(const Plane& plane, std::size_t index, Lowering lowering) 
   if (HoldsNul({plane.text})) return where + " holds a NUL character";
   if (!plane.constant) {
     return lowering == Lowering::kLevel9
-               ? where + " is not one whole register; Direct3D 9 takes only whole registers"
+               ? where + " is not one whole register; Direct3D 9 accepts only whole registers"
                : "";
   }
   const Constant& constant = *plane.constant;
@@ -50,7 +50,7 @@ std::string ProblemOf(const ClipTable& table) {
   }
   if (!Supports(table.lowering, table.plane_space)) {
     return std::string("planes in space ") + NameOf(table.plane_space) + " with lowering " +
-           NameOf(table.lowering) + ", which takes planes in clip space only";
+           NameOf(table.lowering) + ", which supports planes in clip space only";
   }
   if (HoldsNul({table.entry, table.profile})) return "a name holds a NUL character";
   for (std::size_t i = 0; i < table.planes.size(); ++i) {

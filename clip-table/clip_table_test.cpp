@@ -144,11 +144,12 @@ TEST(ClipTable, SpacesOtherThanClip) {
     table.plane_space = space;
     EXPECT_EQ(ReadJson(*WriteJson(table))->plane_space, space);
     EXPECT_THAT(*WriteHeader(table, "t"), HasSubstr(TableNameOf(space)));
-    EXPECT_THAT(WriteBinary(table).error, HasSubstr("takes planes in clip space only"));
+    EXPECT_THAT(WriteBinary(table).error, HasSubstr("holds planes in clip space only"));
   }
   table.lowering = Lowering::kLevel9;
   EXPECT_EQ(ProblemOf(table),
-            "planes in space object with lowering level9, which takes planes in clip space only");
+            "planes in space object with lowering level9, which supports planes in clip space "
+            "only");
   EXPECT_FALSE(WriteJson(table));
 }
 
@@ -216,7 +217,7 @@ TEST(ClipTable, JsonErrorsNameThePlace) {
   EXPECT_EQ(JsonError("/planes/0/more", 5), "`planes[0]` has a key that this clipc does not know");
   EXPECT_EQ(JsonError("/enable_mask", 7), "enable mask 7 for 2 planes; it must be 3");
   EXPECT_EQ(JsonError("/planes/0/constant", nullptr),
-            "plane 0 is not one whole register; Direct3D 9 takes only whole registers");
+            "plane 0 is not one whole register; Direct3D 9 accepts only whole registers");
   EXPECT_EQ(ReadJson("{}").error, "`schema` is missing");
   EXPECT_EQ(ReadJson("[]").error, "the table is not an object");
   EXPECT_EQ(ReadJson("{\"schema\": ").error, "the JSON is cut off: it ends after 11 bytes");

@@ -38,7 +38,7 @@ void SetShard(Reading& reading, const std::string& value) {
       ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
       command.shard <= command.shards)
     return;
-  reading.error = fmt::format("`{} {}`: it takes a part and the number of parts, as `2/4`",
+  reading.error = fmt::format("`{} {}`: it needs a part and the number of parts, as `2/4`",
                               reading.option, value);
 }
 
@@ -51,7 +51,7 @@ template <auto kMember>
 void SetForZero(Reading& reading, const std::string& value) {
   MemberOf(reading, kMember) = true;
   if (value != "zero")
-    reading.error = fmt::format("`{}={}`: it takes `zero`", reading.option, value);
+    reading.error = fmt::format("`{}={}`: the only value is `zero`", reading.option, value);
 }
 
 // Reads -Wno-clip-plane-twice, -Werror, -Werror=... and -Wno-error=...
@@ -256,7 +256,7 @@ constexpr Option kOwnOptions[] = {
     {"--sandbox-includes", kEquals, Set<&IncludeOptions::sandbox>, "<DIR>",
      "read includes from this folder only"},
     {"--max-seconds", kEquals, SetNumber<&Limits::seconds, 1, 1u << 20>, "<N>",
-     "give up a shader that takes longer"},
+     "give up a shader after so many seconds"},
     {"--max-bytes", kEquals, SetNumber<&Limits::bytes, 1, 1u << 31>, "<N>",
      "refuse a shader whose text is longer, includes and all"},
     {"--max-tokens", kEquals, SetNumber<&Limits::tokens, 1, 1u << 31>, "<N>",

@@ -133,7 +133,7 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
       std::isfinite(unit) && std::isfinite(sine) && std::isfinite(reach) && IsFinite(view_plane);
   if (!(picture_height > 0 && sine > 0 && reach >= 0) || !is_finite)
     return Status::Failure(Error::kNotFinite,
-                           "the plane, the picture's height, the sine or the reach is not a number "
+                           "the plane, the image's height, the sine or the reach is not a number "
                            "that an error can be told for");
   if (const Status status = CheckProjection(projection); !status.ok()) return status;
   const ProjectionShape s = ShapeOf(projection);

@@ -231,16 +231,16 @@ TEST(IntrinsicsTest, RefusedFamilies) {
     return said.substr(said.rfind('['));
   };
   EXPECT_EQ(Call("ddx", {"float"}),
-            "`ddx` takes the difference between neighbouring pixels; a vertex shader has none "
+            "`ddx` is the difference between neighbouring pixels; a vertex shader has none "
             "[intrinsic-derivative, X4532]");
   EXPECT_EQ(Call("clip", {"float"}),
             "`clip` discards a pixel; a vertex shader clips with `[clipplanes(...)]` or with "
             "SV_ClipDistance [intrinsic-discard, X4532]");
   EXPECT_EQ(Call("tex2D", {"float"}),
-            "`tex2D` takes the level of detail from neighbouring pixels; a vertex shader gives it "
+            "`tex2D` gets the level of detail from neighbouring pixels; a vertex shader gives it "
             "in the last component of `tex2Dlod` [intrinsic-implicit-level, X4532]");
   EXPECT_EQ(Call("texCUBEbias", {"float"}),
-            "`texCUBEbias` takes the level of detail from neighbouring pixels; a vertex shader "
+            "`texCUBEbias` gets the level of detail from neighbouring pixels; a vertex shader "
             "gives it in the last component of `texCUBElod` [intrinsic-implicit-level, X4532]");
   EXPECT_EQ(suffix("EvaluateAttributeSnapped"), "[intrinsic-interpolation, X4532]");
   EXPECT_EQ(suffix("GetRenderTargetSampleCount"), "[intrinsic-render-target, X4532]");

@@ -74,10 +74,9 @@ TEST_F(ObjectsTest, Samples) {
 }
 
 TEST_F(ObjectsTest, SamplesRefused) {
-  EXPECT_EQ(
-      Call(ObjectKind::kTexture2D, "CalculateLevelOfDetail", {"s", "float2"}),
-      "`CalculateLevelOfDetail` asks for the level of detail of neighbouring pixels; a vertex "
-      "shader has none [method-implicit-level, X4532]");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "CalculateLevelOfDetail", {"s", "float2"}),
+            "`CalculateLevelOfDetail` needs the level of detail of neighbouring pixels; a vertex "
+            "shader has none [method-implicit-level, X4532]");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmpGreen", {"c", "float2", "float"}),
             "`GatherCmpGreen` of `Texture2D` is not supported by clipc [method-unsupported]");
   EXPECT_EQ(Call(ObjectKind::kTexture3D, "Gather", {"s", "float3"}),

@@ -34,10 +34,10 @@ float4 main(float4 p : POSITION) : SV_Position {
 #elif defined(BUFFERS)
   return mul(p, cameras[1].view);
 #else
-// GL330: fail_buffers.hlsl:[[#@LINE+6]]:17: error: the index of `cameras` is not constant; target `glsl330` takes only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
+// GL330: fail_buffers.hlsl:[[#@LINE+6]]:17: error: the index of `cameras` is not constant; target `glsl330` accepts only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
 // GL330-NEXT:    [[#@LINE+5]] |   return mul(p, cameras[index].view) + maps[index].SampleLevel(linear_clamp, p.xy, 0);
 // GL330-NEXT:       |                 ^~~~~~~~~~~~~~
-// GL330-NEXT: fail_buffers.hlsl:[[#@LINE+3]]:40: error: the index of `maps` is not constant; target `glsl330` takes only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
+// GL330-NEXT: fail_buffers.hlsl:[[#@LINE+3]]:40: error: the index of `maps` is not constant; target `glsl330` accepts only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
 // GL330-NEXT:    [[#@LINE+2]] |   return mul(p, cameras[index].view) + maps[index].SampleLevel(linear_clamp, p.xy, 0);
 // GL330-NEXT:       |                                        ^~~~~~~~~~~
   return mul(p, cameras[index].view) + maps[index].SampleLevel(linear_clamp, p.xy, 0);

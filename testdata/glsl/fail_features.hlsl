@@ -68,7 +68,7 @@ struct Result {
 // ES300-NEXT:    [[#@LINE-55]] | StructuredBuffer<float4> structured;
 // ES300-NEXT:       |                          ^~~~~~~~~~
 // ES300-NEXT: clipc: note: target `essl310` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-55]]:11: error: `maps` is an array of arrays; target `essl300` takes textures in simple arrays only [target-object-arrays]
+// ES300-NEXT: fail_features.hlsl:[[#@LINE-55]]:11: error: `maps` is an array of arrays; target `essl300` accepts textures in simple arrays only [target-object-arrays]
 // ES300-NEXT:    [[#@LINE-56]] | Texture2D maps[2][2];
 // ES300-NEXT:       |           ^~~~
 // ES300-NEXT: clipc: note: target `essl310` can
@@ -87,7 +87,7 @@ struct Result {
 // GL330-NEXT:    [[#@LINE-74]] | StructuredBuffer<float4> structured;
 // GL330-NEXT:       |                          ^~~~~~~~~~
 // GL330-NEXT: clipc: note: target `glsl430` can
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-74]]:11: error: `maps` is an array of arrays; target `glsl330` takes textures in simple arrays only [target-object-arrays]
+// GL330-NEXT: fail_features.hlsl:[[#@LINE-74]]:11: error: `maps` is an array of arrays; target `glsl330` accepts textures in simple arrays only [target-object-arrays]
 // GL330-NEXT:    [[#@LINE-75]] | Texture2D maps[2][2];
 // GL330-NEXT:       |           ^~~~
 // GL330-NEXT: clipc: note: target `glsl430` can
@@ -154,7 +154,7 @@ struct Result {
 // GL120-NEXT:    [[#@LINE-141]] | StructuredBuffer<float4> structured;
 // GL120-NEXT:       |                          ^~~~~~~~~~
 // GL120-NEXT: clipc: note: target `glsl430` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-141]]:11: error: `maps` is an array of arrays; target `glsl120` takes textures in simple arrays only [target-object-arrays]
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-141]]:11: error: `maps` is an array of arrays; target `glsl120` accepts textures in simple arrays only [target-object-arrays]
 // GL120-NEXT:    [[#@LINE-142]] | Texture2D maps[2][2];
 // GL120-NEXT:       |           ^~~~
 // GL120-NEXT: clipc: note: target `glsl430` can
@@ -209,19 +209,19 @@ Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
   float2 size;
   float levels;
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+16]]:3: error: the shader asks for the size of a texture; target `glsl120` cannot answer that [target-texture-query]
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+16]]:3: error: the shader queries the size of a texture; target `glsl120` cannot answer that [target-texture-query]
 // GL120-NEXT:   [[#@LINE+15]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:3: error: the shader asks for the number of levels of a texture; target `glsl120` cannot answer that [target-texture-query]
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:3: error: the shader queries the number of levels of a texture; target `glsl120` cannot answer that [target-texture-query]
 // GL120-NEXT:   [[#@LINE+11]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL120-NEXT: clipc: note: target `glsl430` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:3: error: the shader asks for the number of levels of a texture; target `essl300` cannot answer that [target-texture-query]
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:3: error: the shader queries the number of levels of a texture; target `essl300` cannot answer that [target-texture-query]
 // ES300-NEXT:   [[#@LINE+7]] |   map.GetDimensions(0, size.x, size.y, levels);
 // ES300-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // ES300-NEXT: clipc: note: target `glsl430` can
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:3: error: the shader asks for the number of levels of a texture; target `glsl330` cannot answer that [target-texture-query]
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:3: error: the shader queries the number of levels of a texture; target `glsl330` cannot answer that [target-texture-query]
 // GL330-NEXT:   [[#@LINE+3]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL330-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL330-NEXT: clipc: note: target `glsl430` can

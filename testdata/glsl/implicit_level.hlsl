@@ -10,11 +10,11 @@ SamplerState smooth;
 SamplerComparisonState nearer;
 
 float4 main(float2 uv : TEXCOORD) : SV_Position {
-  // WARN: [[#@LINE+1]]:18: warning: `Sample` takes the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 here, fxc reports an error; call `SampleLevel` instead [-Wmethod-level-zero]
+  // WARN: [[#@LINE+1]]:18: warning: `Sample` gets the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 here, fxc reports an error; call `SampleLevel` instead [-Wmethod-level-zero]
   float4 r = map.Sample(smooth, uv);
-  // WARN: [[#@LINE+1]]:12: warning: `SampleBias` takes the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 plus the bias here
+  // WARN: [[#@LINE+1]]:12: warning: `SampleBias` gets the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 plus the bias here
   r += map.SampleBias(smooth, uv, 1.5, int2(1, -1));
-  // WARN: [[#@LINE+1]]:12: warning: `SampleCmp` takes the level
+  // WARN: [[#@LINE+1]]:12: warning: `SampleCmp` gets the level
   r += map.SampleCmp(nearer, uv, 0.5);
   // An offset for each of the four texels: OpenGL ES 3.1 knows it as an extension only.
   return r + map.GatherGreen(smooth, uv, int2(0, 0), int2(0, 1), int2(1, 0), int2(-8, 7));

@@ -8,6 +8,6 @@
 // RUN: FileCheck %s --check-prefix=ZERO --input-file=%t.vert
 // ZERO: vs_TEXCOORD3 = vec2(0.0);
 float4 vs(float4 position : POSITION) : SV_Position { return position; }
-// CHECK: {{.*}}:[[#@LINE-1]]:8: error: the vertex shader writes nothing that meets the pixel shader's input `TEXCOORD3`; with `--zero-unwritten` it is 0 [pixel-input-unwritten]
+// CHECK: {{.*}}:[[#@LINE-1]]:8: error: the vertex shader writes nothing that matches the pixel shader's input `TEXCOORD3`; with `--zero-unwritten` it is 0 [pixel-input-unwritten]
 float4 ps(float2 uv : TEXCOORD3) : SV_Target { return uv.xyxy; }
 // CHECK: clipc: note: {{.*}}:[[#@LINE-1]]:23: the pixel shader's input `TEXCOORD3` is a `vec2`

@@ -2,7 +2,7 @@
 // AUTOUPDATE
 void f() {
   if (a) b = 1; c = 2;
-// CHECK: fail_statements.hlsl:[[#@LINE+3]]:3: error: `else` without `if`; only one statement or block may stand between them [else-without-if, X3000]
+// CHECK: fail_statements.hlsl:[[#@LINE+3]]:3: error: `else` without `if`; only one statement or block may be between them [else-without-if, X3000]
 // CHECK-NEXT:     [[#@LINE+2]] |   else d = 1;
 // CHECK-NEXT:       |   ^~~~
   else d = 1;

@@ -5,4 +5,4 @@ float4 plane;
 [clipplanes(plane)]
 float4 main(float4 position : POSITION) : SV_Position { return position; }
 
-// BIN: error: cannot write `{{.*}}.bin`: the binary form takes planes in clip space only; these are in space object
+// BIN: error: cannot write `{{.*}}.bin`: the binary form holds planes in clip space only; these are in space object

@@ -2,21 +2,28 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the catalogue of diagnostics against its document and its tests.
 
-    check_diagnostics.py [--write] [--coverage]
+    check_diagnostics.py [--write] [--coverage] [--examples CLIPC]
 
 Fails when docs/diagnostics.md is not what base/diagnostic_kinds.def says (--write makes it so), when
 two kinds share a name, or, with --coverage, when no test expects a kind. A test expects a kind where
 its printed name stands as clipc prints it: in brackets after a message (`[-Wclip-plane-repeated]`,
 `[clip-plane-not-float4, X3084]`), as the code of the msvc form, or as a name of the JSON form, which
-is the only one that names notes."""
+is the only one that names notes.
+
+Each section of the document has an example, tools/checks/snippets/diagnostics/SECTION.hlsl, whose first line is its command, and
+SECTION.txt, what clipc prints: --examples holds it against that, and writes it with --write."""
 
 import pathlib
 import re
+import shlex
+import subprocess
 import sys
+import tempfile
 
 root = pathlib.Path(__file__).resolve().parents[2]
 catalogue = root / "base/diagnostic_kinds.def"
 document = root / "docs/diagnostics.md"
+examples = root / "tools/checks/snippets/diagnostics"
 
 DIAG = re.compile(
     r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M
@@ -39,6 +46,30 @@ def printed(name):
     return re.sub(r"(?<!^)([A-Z])", r"-\1", name).lower()
 
 
+def example(section):
+    """The lines of the section's example."""
+    file = examples / (re.sub(r"[^a-z0-9]+", "-", section.lower()) + ".hlsl")
+    shader, printed_text = file.read_text().strip(), file.with_suffix(".txt").read_text().strip()
+    return ["```text", *shader.splitlines(), "", *printed_text.splitlines(), "```", ""]
+
+
+def wrong_examples(clipc, write):
+    """Compiles each example. Yields those that print something else, unless they are written."""
+    for file in sorted(examples.glob("*.hlsl")):
+        with tempfile.TemporaryDirectory() as folder:
+            text = file.read_text()
+            (pathlib.Path(folder) / "water.hlsl").write_text(text)
+            words = shlex.split(text.splitlines()[0].removeprefix("// clipc "))
+            done = subprocess.run(
+                [clipc, *words], cwd=folder, capture_output=True, text=True, check=False
+            )
+        kept = file.with_suffix(".txt")
+        if write:
+            kept.write_text(done.stderr)
+        elif done.stderr != kept.read_text():
+            yield f"{file.name}: clipc prints\n{done.stderr}"
+
+
 def render(all_kinds):
     lines = [
         "# Diagnostics",
@@ -57,6 +88,7 @@ def render(all_kinds):
                 "",
                 f"## {section[:1].upper()}{section[1:]}",
                 "",
+                *example(section),
                 "| name | | fxc | message |",
                 "|---|---|---|---|",
             ]
@@ -115,6 +147,9 @@ def main():
     declared = len(re.findall(r"^DIAG\(", catalogue.read_text(), re.M))
     if declared != len(all_kinds):
         problems.append(f"{declared} kinds are declared but {len(all_kinds)} were understood")
+    if "--examples" in sys.argv:
+        clipc = pathlib.Path(sys.argv[sys.argv.index("--examples") + 1]).resolve()
+        problems += wrong_examples(clipc, "--write" in sys.argv)
     text = render(all_kinds)
     if "--write" in sys.argv:
         document.write_text(text)

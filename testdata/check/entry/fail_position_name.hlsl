@@ -12,10 +12,10 @@
 // RUN: %draw compare %s -T vs_3_0 -E main
 cbuffer Planes { float4 p; };
 
-// PLAIN: fail_position_name.hlsl:[[#@LINE+4]]:36: warning: `POSITION` is an output like any other under `vs_{{[^`]*}}`, and nothing is the position; write `SV_Position`, or use `-Gec`, which takes Direct3D 9's names [-Wposition-is-plain]
+// PLAIN: fail_position_name.hlsl:[[#@LINE+4]]:36: warning: `POSITION` is an output like any other under `vs_{{[^`]*}}`, and nothing is the position; write `SV_Position`, or use `-Gec`, which accepts Direct3D 9's names [-Wposition-is-plain]
 // PLAIN: vs_POSITION0 =
 // BOTH-NOT: warning:
-// STRICT: :[[#@LINE+1]]:36: error: `POSITION` is Direct3D 9's name of the position; `-Ges` takes only `SV_Position` [position-refused]
+// STRICT: :[[#@LINE+1]]:36: error: `POSITION` is Direct3D 9's name of the position; `-Ges` accepts only `SV_Position` [position-refused]
 float4 main(float4 v : POSITION) : POSITION { return v; }
 // BOTH: gl_Position = in_POSITION0;
 

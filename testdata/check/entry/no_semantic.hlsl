@@ -2,7 +2,7 @@
 // RUN: %clipc -T vs_5_0 -E main --validate %s -o - 2>&1 | FileCheck %s
 // RUN: %clipc -T vs_5_0 -E newer --target=vulkan --validate %s -o - 2>&1 | FileCheck %s --check-prefix=NEWER
 struct Input { float4 position : POSITION; float4 uv2; };
-// CHECK: warning: `input.uv2` has no semantic; clipc takes `uv2`, fxc reports an error [-Wsemantic-missing]
+// CHECK: warning: `input.uv2` has no semantic; clipc assumes `uv2`, fxc reports an error [-Wsemantic-missing]
 // CHECK: in vec4 in_UV2;
 float4 main(Input input) : SV_Position { return input.position + input.uv2; }
 // NEWER: warning: `SV_ViewID` needs profile vs_6_1; this is `vs_5_0` [-Wprofile-needed-for-semantic]

@@ -33,11 +33,11 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   v + s;
   // CHECK: [[#@LINE+1]]:5: error: operator `*` is applied to `float4` and `float4x4`; the operands need a common type [operands-mismatch, X3020]
   v * m;
-  // CHECK: [[#@LINE+1]]:5: error: operator `&` is applied to `float4`; it takes `int` or `uint` [integer-needed, X3082]
+  // CHECK: [[#@LINE+1]]:5: error: operator `&` is applied to `float4`; it needs `int` or `uint` [integer-needed, X3082]
   v & 1;
-  // CHECK: [[#@LINE+1]]:3: error: operator `~` is applied to `float`; it takes `int` or `uint` [integer-needed, X3082]
+  // CHECK: [[#@LINE+1]]:3: error: operator `~` is applied to `float`; it needs `int` or `uint` [integer-needed, X3082]
   ~v.x;
-  // CHECK: [[#@LINE+1]]:3: error: operator `-` is applied to a `S`; it takes numbers [bad-operand, X3022]
+  // CHECK: [[#@LINE+1]]:3: error: operator `-` is applied to a `S`; it needs numbers [bad-operand, X3022]
   -s;
   // CHECK: [[#@LINE+1]]:18: error: cannot convert `float3` to `float4` [cannot-convert, X3017]
   float4 wider = v.xyz;

@@ -25,11 +25,11 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   clip(p.x);
 // CHECK-NEXT:       |   ^~~~
   clip(p.x);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: error: `CalculateLevelOfDetail` asks for the level of detail of neighbouring pixels; a vertex shader has none [method-implicit-level, X4532]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: error: `CalculateLevelOfDetail` needs the level of detail of neighbouring pixels; a vertex shader has none [method-implicit-level, X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += map.CalculateLevelOfDetail(linear_clamp, p.xy);
 // CHECK-NEXT:       |            ^~~~~~~~~~~~~~~~~~~~~~
   p += map.CalculateLevelOfDetail(linear_clamp, p.xy);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:8: error: `tex2D` takes the level of detail from neighbouring pixels; a vertex shader gives it in the last component of `tex2Dlod` [intrinsic-implicit-level, X4532]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:8: error: `tex2D` gets the level of detail from neighbouring pixels; a vertex shader gives it in the last component of `tex2Dlod` [intrinsic-implicit-level, X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += tex2D(old_map, p.xy);
 // CHECK-NEXT:       |        ^~~~~
   p += tex2D(old_map, p.xy);
@@ -70,11 +70,11 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   p += WaveActiveSum(p);
 // CHECK-NEXT:       |        ^~~~~~~~~~~~~
   p += WaveActiveSum(p);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: warning: `Sample` takes the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 here, fxc reports an error; call `SampleLevel` instead [-Wmethod-level-zero]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: warning: `Sample` gets the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 here, fxc reports an error; call `SampleLevel` instead [-Wmethod-level-zero]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += map.Sample(linear_clamp, p.xy);
 // CHECK-NEXT:       |            ^~~~~~
   p += map.Sample(linear_clamp, p.xy);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:8: error: `ddx` takes the difference between neighbouring pixels; a vertex shader has none [intrinsic-derivative, X4532]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:8: error: `ddx` is the difference between neighbouring pixels; a vertex shader has none [intrinsic-derivative, X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += ddx(p);
 // CHECK-NEXT:       |        ^~~
   p += ddx(p);

@@ -4,11 +4,11 @@
 // RUN: %clipc -T vs_6_0 -HV 2018 -fsyntax-only %s 2>&1 | count 0
 // RUN: %clipc -T vs_5_0 -fsyntax-only %s 2>&1 | count 0
 float4 main(float4 p : POSITION, float4 q : Q) : SV_Position {
-  // CHECK: [[#@LINE+1]]:19: error: `&&` is applied to a `bool4`; it takes scalars from HLSL 2021 on; `and(a, b)` takes vectors [needs-scalars]
+  // CHECK: [[#@LINE+1]]:19: error: `&&` is applied to a `bool4`; it needs scalars from HLSL 2021 on; `and(a, b)` accepts vectors [needs-scalars]
   bool4 a = p > q && q > 0;
-  // CHECK: [[#@LINE+1]]:21: error: `||` is applied to a `float4`; it takes scalars from HLSL 2021 on; `or(a, b)` takes vectors
+  // CHECK: [[#@LINE+1]]:21: error: `||` is applied to a `float4`; it needs scalars from HLSL 2021 on; `or(a, b)` accepts vectors
   bool4 b = p.x > 0 || q;
-  // CHECK: [[#@LINE+1]]:14: error: `?:` is applied to a `bool4`; it takes scalars from HLSL 2021 on; `select(condition, a, b)` takes vectors
+  // CHECK: [[#@LINE+1]]:14: error: `?:` is applied to a `bool4`; it needs scalars from HLSL 2021 on; `select(condition, a, b)` accepts vectors
   float4 c = p > q ? p : q;
   a &= b;
   return c * (p.x > 0 && q.x > 0 ? a : b);

@@ -11,7 +11,7 @@ cbuffer Material {
 };
 float specular(float x) { return pow(x, power); }
 float4 main(float4 p : POSITION, float3 n : NORMAL, uint u : U) : SV_Position {
-  // CHECK: [[#@LINE+1]]:17: warning: the base of `pow` may be negative; the result is undefined then; take `abs` of it, or `max(0, ...)` [-Wpow-of-negative]
+  // CHECK: [[#@LINE+1]]:17: warning: the base of `pow` may be negative; the result is undefined then; use `abs` of it, or `max(0, ...)` [-Wpow-of-negative]
   float a = pow(dot(n, light), power);
   float facing = dot(n, light);
   // CHECK: [[#@LINE+1]]:12: warning: the base of `pow` may be negative

@@ -1,20 +1,20 @@
 // What fxc says of each register: DXC's packreg.hlsl. A register of another kind has no effect, which
 // is a warning, since shaders that no Direct3D compiler has seen have them.
 // RUN: not %clipc -T vs_5_1 %s 2>&1 | grep -v '^ ' | FileCheck %s --implicit-check-not=warning --implicit-check-not=error:
-// CHECK-DAG: [[#@LINE+1]]:17: warning: register `c2` has no effect on `Block`, which takes a register `b`; fxc reports an error [-Wregister-kind]
+// CHECK-DAG: [[#@LINE+1]]:17: warning: register `c2` has no effect on `Block`, which needs a register `b`; fxc reports an error [-Wregister-kind]
 cbuffer Block : register(c2) { float4 a; }
-// CHECK-DAG: [[#@LINE+1]]:17: warning: register `b1` has no effect on `Texel`, which takes a register `t`
+// CHECK-DAG: [[#@LINE+1]]:17: warning: register `b1` has no effect on `Texel`, which needs a register `t`
 tbuffer Texel : register(B1) { float4 b; }
 struct S { float4 c; };
-// CHECK-DAG: [[#@LINE+1]]:28: warning: register `t1` has no effect on `object`, which takes a register `b`
+// CHECK-DAG: [[#@LINE+1]]:28: warning: register `t1` has no effect on `object`, which needs a register `b`
 ConstantBuffer<S> object : register(t1);
-// CHECK-DAG: [[#@LINE+1]]:21: warning: register `u3` has no effect on `picture`, which takes a register `t`
+// CHECK-DAG: [[#@LINE+1]]:21: warning: register `u3` has no effect on `picture`, which needs a register `t`
 Texture2D picture : register(u3);
-// CHECK-DAG: [[#@LINE+1]]:24: warning: register `t3` has no effect on `reading`, which takes a register `s`
+// CHECK-DAG: [[#@LINE+1]]:24: warning: register `t3` has no effect on `reading`, which needs a register `s`
 SamplerState reading : register(t3);
-// CHECK-DAG: [[#@LINE+1]]:31: warning: register `t4` has no effect on `written`, which takes a register `u`
+// CHECK-DAG: [[#@LINE+1]]:31: warning: register `t4` has no effect on `written`, which needs a register `u`
 RWByteAddressBuffer written : register(t4);
-// CHECK-DAG: [[#@LINE+1]]:17: warning: register `t5` has no effect on `number`, which takes a register `c`
+// CHECK-DAG: [[#@LINE+1]]:17: warning: register `t5` has no effect on `number`, which needs a register `c`
 float4 number : register(t5);
 bool flag : register(b0) : register(c7);
 Texture2D other_stage : register(ps, u3) : register(vs, t7);

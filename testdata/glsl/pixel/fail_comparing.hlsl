@@ -23,4 +23,4 @@ float4 newer(float4 p : P) : SV_Target { return map.SampleCmpLevel(compares, p.x
 // NEWER: error: `SampleCmpLevel` needs profile ps_6_7 or later; this is `ps_5_0` [intrinsic-profile, X4532]
 
 float4 vertex(float4 p : P) : SV_Position { return map.SampleCmpBias(compares, p.xy, p.z, 2); }
-// VERTEX: error: `SampleCmpBias` asks for the level of detail of neighbouring pixels; a vertex shader has none [method-implicit-level, X4532]
+// VERTEX: error: `SampleCmpBias` needs the level of detail of neighbouring pixels; a vertex shader has none [method-implicit-level, X4532]

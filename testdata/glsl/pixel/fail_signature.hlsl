@@ -10,7 +10,7 @@
 cbuffer C { float4 plane; float4 colors[4]; };
 
 void outputs(out float4 a : SV_Target8, out float4 b : TEXCOORD0, out float4 c : SV_Position) { a = b = c = 0; }
-// OUTPUTS: [[#@LINE-1]]:29: error: `SV_Target8` is no render target; the last is number 7 [too-many-targets, X4502]
+// OUTPUTS: [[#@LINE-1]]:29: error: `SV_Target8` is not a render target; the last is number 7 [too-many-targets, X4502]
 // OUTPUTS: [[#@LINE-2]]:56: error: `TEXCOORD` is not an output of a pixel shader
 // OUTPUTS: [[#@LINE-3]]:82: error: `SV_Position` is not an output of a pixel shader
 
@@ -34,7 +34,7 @@ Dual dual() { return (Dual)0; }
 // DUAL: error: location 0 of `dual.b` is that of `dual.a` too [location-twice]
 
 float4 indexed(float2 uv : UV) : SV_Target { return colors[int(uv.x)]; }
-// INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` takes only constant indices of uniforms [target-uniform-index]
+// INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms [target-uniform-index]
 
 float4 good() : SV_Target { return 0; }
 // OPTIONS-DAG: error: `--pixel-shader` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]

@@ -20,9 +20,9 @@ float4 branch(float2 uv : UV) : SV_Target {
   if (c.x > 0) c += ddx(uv.y);
   return c;
 }
-// BRANCH: [[#@LINE-5]]:21: warning: a sample takes differences between neighbouring pixels in flow that they may not share, where GLSL leaves them undefined; {{.*}} [-Wgradient-in-branch]
+// BRANCH: [[#@LINE-5]]:21: warning: a sample uses differences between neighbouring pixels in flow that they may not share, where GLSL leaves them undefined; {{.*}} [-Wgradient-in-branch]
 // BRANCH-NOT: warning
-// BRANCH: [[#@LINE-5]]:21: warning: a derivative takes differences
+// BRANCH: [[#@LINE-5]]:21: warning: a derivative uses differences
 
 float4 loop(float2 uv : UV, float n : N) : SV_Target {
   float4 c = 0;
@@ -33,14 +33,14 @@ float4 loop(float2 uv : UV, float n : N) : SV_Target {
   }
   return c;
 }
-// LOOP: [[#@LINE-7]]:36: warning: a sample takes differences between neighbouring pixels in a loop whose turns they may not share, {{.*}} [-Wgradient-in-loop]
-// LOOP: [[#@LINE-6]]:10: warning: a sample takes {{.*}} [-Wgradient-in-loop]
+// LOOP: [[#@LINE-7]]:36: warning: a sample uses differences between neighbouring pixels in a loop whose iterations they may not share, {{.*}} [-Wgradient-in-loop]
+// LOOP: [[#@LINE-6]]:10: warning: a sample uses {{.*}} [-Wgradient-in-loop]
 
 float4 after_return(float2 uv : UV) : SV_Target {
   if (uv.x < 0) return 0;
   return map.Sample(linearly, uv);
 }
-// RETURN: [[#@LINE-2]]:10: warning: a sample takes {{.*}} [-Wgradient-in-branch]
+// RETURN: [[#@LINE-2]]:10: warning: a sample uses {{.*}} [-Wgradient-in-branch]
 
 float4 Read(float2 uv) { return map.Sample(linearly, uv); }
 float Test(float x, out bool is_far) { is_far = x > 1; return 0; }
@@ -50,7 +50,7 @@ float4 through_calls(float2 uv : UV) : SV_Target {
   if (is_far) return 0;
   return Read(uv);
 }
-// CALLS: [[#@LINE-8]]:33: warning: a sample takes {{.*}} [-Wgradient-in-branch]
+// CALLS: [[#@LINE-8]]:33: warning: a sample uses {{.*}} [-Wgradient-in-branch]
 
 // Both sides of `?:` are evaluated.
 float4 both_sides(float2 uv : UV) : SV_Target {

@@ -6,7 +6,7 @@
 // RUN: %clipc -T ps_5_0 --target=glsl130 -E corner -w --validate --verify %s -o - | FileCheck %s --check-prefix=DESKTOP
 // RUN: %clipc -T ps_5_0 --target=essl310 -E parts -w --validate --verify %s -o - | FileCheck %s --check-prefix=PARTS
 float4 main(float4 position : SV_Position) : SV_Target { return position; }
-// WARNING: [[#@LINE-1]]:31: warning: `SV_Position.y` counts from the upper edge, and target `essl310` from the lower one; the application sets the uniform `framebuffer_height`, which `--reflect` names, to the height in pixels; `--flip-y`, under which the picture is upside down, needs none [-Wtarget-origin]
+// WARNING: [[#@LINE-1]]:31: warning: `SV_Position.y` counts from the upper edge, and target `essl310` from the lower one; the application sets the uniform `framebuffer_height`, which `--reflect` names, to the height in pixels; `--flip-y`, under which the image is upside down, needs none [-Wtarget-origin]
 // CHECK: uniform highp float framebuffer_height;  // of the framebuffer, in pixels
 // CHECK: SV_Target0 = vec4(gl_FragCoord.x, framebuffer_height - gl_FragCoord.y, gl_FragCoord.z, 1.0 / gl_FragCoord.w);
 // REFLECTED: "host": {

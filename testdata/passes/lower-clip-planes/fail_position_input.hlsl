@@ -37,7 +37,7 @@ void main(inout float4 p : POSITION, out float4 q : SV_Position) {
 }
 #else
 // MISSING: error: the entry point has no input `POSITOIN0`; plane space `object` clips by that input, and `--position-input` can name another; did you mean `POSITION0`? [position-input-missing]
-// SHORT: :[[#@LINE-21]]:15: error: the input `TEXCOORD` is a `float2`; plane space `object` takes a `float3` or a `float4` [position-input-type]
+// SHORT: :[[#@LINE-21]]:15: error: the input `TEXCOORD` is a `float2`; plane space `object` needs a `float3` or a `float4` [position-input-type]
 // INTEGER: error: the input `COLOR` is a `uint4`; plane space `object`
 float4 main(Input input) : SV_Position {
 #if defined ASSIGNED

@@ -1,0 +1,5 @@
+// clipc water.hlsl
+float4 main(float4 p : POSITION) : SV_Position {
+  float4 moved = p
+  return moved;
+}
