@@ -263,7 +263,7 @@ INLINE = [
     ),
     (
         "docs/scene.md",
-        r"takes (\d+) scenes, which",
+        r"reads (\d+) scenes, which",
         lambda: constant("study/scenes/check_advice.py", r"arguments else (\d+)"),
     ),
     (
@@ -271,25 +271,25 @@ INLINE = [
         r"Costs closer than (\d+) % count as equal",
         lambda: 100 * constant("study/advice.h", r"kSameCost = ([\d.]+);"),
     ),
-    ("docs/runtime.md", r"half a pixel at ([\d,]+), as in", lambda: 0.5 / ANY),
+    ("docs/runtime.md", r"once the plane is ([\d,]+)\nhalf-heights", lambda: 0.5 / ANY),
     (
         "docs/runtime.md",
-        r"takes more than (\d+) times what reading",
+        r"needs at most (\d+) times\nas long as reading",
         lambda: constant("tools/bench/runtime_bench.cpp", r'cold / cold_read, "x", (\d+)\)'),
     ),
     (
         "docs/runtime.md",
-        r"of ([\d,]+) boxes and 6 planes",
+        r"for ([\d,]+) boxes and 6 planes",
         lambda: constant("tools/bench/runtime_bench.cpp", r"kObjects = ([\d']+)"),
     ),
     (
         "docs/runtime.md",
-        r"nothing \| ([\d.]+) pixels times \(distance of eye and plane / near",
+        r"nothing \| ([\d.]+) pixels × \(eye-plane distance / near",
         lambda: ANY * 1.4 * (PY + 1),
     ),
     (
         "docs/runtime.md",
-        r"needs a perspective \| nothing \| ([\d.]+) pixels at 60 degrees",
+        r"needs a perspective \| nothing \| ([\d.]+) pixels at 60°",
         lambda: ANY * (2 + PY),
     ),
     (
@@ -299,12 +299,7 @@ INLINE = [
     ),
     (
         "docs/runtime.md",
-        r"`clip` loses\n([\d.]+) pixels times \(distance of eye and plane / half the image's height\)",
-        lambda: ANY,
-    ),
-    (
-        "docs/runtime.md",
-        r"\*default\* plane space loses about ([\d.]+) pixels times",
+        r"default plane space the cut is off by about ([\d.]+) px",
         lambda: ANY * 1.4 * (PY + 1),
     ),
 ]

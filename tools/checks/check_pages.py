@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CODE = re.compile(r"`([^`\n]+)`")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 PATH = re.compile(r"(?<![\w./-])[.\w-]+(?:/[\w.*+{},-]+)*/?")
-BLOCK = re.compile(r"^```.*?^```|^    .*$", re.M | re.S)
+BLOCK = re.compile(r"^```.*?^```|^    [^\n]*$", re.M | re.S)
 
 
 def expand(path):

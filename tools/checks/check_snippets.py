@@ -9,11 +9,12 @@ A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 - a block of `hlsl` is compiled, or after "where `NAME` is" it is the file of that name, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
 - a block of `c`, `cpp` or `cmake`, the N-th block of the page, is put into tools/checks/snippets/PAGE.N.LANGUAGE.in and compiled, or
   configured with an installed clipc;
-- a block of `json` is JSON; a manifest is compiled;
+- a block of `json` is JSON; a manifest is compiled, and a reflection is that of the `hlsl` before it;
 - a block of `js` is JavaScript, where there is node; the tests `web.*` run what it shows;
 - a command, in a block that is indented or in backticks, is run if it calls clipc or glslangValidator; of other commands the program
   exists, and so do the options and presets that it is given;
-- a row of limits.md that names a constant has its value, and the line in a row of pass.md that names a file is in that file.
+- a row of limits.md that names a constant has its value, the line in a row of pass.md that names a file is in that file, and each input
+  in the table of pixel.md matches the output that the page names.
 
 Whatever has no rule is a mistake. tools/checks/snippets/files is the folder in which the commands run.
 """
@@ -174,6 +175,13 @@ def check_json(run, page, text, folder):
     manifest = json.loads(text)
     if "files" in text and "status" in text:
         return  # an index, which clipc writes
+    if "clipPlanes" in manifest:
+        run.call(
+            ["clipc", "water.hlsl", "-o", os.devnull, "--reflect=block.json"], folder, page.name
+        )
+        if manifest != json.loads((folder / "block.json").read_text()):
+            run.problems.append(f"{page.name}: the reflection is another one")
+        return
     (folder / "shaders.json").write_text(text)
     if "shaders" in manifest:
         run.call(["clipc", "--batch=shaders.json", "-o", "shaders"], folder, page.name)
@@ -247,6 +255,33 @@ def check_lines(run, page):
             run.count += 1
 
 
+def check_inputs(run, page, folder):
+    """Each GLSL input of the table is matched: clipc gives the output the input's name."""
+    text = page.read_text()
+    output = re.search(r"the output `([^`]+)`", text)[1]
+    (folder / "rule.hlsl").write_text(
+        f"struct V {{ float4 p : SV_Position; {output}; }};\n"
+        "V main(float4 p : POSITION, float2 uv : TEXCOORD0) { V o = {p, uv}; return o; }\n"
+    )
+    for declaration, name in re.findall(r"`((?:layout\(\S+ = \d\) )?in vec2 (\w+);)`", text):
+        version = "450" if "layout" in declaration else "330"
+        (folder / "rule.frag").write_text(
+            f"#version {version} core\n{declaration}\n{'layout(location = 0) ' if version == '450' else ''}out vec4 color;\n"
+            f"void main() {{ color = vec4({name}, 0.0, 1.0); }}\n"
+        )
+        command = [
+            "clipc",
+            "rule.hlsl",
+            f"--target=glsl{version}",
+            "--pixel-shader=rule.frag",
+            "-o",
+            "-",
+        ]
+        glsl = run.call(command, folder, f"{page.name}: {declaration}").stdout
+        if f"out vec2 {name};" not in glsl:
+            run.problems.append(f"{page.name}: `{declaration}` does not match: {glsl}")
+
+
 def check_page(run, page):
     text = page.read_text()
     folder = run.folder(page)
@@ -283,6 +318,8 @@ def check_page(run, page):
         check_limits(run, page)
     if page.name == "pass.md":
         check_lines(run, page)
+    if page.name == "pixel.md":
+        check_inputs(run, page, folder)
 
 
 def main():
