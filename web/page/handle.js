@@ -12,13 +12,8 @@ export class Handle {
   constructor(scene, elements, moved) {
     this.scene = scene;
     Object.assign(this, elements);
-    this.#steer(
-      this.move,
-      (right, down) => scene.movePlane(this.#along(right, down)),
-      'height',
-      moved,
-    );
-    this.#steer(this.turn, (right, down) => scene.turnPlane(right / 2, down / 2), 'tilt', moved);
+    this.#steer(this.move, (right, down) => scene.movePlane(this.#along(right, down)), moved);
+    this.#steer(this.turn, (right, down) => scene.turnPlane(right / 2, down / 2), moved);
     this.#keys(this.move, (step) => scene.movePlane(0.05 * step), moved);
     this.#keys(
       this.turn,
@@ -34,7 +29,7 @@ export class Handle {
     return -(right * x + down * y) / (length * length);
   }
 
-  #steer(element, change, _, moved) {
+  #steer(element, change, moved) {
     let last = null;
     element.addEventListener('pointerdown', (event) => {
       last = event;
