@@ -4,6 +4,7 @@ import { cross, transformed } from './matrices.js';
 
 const SIZE = 1.05; // of the outline, from its middle to its sides
 const ARROW = 0.55;
+const STEP = 0.01;
 const KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
 const LEAST_PIXELS = 25; // of a unit along the normal, as the image shows it
 
@@ -78,7 +79,8 @@ export class Handle {
       [-1, 1],
     ].map(([s, u]) => at(SIZE * s, SIZE * u, 0));
     const [foot, tip] = [at(0, 0, 0), at(0, 0, ARROW)];
-    this.normalInView = [0, 1].map((i) => (tip[i] - foot[i]) / ARROW);
+    const ahead = at(0, 0, STEP);
+    this.normalInView = [0, 1].map((i) => (ahead[i] - foot[i]) / STEP);
     this.overlay.innerHTML =
       `<polygon points="${corners.map((point) => point.map((x) => x.toFixed(1))).join(' ')}" />` +
       `<line x1="${foot[0]}" y1="${foot[1]}" x2="${tip[0]}" y2="${tip[1]}" />`;

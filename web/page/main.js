@@ -273,11 +273,16 @@ function makePresets() {
   showPreset();
 }
 
-/** The mesh that is chosen, where its vertices are. */
-function placeMesh(mesh = MESHES[element('mesh').value]?.() ?? placeMesh.last) {
-  placeMesh.last = mesh;
+let meshChosen = null;
+
+/** Draws `mesh` from now on, with its vertices where the matrix chain has them. */
+function placeMesh(mesh = meshChosen) {
+  meshChosen = mesh;
   pictures.mesh = baked(mesh, scene.baked);
 }
+
+/** The mesh that the control names; a file's stays. */
+const meshNamed = () => MESHES[element('mesh').value]?.() ?? meshChosen;
 
 function choose(name) {
   const text = gallery[name] ?? startOf(scene.chain);
@@ -307,22 +312,22 @@ function bindScene() {
   bind('near', (value) => (scene.near = Number(value)));
   bind('offset', (value) => {
     scene.offset = Number(value);
-    if (scene.chain === 'baked') placeMesh(placeMesh.last);
+    if (scene.chain === 'baked') placeMesh();
   });
   bind('depth', (value) => (scene.isReversed = value === 'reversed'));
   bind('chain', (value) => {
     const wasBaked = scene.baked;
     scene.chain = value;
-    if (scene.baked !== wasBaked) placeMesh(placeMesh.last);
+    if (scene.baked !== wasBaked) placeMesh();
     if (isStart(editor.text)) editor.text = startOf(value);
   });
   element('reference').addEventListener('input', () => {
     pictures.showsReference = element('reference').checked;
     pictures.redraw();
   });
-  element('mesh').addEventListener('input', () => placeMesh());
+  element('mesh').addEventListener('input', () => placeMesh(meshNamed()));
   element('file').addEventListener('change', () => loadFile(element('file').files[0]));
-  placeMesh();
+  placeMesh(meshNamed());
   element('shows-lens').addEventListener('input', () => {
     lens.isOn = element('shows-lens').checked;
     pictures.redraw();
@@ -401,7 +406,7 @@ async function openLink() {
   [scene.chain, scene.isReversed] = [element('chain').value, element('depth').value === 'reversed'];
   for (const choice of document.querySelectorAll('#view input'))
     if (choice.value === state.view) choice.checked = true;
-  placeMesh();
+  placeMesh(meshNamed());
   showView();
   showPreset();
   editor.text = state.text;

@@ -30,6 +30,8 @@ export function steer(canvas, scene, choice, moved) {
   canvas.addEventListener(
     'wheel',
     (event) => {
+      // The page scrolls until a person has chosen the image.
+      if (document.activeElement !== canvas && !event.ctrlKey) return;
       event.preventDefault();
       scene.approach(Math.exp(event.deltaY / 1000));
       moved();

@@ -170,6 +170,31 @@ await test('the handles follow the plane, and move it by the keyboard', async ()
   assert.equal(Number(after.now), 0.05);
   assert.notEqual(after.top, before.top);
   assert.equal(await page.evaluate('document.getElementById("height").value'), '0.05');
+  const { x, y } = await page.evaluate(
+    `(({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 }))(document.getElementById('move').getBoundingClientRect())`,
+  );
+  for (const [type, right] of [
+    ['mousePressed', 0],
+    ['mouseMoved', 10],
+    ['mouseMoved', 20],
+    ['mouseMoved', 30],
+    ['mouseMoved', 40],
+    ['mouseReleased', 40],
+  ]) {
+    await page.send('Input.dispatchMouseEvent', {
+      type,
+      x: x + right,
+      y,
+      button: 'left',
+      buttons: 1,
+      clickCount: 1,
+    });
+    await pixels();
+  }
+  const dragged = await page.evaluate(
+    `(({ x, width }) => x + width / 2)(document.getElementById('move').getBoundingClientRect())`,
+  );
+  assert.ok(Math.abs(dragged - x - 40) < 12, `${dragged - x} pixels of 40`); // it stays under the pointer
   await set('height', '0');
 });
 
