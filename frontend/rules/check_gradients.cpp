@@ -189,8 +189,8 @@ class GradientCheck {
     returned_ = graph_.Join(returned_, flow);
   }
 
-  // The flow at a place in `flow`: pixels that have returned, or left a loop that runs once, are not
-  // there.
+  // The flow at a place in `flow`: pixels that have returned, or left a loop that runs once, are
+  // not there.
   Node Flow(Node flow) { return graph_.Join(graph_.Join(flow, returned_), left_); }
 
   void Assigned(VarId var, Node value, Node flow) {

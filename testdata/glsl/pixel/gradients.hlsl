@@ -76,7 +76,7 @@ float4 once(float2 uv : UV) : SV_Target {
   do {
     c = map.Sample(linearly, uv);
     if (c.w < 0.5) break;
-    // ONCE: [[#@LINE+1]]:10: warning: a sample takes {{.*}} [-Wgradient-in-branch]
+    // ONCE: [[#@LINE+1]]:10: warning: a sample uses {{.*}} [-Wgradient-in-branch]
     c += map.Sample(linearly, 2 * uv);
   } while (false);
   return c + map.Sample(linearly, 3 * uv);
