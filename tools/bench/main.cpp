@@ -100,7 +100,8 @@ void BenchPixelShader() {
     request.path = "shader.hlsl";
     request.text = SixtyLinePair(i);
     for (std::vector<double>* times : {&alone, &fitted}) {
-      if (times == &fitted) request.link.pixel_shader = {request.path, request.text, "pixel", {}};
+      if (times == &fitted)
+        request.link.pixel_shader = {request.path, request.text, "pixel", {}, {}};
       const double start = harness::ProcessSeconds();
       if (!compiler.Compile(request).ok()) std::exit(1);
       times->push_back(harness::ProcessSeconds() - start);
