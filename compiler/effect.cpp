@@ -57,51 +57,60 @@ std::string CheckNames(const ast::Effect& effect, const CommandLine& command) {
 
 }  // namespace
 
-int RunEffect(CommandLine command) {
-  if (const std::string problem = CheckEffectCommand(command); !problem.empty())
-    return Fail(problem, command.format);
-  const std::string path = command.inputs[0];
+LoadedEffect LoadEffect(const CommandLine& command) {
   CompileRequest request = command.request;
-  request.path = path;
+  request.path = command.inputs[0];
   Diagnostics diagnostics(request.warnings);
   const Plan plan = Resolve(request, diagnostics);
   FrontendContext context(FrontendContext::Files::kOnDisk, request.includes.sandbox);
   Source source(context, plan.input);
+  LoadedEffect loaded;
   ast::File file;
   if (!diagnostics.has_errors()) {
     Tokens tokens = Lex(source, diagnostics);
     if (!diagnostics.has_errors())
       file = Parse(std::move(tokens), diagnostics, FunctionBodies::kSkip, {.keep = true});
   }
-  const bool is_read = !diagnostics.has_errors();
-  const ast::Effect effect = is_read ? ast::ReadEffect(file) : ast::Effect();
-  if (const std::string problem = is_read ? CheckNames(effect, command) : ""; !problem.empty())
-    return Fail(fmt::format("`{}`: {}", path, problem), command.format);
-  const EffectPrograms programs = FindPrograms(effect, command, diagnostics);
-  CompileResult messages;
+  loaded.is_read = !diagnostics.has_errors();
+  if (loaded.is_read) loaded.effect = ast::ReadEffect(file);
+  if (loaded.is_read) loaded.problem = CheckNames(loaded.effect, command);
+  if (loaded.problem.empty()) loaded.programs = FindPrograms(loaded.effect, command, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all())
-    messages.messages.push_back(ToMessage(diagnostic, source));
+    loaded.messages.messages.push_back(ToMessage(diagnostic, source));
   if (command.format == MessageFormat::kText && !diagnostics.all().empty())
-    messages.text = source.RenderText(diagnostics, command.colour.value_or(TerminalHasColour()));
-  messages.dependencies = source.Dependencies();
-  const int code = diagnostics.has_errors() ? kExitErrors : kExitOk;
-  if (!is_read) {
+    loaded.messages.text =
+        source.RenderText(diagnostics, command.colour.value_or(TerminalHasColour()));
+  loaded.messages.dependencies = source.Dependencies();
+  loaded.code = !diagnostics.has_errors() ? kExitOk
+                : source.main_file_read() ? kExitErrors
+                                          : kExitUsage;
+  return loaded;
+}
+
+int RunEffect(CommandLine command) {
+  if (const std::string problem = CheckEffectCommand(command); !problem.empty())
+    return Fail(problem, command.format);
+  const std::string path = command.inputs[0];
+  LoadedEffect loaded = LoadEffect(command);
+  if (!loaded.problem.empty())
+    return Fail(fmt::format("`{}`: {}", path, loaded.problem), command.format);
+  if (!loaded.is_read) {
     MessagePrinter printer(command.format);
-    printer.Show(messages);
+    printer.Show(loaded.messages);
     printer.End();
-    return source.main_file_read() ? code : kExitUsage;
+    return loaded.code;
   }
   const char* slash = EndsWithSlash(command.output) ? "" : "/";
   const std::string stem = WithoutExtension(path.substr(NameBegin(path)));
   if (command.index.empty())
     command.index = fmt::format("{}{}{}.json", command.output, slash, stem);
   command.keep_going = true;
-  BatchOfGroups batch{programs.groups, std::move(messages), {}};
+  BatchOfGroups batch{loaded.programs.groups, std::move(loaded.messages), {}};
   const CommandLine& options = command;
   batch.render = [&, options](const std::vector<BatchEntry>& entries) {
-    return RenderEffect(effect, programs, options, entries);
+    return RenderEffect(loaded.effect, loaded.programs, options, entries);
   };
-  return std::max(code, RunBatch(std::move(command), std::move(batch)));
+  return std::max(loaded.code, RunBatch(std::move(command), std::move(batch)));
 }
 
 }  // namespace clipc

@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <string>
+
+#include "compiler/compile.h"
+#include "compiler/effect_passes.h"
 #include "compiler/options.h"
 
 namespace clipc {
+
+// An effect as the command line asks for it. Where the file is not read, only `messages` and `code`
+// have a meaning.
+struct LoadedEffect {
+  bool is_read = false;
+  std::string problem;  // of the names of --technique and --pass; empty if there is none
+  ast::Effect effect;
+  EffectPrograms programs;  // their shaders are those of `effect`
+  CompileResult messages;
+  int code = 0;  // the exit code that the messages alone give
+};
+
+// Reads the effect of the command's input, or of the text of its request.
+LoadedEffect LoadEffect(const CommandLine& command);
 
 // Runs --effect: compiles every pass of an effect as a pair or a single shader, and writes JSON
 // that describes the effect beside them (docs/effects.md). Returns the exit code.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Reads any text as an effect: no crash, no hang, and JSON of whatever is read. The first shaders
+// of its passes are compiled, with their arguments: either there is an error, or GLSL.
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "compiler/compile.h"
+#include "compiler/effect.h"
+
+namespace {
+
+constexpr std::size_t kMostPrograms = 4;
+
+void Compile(clipc::Compiler& compiler, clipc::CompileRequest request, const std::string& text) {
+  request.path = "fuzz.fx";
+  request.text = text;
+  // A pair's pixel shader is compiled alone too, since its text is not a file.
+  const clipc::PixelShader pixel = request.link.pixel_shader;
+  request.link = {};
+  request.debug.verify = true;
+  request.outputs.reflection = true;
+  for (int half = 0; half < (pixel.entry.empty() ? 1 : 2); ++half) {
+    if (half == 1) {
+      request.language.profile = pixel.profile;
+      request.language.entry = pixel.entry;
+      request.language.entry_call = pixel.entry_call;
+    }
+    const clipc::CompileResult result = compiler.Compile(request);
+    if (result.ok() == result.shaders.vertex.empty()) std::abort();
+    if (!result.ok() && result.messages.empty()) std::abort();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static clipc::Compiler compiler;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  clipc::CommandLine command;
+  command.inputs = {"fuzz.fx"};
+  command.request.text = text;
+  const clipc::LoadedEffect loaded = clipc::LoadEffect(command);
+  if (!loaded.is_read) {
+    if (loaded.messages.messages.empty()) std::abort();
+    return 0;
+  }
+  const std::vector<clipc::ShaderGroup>& groups = loaded.programs.groups;
+  if (clipc::RenderEffect(loaded.effect, loaded.programs, command,
+                          std::vector<clipc::BatchEntry>(groups.size()))
+          .empty())
+    std::abort();
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostPrograms); ++i)
+    Compile(compiler, groups[i].command.request, text);
+  return 0;
+}
