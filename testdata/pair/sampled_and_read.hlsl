@@ -5,6 +5,7 @@
 // CHECK: layout(binding = 0) uniform sampler2D map;  // t0
 // CHECK: #version
 // CHECK: layout(binding = 1) uniform sampler2D map_bilinear;  // map : t0 with bilinear : s0
+// RUN: %draw link %t.vert %t.frag
 // RUN: %draw pair %t.vert %t.frag %t.vert %t.frag
 Texture2D map : register(t0);
 SamplerState bilinear : register(s0);

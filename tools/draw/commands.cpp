@@ -15,6 +15,8 @@
 #include "tools/draw/vulkan/pair.h"
 #include "tools/draw/vulkan/run.h"
 #include "tools/draw/vulkan/spirv.h"
+#include "tools/harness/drawing.h"
+#include "tools/harness/offscreen.h"
 #include "tools/harness/options.h"
 
 namespace clipc::draw {
@@ -159,6 +161,26 @@ int RunPair(const Arguments& arguments) {
   const bool shows = 4 * found.drawn > found.pixels && found.colors > 64;
   if (!shows) std::printf("the picture shows too little\n");
   return shows && messages.empty() && 200 * found.different < found.pixels ? 0 : 1;
+}
+
+int RunLink(const Arguments& arguments) {
+  const std::vector<std::string> paths = Parse(arguments, {});
+  if (paths.empty() || paths.size() % 2 != 0)
+    throw DrawError("link takes vertex shaders, each with its fragment shader after it");
+  harness::OpenGl opengl;
+  int refused = 0;
+  for (std::size_t i = 0; i < paths.size(); i += 2) {
+    const std::string vertex = ReadFile(paths[i]), fragment = ReadFile(paths[i + 1]);
+    opengl.Use(VersionOf(vertex).api);
+    try {
+      glDeleteProgram(harness::LinkProgram(vertex, fragment));
+    } catch (const DrawError& error) {
+      std::printf("%s %s: %s\n", paths[i].c_str(), paths[i + 1].c_str(), error.what());
+      ++refused;
+    }
+  }
+  std::printf("%zu of %zu programs link\n", paths.size() / 2 - refused, paths.size() / 2);
+  return refused == 0 ? 0 : 1;
 }
 
 int RunPasses(const Arguments& arguments) {

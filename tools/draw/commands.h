@@ -35,6 +35,10 @@ clipc-draw pair A.vert A.frag B.vert B.frag
   Files in SPIR-V are drawn on Vulkan, where blocks and textures are the same by set and binding. A
   message of Vulkan's validation layers about the first program fails too.
 
+clipc-draw link A.vert A.frag ...
+  Links each pair on Mesa's software OpenGL, or OpenGL ES where the shaders are of that. Names those
+  that it refuses, with its message.
+
 clipc-draw passes FIRST.vert SECOND.vert
   Draws with the first, and then with the second where its depth is equal. Fails where a pixel of
   the first pass is missing in the second.
@@ -83,6 +87,7 @@ using Arguments = std::vector<std::string>;
 int RunCapture(const Arguments& arguments);
 int RunPixels(const Arguments& arguments);
 int RunPair(const Arguments& arguments);
+int RunLink(const Arguments& arguments);
 int RunPasses(const Arguments& arguments);
 int RunPicture(const Arguments& arguments);
 int RunCompare(const Arguments& arguments);

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     if (command == "capture") return RunCapture(arguments);
     if (command == "pixels") return RunPixels(arguments);
     if (command == "pair") return RunPair(arguments);
+    if (command == "link") return RunLink(arguments);
     if (command == "passes") return RunPasses(arguments);
     if (command == "picture") return RunPicture(arguments);
     if (command == "compare") return RunCompare(arguments);
