@@ -102,7 +102,7 @@ struct Context final : TemporaryMaker {
   std::unordered_map<std::uint32_t, ast::ExprId> casts;
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
-  int depth = 0;                      // the weights of the Depths that are open
+  int depth = 0;                      // the weights of the RecursionGuards that are open
   bool is_too_large = false;          // whether RecursionGuard has reported that it is
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the

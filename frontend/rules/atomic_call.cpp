@@ -34,7 +34,7 @@ constexpr struct {
 };
 
 // The element, or the component of one, that an atomic operation changes.
-struct Place {
+struct AtomicPlace {
   const ObjectCall* load = nullptr;  // the read of the element; null: there is no such element
   std::optional<std::uint32_t> component = std::nullopt;  // none: the element is a scalar
 };
@@ -64,7 +64,7 @@ std::optional<std::uint32_t> ComponentsBefore(const Program& program, ExprId exp
   return swizzle->components[0];
 }
 
-Place PlaceOf(const IntrinsicCheck& call) {
+AtomicPlace PlaceOf(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
   const bool is_integer =
       type.kind == TypeKind::kScalar && !IsWide(type.scalar) && ir::IsInteger(type.scalar);
@@ -98,7 +98,7 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     return call.Error();
   TypeId type = call.program.types.Make(Scalar::kUint);
   std::vector<ExprId> arguments;
-  Place changed;
+  AtomicPlace changed;
   if (object) {
     const auto address = call.Converted(0, type);
     if (!address) return call.Error();

@@ -155,7 +155,7 @@ WrittenState::Changes WrittenState::TakeSince(std::size_t mark) {
 }
 
 void WrittenState::Join(const Changes& one, const Changes& other) {
-  const auto meet = [&](const Change& change) {
+  const auto join = [&](const Change& change) {
     const Written& now = now_[change.slot];
     Set(change.slot, {static_cast<std::uint16_t>(now.may | change.value.may),
                       static_cast<std::uint16_t>(now.must & change.value.must)});
@@ -167,10 +167,10 @@ void WrittenState::Join(const Changes& one, const Changes& other) {
     if (seen_[change.slot] == walk_) {
       Set(change.slot, change.value);
     } else {
-      meet(change);
+      join(change);
     }
   }
-  for (const Change& change : other) meet(change);
+  for (const Change& change : other) join(change);
 }
 
 void WrittenState::JoinAll(Changes changes, std::size_t paths) {

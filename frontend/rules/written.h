@@ -91,7 +91,7 @@ class WrittenState {
   std::size_t Mark() const { return log_.size(); }
   // Takes back all changes since the mark, and returns each changed slot with its value.
   Changes TakeSince(std::size_t mark);
-  // Makes the state that of a point where two paths meet, which began with this one.
+  // Makes the state that of a point where two paths join, which began with this one.
   void Join(const Changes& one, const Changes& other);
   // The same for any number of paths, whose changes are in one list; a path has a slot once.
   void JoinAll(Changes changes, std::size_t paths);
@@ -104,7 +104,7 @@ class WrittenState {
 
  private:
   std::vector<Written> now_;
-  std::vector<std::uint32_t> seen_;  // by slot: the last walk of the log that has met it
+  std::vector<std::uint32_t> seen_;  // by slot: the last walk of the log that has found it
   std::uint32_t walk_ = 0;
   Changes log_;  // the values before
 };
