@@ -71,6 +71,7 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (command.request.planes.variants) return "--variants";
   if (command.request.debug.changes_result()) return "--dump";
   if (command.action == clipc::CommandLine::Action::kHelp) return "--help";
+  if (command.action == clipc::CommandLine::Action::kExplain) return "--explain";
   if (command.action == clipc::CommandLine::Action::kVersion) return "--version";
   return {};
 }

@@ -11,6 +11,7 @@
 #include "compiler/collect_outputs.h"
 #include "compiler/compile.h"
 #include "compiler/effect.h"
+#include "compiler/explain.h"
 #include "compiler/in_order.h"
 #include "compiler/options.h"
 #include "compiler/output_files.h"
@@ -162,9 +163,13 @@ int RunCommandLine(std::span<const char* const> arguments, std::string_view comm
   if (parsed.command.action == CommandLine::Action::kCompile)
     return Driver(std::move(parsed.command)).Run();
   OutputFiles files;
-  files.Add("-", parsed.command.action == CommandLine::Action::kHelp
-                     ? HelpText(parsed.command.help_topic)
-                     : VersionText(commit));
+  std::string text;
+  switch (parsed.command.action) {
+    case CommandLine::Action::kExplain: text = Explain(parsed.command.explained); break;
+    case CommandLine::Action::kVersion: text = VersionText(commit); break;
+    default: text = HelpText(parsed.command.help_topic);
+  }
+  files.Add("-", std::move(text));
   const std::string problem = files.Commit();
   return problem.empty() ? kExitOk : Fail(problem, parsed.command.format);
 }

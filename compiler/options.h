@@ -21,10 +21,11 @@ enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
 // A command line. Its names of a profile and passes are unchecked; Compile checks them.
 struct CommandLine {
-  enum class Action : std::uint8_t { kCompile, kHelp, kVersion };
+  enum class Action : std::uint8_t { kCompile, kHelp, kExplain, kVersion };
 
   Action action = Action::kCompile;
   std::string help_topic;  // of --help; empty: all
+  std::string explained;   // the name of a diagnostic, for --explain
   std::vector<std::string> inputs;
   CompileRequest request;  // without path and text
   // The files to write; empty if not asked for. A value that is only an extension, ".json", names

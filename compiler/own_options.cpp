@@ -10,6 +10,7 @@
 
 #include "base/spelling.h"
 #include "compiler/binding_options.h"
+#include "compiler/explain.h"
 #include "compiler/option_actions.h"
 #include "compiler/suggest.h"
 
@@ -129,6 +130,14 @@ void SetHelpTopic(Reading& reading, const std::string& value) {
     reading.error = fmt::format("unknown topic `{}`{}", value, Suggest(value, topics));
 }
 
+void SetExplained(Reading& reading, const std::string& value) {
+  CommandLine& command = reading.command;
+  command.action = Action::kExplain;
+  command.explained = value;
+  if (Explain(value).empty())
+    reading.error = fmt::format("no message is called `{}`{}", value, SuggestDiagnostic(value));
+}
+
 // A row that has no option and begins a topic of --help.
 constexpr Option Topic(const char* name, const char* title) {
   return {"", kFlag, nullptr, name, title};
@@ -229,7 +238,7 @@ constexpr Option kOwnOptions[] = {
      "write the clip table: .json, .bin (Direct3D's record) or .h"},
     {"--reflect", kEquals, Set<&CommandLine::reflection>, "<FILE>",
      "write inputs, outputs, buffers and planes as JSON, or with .h buffers as C structs"},
-    {"--struct-prefix", kEquals, Set<&OutputOptions::struct_prefix>, "<PREFIX>",
+    {"--struct-prefix", kEquals, Set<&OutputOptions::struct_prefix>, "<NAME>",
      "what the names of these structs begin with"},
     Topic("builds", "make rules, and many shaders"),
     {"-MD", kFlag, Set<&CommandLine::write_dependencies>, "",
@@ -267,6 +276,8 @@ constexpr Option kOwnOptions[] = {
     {"-W", kJoined, SetWarning, "<NAME>",
      "turn a warning on; -Wno-<NAME> turns it off, and -Werror makes errors of warnings"},
     {"-w", kFlag, Set<&WarningOptions::no_warnings>, "", "print no warnings"},
+    {"--explain", kEquals, SetExplained, "<NAME>",
+     "explain a message by its name, or by fxc's code: its rule, an example and the fix"},
     {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
     {"--help=", kJoined, SetHelpTopic, "<TOPIC>", "print one of these topics, such as planes"},
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},

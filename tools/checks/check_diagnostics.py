@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the catalogue of diagnostics against its document and its tests.
 
-    check_diagnostics.py [--write] [--coverage] [--examples CLIPC]
+    check_diagnostics.py [--write] [--coverage] [--examples CLIPC] [--explanations CLIPC]
 
 Fails when docs/diagnostics.md is not what base/diagnostic_kinds.def says (--write makes it so), when
 two kinds share a name, or, with --coverage, when no test expects a kind. A test expects a kind where
@@ -11,7 +11,9 @@ its printed name stands as clipc prints it: in brackets after a message (`[-Wcli
 is the only one that names notes.
 
 Each section of the document has an example, tools/checks/snippets/diagnostics/SECTION.hlsl, whose first line is its command, and
-SECTION.txt, what clipc prints: --examples holds it against that, and writes it with --write."""
+SECTION.txt, what clipc prints: --examples holds it against that, and writes it with --write.
+With --explanations, clipc must report the kind about each example of compiler/explanations.def, and
+accept the fixed one without it."""
 
 import pathlib
 import re
@@ -28,6 +30,11 @@ examples = root / "tools/checks/snippets/diagnostics"
 DIAG = re.compile(
     r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M
 )
+EXPLANATION = re.compile(
+    r'^EXPLANATION\((\w+),\s*((?:"(?:[^"\\]|\\.)*"\s*)+),'
+    r'\s*"([^"]*)", R"\((.*?)\)",\s*"([^"]*)", (?:R"\((.*?)\)"|"")\)$',
+    re.M | re.S,
+)
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
@@ -40,6 +47,37 @@ def kinds():
         section = next((title for start, title in reversed(heads) if start < m.start()), "")
         message = "".join(STRING.findall(m.group(4))).replace('\\"', '"').replace("\\\\", "\\")
         yield section, m.group(1), m.group(2).lower(), m.group(3), message
+
+
+def explanations():
+    """(name, rule, options and text of an example, those of the fixed one) of each explained kind."""
+    text = (root / "compiler/explanations.def").read_text()
+    found = list(EXPLANATION.finditer(text))
+    if len(found) != len(re.findall(r"^EXPLANATION\(", text, re.M)):
+        sys.exit("compiler/explanations.def: a row was not understood")
+    for name, rule, options, example, fixed_options, fixed in (m.groups() for m in found):
+        yield name, "".join(STRING.findall(rule)), options, example, fixed_options, fixed
+
+
+def wrong_explanations(clipc):
+    """What clipc does not report about an example, or reports about a fixed one."""
+    for name, _, options, example, fixed_options, fixed in explanations():
+        said = re.compile(rf"\[(-W)?{printed(name)}[],]")
+        for words, text, is_wrong in (
+            (options, example, True),
+            (fixed_options, fixed or example, False),
+        ):
+            with tempfile.TemporaryDirectory() as folder:
+                pathlib.Path(folder, "x.hlsl").write_text(text + "\n")
+                done = subprocess.run(
+                    [clipc, "x.hlsl", *words.split(), "-o", "x.out"],
+                    cwd=folder,
+                    capture_output=True,
+                    text=True,
+                    check=False,
+                )
+            if bool(said.search(done.stderr)) != is_wrong or (done.returncode and not is_wrong):
+                yield f"{name}: `{words}` says\n{done.stderr}"
 
 
 def printed(name):
@@ -95,7 +133,17 @@ def render(all_kinds):
             current = section
         cell = message.replace("|", "\\|")
         lines.append(f"| `{printed(name)}` | {severity} | {code} | {cell} |")
-    return "\n".join(lines) + "\n"
+    lines += ["", "## Explained", "", "`clipc --explain NAME` prints these pages too.", ""]
+    for name, rule, options, broken, fixed_options, fixed in explanations():
+        lines += [f"### {printed(name)}", "", rule]
+        for what, words, shader in (
+            ("Example:", options, [broken]),
+            ("Fixed:", fixed_options, [fixed] if fixed else []),
+        ):
+            command = f"// clipc x.hlsl {words}".rstrip()
+            lines += ["", what, "", "```text", command, *shader, "```"]
+        lines.append("")
+    return "\n".join(lines)
 
 
 # No shader brings these about: the parser or the driver refuses what would, or they report a fault of
@@ -157,6 +205,9 @@ def main():
         problems.append(
             "docs/diagnostics.md is out of date: run tools/checks/check_diagnostics.py --write"
         )
+    if "--explanations" in sys.argv:
+        clipc = sys.argv[sys.argv.index("--explanations") + 1]
+        problems += wrong_explanations(pathlib.Path(clipc).resolve())
     if "--coverage" in sys.argv:
         problems += [f"{name}: no test expects `{printed(name)}`" for name in untested(all_kinds)]
     print("\n".join(problems) or f"{len(all_kinds)} kinds of diagnostics, each documented")
