@@ -55,19 +55,12 @@ COLORS = {
     "cpu": "#2c3e50",
     "none": "#aaaaaa",
 }
-# The arithmetic (edges.csv) of each way (speed.csv, pixels.csv).
+# The arithmetic (edges.csv) of the ways (speed.csv, pixels.csv) that is not named like them.
 ARITHMETIC = {
-    "clip": "clip",
     "level9": "clip",
-    "xyw1": "xyw1",
-    "object": "object",
-    "world": "world",
-    "near-plane": "near-plane",
-    "near-plane-f32": "near-plane-f32",
     "discard": "clip",
     "discard-object": "object",
     "discard-world": "world",
-    "cpu": "cpu",
 }
 HOW = {
     "clip": "[clipplanes] as fxc means it; also DXC and wined3d",
@@ -121,12 +114,10 @@ class Charts:
 
 
 def cost_of(speed, way, planes=1, setting="picture"):
-    for row in speed:
-        if (row["setting"], row["way"], row["planes"]) == (setting, way, str(planes)):
-            return number(
-                row["paired_ratio"]
-            )  # to the frames just before and after: other work of the machine slows both alike
-    return None
+    """To the frames just before and after: other work of the machine slows both alike."""
+    at = (setting, way, str(planes))
+    rows = (r for r in speed if (r["setting"], r["way"], r["planes"]) == at)
+    return next((number(r["paired_ratio"]) for r in rows), None)
 
 
 def by_sweep(rows, key):
@@ -139,50 +130,68 @@ def by_sweep(rows, key):
     return sweeps
 
 
-STEP = 1 / 256  # pixels: the grid that a rasteriser snaps to; below it no picture changes
-BELOW = 1 / 900  # pixels: where the bin of what is below STEP is drawn
+STEP = 1 / 256  # pixels: the grid that a rasteriser snaps to
+# The names of the ways in the chart of all of them.
+PLAIN = {
+    "object": "object space",
+    "xyw1": "x, y and w (xyw1)",
+    "world": "world space",
+    "near-plane": "sheared near plane",
+    "clip": "clip space (fxc, dxc)",
+    "level9": "SetClipPlane",
+    "near-plane-f32": "near plane sheared in float",
+    "cpu": "clipped by the application",
+    "discard": "discard, clip space",
+    "discard-object": "discard, object space",
+    "discard-world": "discard, dot product in each pixel",
+}
 
 
 def main_chart(charts, directions, speed):
-    """A point for each way: what it loses at 400 near distances, with a bar from 10 to 10,000, and what the most planes that it
-    takes cost."""
+    """A bar for each way, of what it loses from near to far, at the cost of the most planes that it takes. Ways of one cost that
+    stay below STEP are one dot in a band."""
     lost = {(r["method"], number(r["eye_to_plane"])): number(r["p99_px"]) for r in directions}
-    figure, axis = plt.subplots(figsize=(9.5, 5.2))
-    axis.axvspan(BELOW / 3, STEP, color="#eef5ee", zorder=0)
-    groups = collections.OrderedDict()  # ways that are at one place of the chart
-    for way, method in ARITHMETIC.items():
-        cost = cost_of(speed, way, 6) or cost_of(speed, way, 1)
-        if cost is not None and (method, 400) in lost:
+    figure, axis = plt.subplots(figsize=(9.5, 5))
+    least = STEP / 90
+    axis.axvspan(least, STEP, color="#e4f1e4", zorder=0)
+    green = {"color": "#2e6b2e", "ha": "center"}
+    axis.text(least * 9, 1.745, "below a rasteriser's step", **green)
+    groups = {}  # ways that are at one place of the chart
+    for way in PLAIN:
+        method = ARITHMETIC.get(way, way)
+        cost = cost_of(speed, way, 6) or cost_of(speed, way)
+        if cost and (method, 400) in lost:
             bar = None if lost[method, 10000] < STEP else method
             groups.setdefault((bar, round(cost / 0.04)), []).append((way, cost))
     for (method, _), ways in groups.items():
         cost, color = sum(cost for _, cost in ways) / len(ways), COLORS[ways[0][0]]
-        lines = [", ".join(w for w, _ in ways[i : i + 2]) for i in range(0, len(ways), 2)]
+        names = [PLAIN[way] for way, _ in ways]
         if method is None:
-            axis.plot(BELOW / 2.4, cost, color=color, marker="o", markersize=7)
-            axis.text(BELOW / 2, cost, "\n".join(lines), va="center", fontsize=8)
+            axis.plot(least * 1.25, cost, "o", color=color, markersize=8)
+            lines = "\n".join(", ".join(names[i : i + 2]) for i in range(0, len(names), 2))
+            axis.text(least * 1.5, cost, lines, va="top" if len(names) > 1 else "center")
             continue
-        ends = [lost[method, ratio] for ratio in (10, 400, 10000)]
-        axis.plot(ends[::2], [cost] * 2, color=color, linewidth=1.4, marker="|", markersize=9)
-        axis.plot(ends[1], cost, color=color, marker="o", markersize=7)
-        at = -16 if method == "near-plane-f32" else 7
-        axis.annotate(
-            lines[0], (ends[1], cost), textcoords="offset points", xytext=(0, at), ha="center"
-        )
-    axis.axvline(0.5, color="#555555", linewidth=0.9, linestyle="--")
+        near, middle, far = (lost[method, ratio] for ratio in (10, 400, 10000))
+        axis.plot([near, far], [cost] * 2, color=color, linewidth=3, solid_capstyle="butt")
+        axis.plot(middle, cost, "o", color=color, markersize=8)
+        at = (far, cost + 0.015, "bottom", "right")
+        if method == "near-plane-f32":
+            at = (near, cost - 0.018, "top", "left")
+        axis.text(*at[:2], ", ".join(names), va=at[2], ha=at[3], color=color)
+    arrow = {"arrowstyle": "-|>", "color": "#2e6b2e", "linewidth": 2}
+    axis.annotate("better", (0.012, 1.33), (0.045, 1.48), arrowprops=arrow, fontsize=12, **green)
     axis.set_xscale("log")
-    axis.set_xlim(BELOW / 3, 100)
-    axis.set_xticks([BELOW, 0.01, 0.1, 0.5, 1, 10, 100])
-    axis.set_xticklabels(["below 1/256", "0.01", "0.1", "1/2", "1", "10", "100"])
+    axis.set_xlim(least, 20)
+    axis.set_xticks([STEP, 0.01, 0.1, 1, 10])
+    axis.set_xticklabels(["1/256", "0.01", "0.1", "1", "10"])
     axis.minorticks_off()
-    axis.set_ylim(bottom=0.93)
-    axis.set_xlabel("pixels that 1 of 100 places of a cut is off by, at least")
-    axis.set_ylabel("CPU time of a frame / that without planes")
+    axis.set_ylim(0.9, 1.8)
+    axis.set_xlabel("pixels that an edge is off (99th percentile), plane near the eye to far away")
+    axis.set_ylabel("time of a frame with six planes / without\n(a software rasteriser's CPU)")
     charts.add(
         "speed-accuracy",
-        "Speed against accuracy: further left and further down is better. 60 degrees, 1920x1080, standard depth, planes of random "
-        "directions: 400 near distances from the eye (dot), and from 10 to 10,000 (bar). Six planes that cut nothing, or the one that "
-        "near-plane takes, on a software rasteriser, which is all on the processor",
+        "Further left and down is better: 1920x1080, 60 degrees, standard depth, six planes that cut nothing (near plane: one) of "
+        "random directions from 10 near distances before the eye (left end of a bar) over 400 (dot) to 10,000.",
         figure,
         "each way to clip by what it loses and what it costs",
     )
@@ -211,12 +220,8 @@ def flicker_chart(charts, flicker):
     axis.set_xlabel("eye to plane, near distances")
     axis.set_ylabel("p99, pixels a frame")
     axis.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    charts.add(
-        "flicker",
-        "Flicker of a cut that stands still, while the camera pans",
-        figure,
-        "flicker by distance of eye and plane",
-    )
+    title = "Flicker of a cut that stands still, while the camera pans"
+    charts.add("flicker", title, figure, "flicker by distance of eye and plane")
 
 
 def sweep_charts(charts, edges):
@@ -224,15 +229,10 @@ def sweep_charts(charts, edges):
         figure, axis = plt.subplots(figsize=(6.1, 3.7))
         values = [number(r["parameter"]) for rows in methods.values() for r in rows]
         for method, rows in methods.items():
-            axis.plot(
-                [number(r["parameter"]) for r in rows],
-                [max(number(r["p99_px"]), LEAST) for r in rows],
-                color=COLORS[method],
-                marker="o",
-                markersize=3,
-                linewidth=1.2,
-                label=method,
-            )
+            at = [number(r["parameter"]) for r in rows]
+            lost = [max(number(r["p99_px"]), LEAST) for r in rows]
+            style = {"color": COLORS[method], "linewidth": 1.2, "label": method}
+            axis.plot(at, lost, marker="o", markersize=3, **style)
         axis.set_yscale("log")
         if min(values) > 0 and max(values) / min(values) > 20:
             axis.set_xscale("log")
@@ -285,7 +285,7 @@ def cost_chart(charts, speed):
     settings = ["picture", "vertices", "cut"]
     figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.2))
     for axis, setting in zip(axes, settings):
-        ways = [w for w in ARITHMETIC if cost_of(speed, w, 1, setting) is not None]
+        ways = [w for w in PLAIN if cost_of(speed, w, 1, setting) is not None]
         for offset, planes in enumerate((1, 3, 6)):
             bars = [(i, cost_of(speed, w, planes, setting)) for i, w in enumerate(ways)]
             bars = [(i, c) for i, c in bars if c is not None]
@@ -309,9 +309,7 @@ def cost_chart(charts, speed):
         )
         axis.set_xlabel("CPU time / that without planes")
     axes[0].legend(fontsize=7)
-    charts.add(
-        "cost", "What each way costs", figure, "cost of every way with one, three and six planes"
-    )
+    charts.add("cost", "What each way costs", figure, "cost with one, three and six planes")
 
 
 def scene_chart(charts, scenes):
