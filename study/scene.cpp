@@ -137,7 +137,8 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
 }
 
 std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
-                                      const CostTable& costs) {
+                                      const CostTable& costs,
+                                      const std::function<void(double)>& progress) {
   std::vector<ObjectAdvice> all;
   std::uint8_t needed_by_all = 0xff, needed_by_any = 0;
   for (const SceneObject& object : scene.objects) {
@@ -151,6 +152,7 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
     if (whole_pass && !is_one) continue;
     bool is_shared = true;
     for (std::size_t i = 0; i < all.size(); ++i) {
+      if (progress) progress(static_cast<double>(i) / static_cast<double>(all.size()));
       const ObjectPlan& plan = all[i].plan;
       if (!plan.drawn() || plan.needed == 0) continue;
       DrawFacts facts = FactsOf(scene.objects[i], camera, scene, plan.needed);

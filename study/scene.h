@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,8 +75,10 @@ struct ObjectAdvice {
 
 // The advice on every object for a camera, beside scene.objects. `near-plane` is recommended for
 // all that is drawn or for nothing: where each drawn object is cut by the same one plane.
+// `progress` is told the share of the objects that are done.
 std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
-                                      const CostTable& costs);
+                                      const CostTable& costs,
+                                      const std::function<void(double)>& progress = {});
 
 // The facts that Advise needs about drawing that object with the planes `needed`, a bit for each.
 // Each plane that has a normal, and whose cut the camera sees, is one of the facts' cuts.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <map>
 
 #include <nlohmann/json.hpp>
@@ -38,6 +40,21 @@ OrderedJson NamesOf(std::uint8_t needed, const Scene& scene) {
   return names;
 }
 
+// The command that compiles an object's shader, with a variant for each number of planes up to that
+// many; empty where clipc has no part in the way.
+std::string CommandOf(const SceneObject& object, const Way& way, int planes) {
+  if (!way.lowering) return "";
+  std::string name = object.name;
+  for (char& letter : name) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  }
+  std::string command = "clipc " + name + ".hlsl --plane-space=" + NameOf(*way.space);
+  if (*way.lowering != Lowering::kClipDistance)
+    command += std::string(" --lower=") + NameOf(*way.lowering);
+  if (*way.lowering == Lowering::kDiscard) command += " --fragment=" + name + ".frag";
+  return command + " --variants=" + std::to_string(planes);
+}
+
 // The advice on an object, as docs/scene.md describes it.
 OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& scene) {
   const ObjectPlan& plan = advice.plan;
@@ -57,6 +74,10 @@ OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const 
   json["method"] = advice.best ? advice.best->way : "any";
   json["pixels_off"] = advice.best ? advice.best->bound : 0;
   json["cost"] = advice.best ? advice.best->cost : 1;
+  if (!advice.best) return json;
+  const std::string command =
+      CommandOf(object, WayNamed(advice.best->way), std::popcount(plan.needed));
+  if (!command.empty()) json["command"] = command;
   return json;
 }
 
@@ -79,8 +100,8 @@ void Print(const OrderedJson& picture) {
               Cell(picture["scene"]).c_str(), Cell(picture["camera"]).c_str(),
               picture["planes"].get<int>(), picture["objects"].size(),
               picture["tolerance"].get<double>());
-  std::printf("%-20s %-14s %-28s %-16s %12s %6s %8s\n", "object", "drawn", "planes needed",
-              "method", "pixels off", "meets", "cost");
+  std::printf("%-20s %-14s %-28s %-16s %12s %6s %13s\n", "object", "drawn", "planes needed",
+              "method", "off, pixels", "meets", "cost, times 1");
   for (const OrderedJson& object : picture["objects"]) {
     std::printf("%-20s %-14s", Cell(object["object"]).c_str(),
                 object["drawn"].get<std::string>().c_str());
@@ -89,10 +110,12 @@ void Print(const OrderedJson& picture) {
     } else if (object.contains("planes") && object["method"].is_null()) {
       std::printf(" %-28s %-16s %12s %6s", Cell(object["planes"]).c_str(), "none", "-", "no");
     } else if (object.contains("planes")) {
-      std::printf(" %-28s %-16s %12.2g %6s %8.3f", Cell(object["planes"]).c_str(),
+      std::printf(" %-28s %-16s %12.2g %6s %13.3f", Cell(object["planes"]).c_str(),
                   Cell(object["method"]).c_str(), object["pixels_off"].get<double>(),
                   object["meets"] ? "yes" : "no", object["cost"].get<double>());
     }
+    if (object.contains("command"))
+      std::printf("\n  %s", object["command"].get<std::string>().c_str());
     if (object.contains("cure")) std::printf("\n  %s", object["cure"].get<std::string>().c_str());
     std::printf("\n");
   }
@@ -137,7 +160,10 @@ int RunScene(const std::vector<std::string>& arguments) {
   int failures = 0;
   for (const NamedCamera& camera : scene.cameras) {
     OrderedJson objects = OrderedJson::array();
-    const std::vector<ObjectAdvice> advice = AdviseScene(scene, camera.camera, costs);
+    const std::vector<ObjectAdvice> advice = [&] {
+      Progress progress("objects");
+      return AdviseScene(scene, camera.camera, costs, std::ref(progress));
+    }();
     for (std::size_t i = 0; i < advice.size(); ++i) {
       objects.push_back(JsonOf(scene.objects[i], advice[i], scene));
       failures += advice[i].fails();

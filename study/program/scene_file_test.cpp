@@ -118,6 +118,9 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
   const std::string text = ::testing::internal::GetCapturedStdout();
   EXPECT_THAT(text, ContainsRegex("ship +yes +water +object"));
   EXPECT_THAT(text, ContainsRegex("flag +yes +water +xyw1"));  // the shader moves it
+  EXPECT_THAT(text, HasSubstr("\n  clipc ship.hlsl --plane-space=object --variants=1\n"));
+  EXPECT_THAT(text, HasSubstr("\n  clipc flag.hlsl --plane-space=xyw1 --variants=1\n"));
+  EXPECT_THAT(text, Not(HasSubstr("clipc lighthouse.hlsl")));
   EXPECT_THAT(text, ContainsRegex("lighthouse +yes +none +any +0 +yes +1.000"));
   EXPECT_THAT(text, ContainsRegex("wreck +clipped away *\n"));
   const nlohmann::json pictures = nlohmann::json::parse(TextOf(json));
