@@ -13,6 +13,8 @@ namespace {
 
 using runtime::MatrixOrder;
 
+constexpr double kSaturates = 20;  // pixels, beyond which an edge is too short
+
 constexpr const char* kNames[kRegimes] = {"ordinary",
                                           "mesh offset",
                                           "matrices in the shader",
@@ -146,12 +148,29 @@ double LawOf(const RegimeDraw& draw) {
   return LawOf(Prepare(draw.config), WayOf(draw.way), draw.order, kPictureHeight, draw.sine);
 }
 
+std::vector<double> SingleDraws(MatrixOrder order, int count, long edges, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> shares;
+  for (int i = 0; i < count; ++i) {
+    Config config = Ordinary(random);
+    config.world_offset = random.Magnitude(1, 1e4) * std::sqrt(config.nearest * config.farthest);
+    const Way& way = WayOf(random.Below(2) == 0 ? WayKind::kClip : WayKind::kXyw1);
+    const double predicted = LawOf(Prepare(config), way, order);
+    if (!(predicted > 0 && predicted <= kSaturates)) continue;
+    const EdgeErrors errors = MeasureEdges(config, {MethodOf(way, order)}, edges,
+                                           seed + 1 + static_cast<std::uint64_t>(i))
+                                  .front();
+    if (errors.edges >= edges / 2) shares.push_back(errors.p99 / predicted);
+  }
+  std::ranges::sort(shares);
+  return shares;
+}
+
 std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
                                 const std::function<double(const RegimeDraw&)>& law) {
   // A draw that seems to be outside the law's factor is measured again, over more planes: few of
   // them may all be lucky where one in ten jumps by a unit in the last place.
   constexpr int kPlanes = 12, kMorePlanes = 60;
-  constexpr double kSaturates = 20;  // pixels
   std::vector<RegimeHeld> held(kRegimes);
   std::vector<std::vector<double>> shares(kRegimes), all(kRegimes);
   const auto at = [](std::vector<double>& sorted, double share) {

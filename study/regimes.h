@@ -58,4 +58,9 @@ struct RegimeHeld {
 std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
                                 const std::function<double(const RegimeDraw&)>& law);
 
+// The errors of `count` draws of one plane each whose matrices are multiplied in that order, far
+// from the world's origin, over their predictions; in order of size. Draws are left out as above.
+std::vector<double> SingleDraws(runtime::MatrixOrder order, int count, long edges,
+                                std::uint64_t seed);
+
 }  // namespace clipc::study
