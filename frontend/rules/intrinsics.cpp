@@ -116,8 +116,14 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed,
                      call.program.profile.name);
   }
-  if (info.category == IntrinsicCategory::kNeighbours && !call.ThisStage().has_neighbours)
-    return Report(call, diag::IntrinsicDerivative);
+  if (info.category == IntrinsicCategory::kNeighbours) {
+    if (!call.ThisStage().has_neighbours) return Report(call, diag::IntrinsicDerivative);
+    // D3DXGetPixelShaderProfile: of the profiles 2_x, ps_2_a alone has GradientInstructions.
+    const std::string& profile = call.program.profile.name;
+    if (profile == "ps_2_0" || profile == "ps_2_b")
+      return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, "ps_2_a or ps_3_0",
+                       profile);
+  }
   if (info.category == IntrinsicCategory::kInterpolants && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicInterpolation);
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
