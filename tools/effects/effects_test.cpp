@@ -41,7 +41,7 @@ constexpr unsigned char kFaces[6][4] = {{255, 0, 0, 255},   {0, 255, 255, 255}, 
 
 class EffectDrawing {
  public:
-  explicit EffectDrawing(const clipc_gl_effect_table& table) : table_(table) {
+  explicit EffectDrawing(const clipc_gl_effect_table& table) {
     glViewport(0, 0, kSize, kSize);
     GLuint buffers[2];
     glGenFramebuffers(1, &framebuffer_);
@@ -161,7 +161,6 @@ class EffectDrawing {
     EXPECT_EQ(clipc_gl_effect_set_texture(effect_, texture.name, name, nullptr), CLIPC_OK);
   }
 
-  const clipc_gl_effect_table& table_;
   clipc_gl_effect* effect_ = nullptr;
   GLuint framebuffer_ = 0;
 };
