@@ -193,6 +193,7 @@ struct IoVar {
   // The rows of a matrix have the matrix's path.
   std::string path = {};
   std::optional<Reader> reader = {};  // for an output with a known or supposed input
+  bool is_unwritten = false;          // of an output: no path writes it, which is reported
 };
 
 // The locations that an input or output of this scalar or vector type takes: two for three or four

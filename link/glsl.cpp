@@ -301,7 +301,7 @@ class GlslReader {
 
   void Refuse(std::string_view where, std::string_view name, std::string_view what) {
     result_.problems.push_back(fmt::format(
-        "{}: `{}` is {}; numbers, arrays of them, and structs and blocks of both can meet outputs",
+        "{}: `{}` is {}; numbers, arrays of them, and structs and blocks of both can match outputs",
         where, name, what));
   }
 

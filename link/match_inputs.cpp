@@ -181,8 +181,10 @@ class InputMatcher {
 
   // ---- matching
 
+  // An output that no path writes matches nothing: the pixel shader would read what is undefined.
   bool IsFree(std::size_t output) const {
-    return program_.outputs[output].builtin == ir::Builtin::kNone && !outputs_[output].input;
+    const ir::IoVar& io = program_.outputs[output];
+    return io.builtin == ir::Builtin::kNone && !io.is_unwritten && !outputs_[output].input;
   }
   Shape ShapeAt(std::size_t output) const {
     return link::ShapeOf(program_.types, program_.vars[program_.outputs[output].var].type)

@@ -238,7 +238,7 @@ class SpirvReader {
     if (!known && problem_.empty())
       problem_ = fmt::format(
           "{} is a struct in a struct or an array of structs; numbers, arrays of "
-          "them, and structs and blocks of both can meet outputs",
+          "them, and structs and blocks of both can match outputs",
           Where(module_.NameOf(place)));
     input.shape = known.value_or(Shape{});
     Qualify(input, place);

@@ -31,9 +31,9 @@ struct Shared {
   Diagnostics& diagnostics;
   WrittenSlots slots;
   ValueCheck values;
-  std::vector<Summary> summaries;     // by FunctionId
-  std::vector<bool> is_reported;      // by VarId
-  std::vector<const IoVar*> outputs;  // by VarId
+  std::vector<Summary> summaries;  // by FunctionId
+  std::vector<bool> is_reported;   // by VarId
+  std::vector<IoVar*> outputs;     // by VarId
 };
 
 bool AreAllWritten(std::span<const Written> values) {
@@ -473,14 +473,14 @@ std::string WrittenWalk::PathOf(const IoVar& output) const {
 
 void WrittenWalk::CheckOutput(const Assign& node) {
   const auto* target = As<VarRef>(program_, node.target);
-  const IoVar* output = target ? shared_.outputs[target->var.index] : nullptr;
+  IoVar* output = target ? shared_.outputs[target->var.index] : nullptr;
   const auto place = output ? shared_.slots.Find(node.value) : std::nullopt;
   if (!place || place->count != 1) return;
   const Written& written = state_[place->first];
   const Span span = program_.vars[output->var].span;
   const std::string path = PathOf(*output);
-  const std::string how =
-      (written.may & place->mask) == 0 ? "is never written" : "is not written completely";
+  output->is_unwritten = (written.may & place->mask) == 0;
+  const std::string how = output->is_unwritten ? "is never written" : "is not written completely";
   Diagnostics& diagnostics = shared_.diagnostics;
   if ((written.may & place->mask) == place->mask) {
     if (output->builtin == Builtin::kPosition && (written.must & place->mask) != place->mask)
@@ -494,15 +494,15 @@ void WrittenWalk::CheckOutput(const Assign& node) {
 
 }  // namespace
 
-void CheckWritten(const Program& program, Diagnostics& diagnostics) {
+void CheckWritten(Program& program, Diagnostics& diagnostics) {
   Shared shared{program,
                 diagnostics,
                 WrittenSlots(program),
                 ValueCheck(program, diagnostics),
                 std::vector<Summary>(program.functions.size()),
                 std::vector<bool>(program.vars.size()),
-                std::vector<const IoVar*>(program.vars.size())};
-  for (const IoVar& output : program.outputs) shared.outputs[output.var.index] = &output;
+                std::vector<IoVar*>(program.vars.size())};
+  for (IoVar& output : program.outputs) shared.outputs[output.var.index] = &output;
   WrittenState state;
   for (const FunctionId function : CalleesFirst(program))
     WrittenWalk(shared, state, function).Run();

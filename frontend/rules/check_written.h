@@ -14,7 +14,8 @@ namespace clipc::rules {
 // one branch writes is not reported; of the position alone every path is asked. What an index that
 // is not constant may choose, an argument of an inout parameter, and a part of a variable with more
 // than 64 parts, which is taken for the whole, count as written. A loop may have run before, and
-// runs at least once. Requires a program without errors; a walk of each function, once.
-void CheckWritten(const Program& program, Diagnostics& diagnostics);
+// runs at least once. Outputs that are never written are marked. Requires a program without errors;
+// a walk of each function, once.
+void CheckWritten(Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules
