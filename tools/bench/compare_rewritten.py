@@ -169,7 +169,9 @@ def lines_of(folders):
                 continue
             command = re.search(r"RUN: (.*)|^// clipc (.*)", text, re.M)
             words = command[0].split() if command else []
-            given = {flag: [b for a, b in zip(words, words[1:]) if a == flag] for flag in ("-T", "-E")}
+            given = {
+                flag: [b for a, b in zip(words, words[1:]) if a == flag] for flag in ("-T", "-E")
+            }
             profile = (given["-T"] or ["vs_5_0"])[0]
             profile = profile if re.fullmatch(r"vs_[56]_\d", profile) else "vs_5_0"
             defines = ";".join(word[2:] for word in words if re.match(r"-D\w", word))
@@ -308,7 +310,15 @@ def main():
     for verdict, count in verdicts.most_common():
         print(f"{count:5} {verdict}")
     print("lines of the input that change:", dict(sorted(changes.items())))
-    wrong = ("refused", "not read", "not left", "another", "different", "lost", "same; the peer differs")
+    wrong = (
+        "refused",
+        "not read",
+        "not left",
+        "another",
+        "different",
+        "lost",
+        "same; the peer differs",
+    )
     return 1 if any(verdict.startswith(wrong) for verdict in verdicts) else 0
 
 
