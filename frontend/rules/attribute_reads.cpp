@@ -21,7 +21,8 @@ ExprId AttributeReads::Read(VarId input, std::uint32_t count) {
   TypeId& type = program_.vars[input].type;
   const Scalar kind = types[type].scalar;
   const TypeId part = count == 1 ? types.Make(kind) : types.Vector(kind, static_cast<int>(count));
-  if (count > types[type].Components()) type = part;
+  // A vector of one component is a number from then on.
+  if (count >= types[type].Components()) type = part;
   return reads_.emplace_back(builder_.Add(part, VarRef{input}));
 }
 
