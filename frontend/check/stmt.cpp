@@ -16,6 +16,7 @@
 #include "frontend/check/type.h"
 #include "frontend/check/unroll.h"
 #include "frontend/check/value.h"
+#include "ir/access.h"
 
 namespace clipc::check {
 namespace {
@@ -132,7 +133,11 @@ void CheckNode(Context& context, const ast::BlockStmt& stmt, Span) {
 
 void CheckNode(Context& context, const ast::ExprStmt& stmt, Span) {
   const ExprId value = CheckExpr(context, stmt.expr);
-  if (!context.IsError(value)) EmitValue(context, value);
+  if (context.IsError(value)) return;
+  // The name of a texture alone does nothing, and is not a value in GLSL.
+  const bool is_object = context.TypeOf(value).kind == TypeKind::kObject;
+  if (is_object && ir::IsPure(context.program, value)) return;
+  EmitValue(context, value);
 }
 
 void CheckNode(Context& context, const ast::BreakStmt&, Span span) {

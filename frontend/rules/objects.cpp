@@ -121,6 +121,7 @@ class MethodCheck : IntrinsicCheck {
       prologue = parts.prologue;
     }
     if (!TakeOffset(traits_.is_multisampled ? 2 : 1)) return Error();
+    if (traits_.is_multisampled && arguments_.size() > 3) AddOffset();
     return After(*this, {&prologue, 1}, Finish(ObjectOp::kTextureLoad, Element()));
   }
 
@@ -182,6 +183,16 @@ class MethodCheck : IntrinsicCheck {
       if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
     }
     return Finish(op, program.types.Vector(kind, 4));
+  }
+  // Adds the offset, the last argument, to the texel's location: GLSL has no texelFetchOffset of
+  // multisampled textures. The offset does not choose the layer of an array.
+  void AddOffset() {
+    Builder builder = Make();
+    ExprId offset = arguments_.back();
+    arguments_.pop_back();
+    if (traits_.texel > traits_.offset)
+      offset = builder.ConstructOf(TypeIdOf(arguments_[1]), {offset, builder.Int(0)});
+    arguments_[1] = builder.BinaryOf(BinaryOp::kAdd, arguments_[1], offset);
   }
   // Reports and returns false unless the profile has the method.
   bool IsAtLeast(int major, int minor) const {

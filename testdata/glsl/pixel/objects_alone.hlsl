@@ -1,0 +1,14 @@
+// The name of an object is no statement in GLSL, so one that stands alone is left out (glslang's hlsl.automap.frag has such shaders).
+// RUN: %clipc -T ps_5_0 %s -o - --validate | FileCheck %s --match-full-lines
+Texture2D map;
+SamplerState linearly;
+RWTexture2D<float4> image : register(u1);
+float4 main() : SV_Target {
+  map;
+  linearly;
+  image;
+  return 1;
+}
+// CHECK:      void main() {
+// CHECK-NEXT:     SV_Target0 = vec4(1.0);
+// CHECK-NEXT: }
