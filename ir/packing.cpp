@@ -90,9 +90,7 @@ Extent PackedExtent(const TypeTable& types, TypeId id, bool row_major) {
       return {Clamped(RoundUp(size, kRow) * (type.count - 1) + size),
               static_cast<std::uint32_t>(kRow)};
     }
-    case kStruct:
-      return {Walk(types, types.StructOf(id), types.StructOf(id).fields.size()),
-              static_cast<std::uint32_t>(kRow)};
+    case kStruct: return {types.StructOf(id).packed_size, static_cast<std::uint32_t>(kRow)};
     case kObject:
     case kError:
     case kVoid:
@@ -111,6 +109,17 @@ std::uint32_t FieldPlace(const TypeTable& types, const Field& field, std::uint32
 
 std::uint32_t FieldOffset(const TypeTable& types, StructId structure, std::uint32_t field) {
   return Walk(types, types[structure], field);
+}
+
+StructId TypeTable::AddStruct(Struct structure) {
+  const StructId id = structs_.Add(std::move(structure));
+  Measure(id);
+  return id;
+}
+
+void TypeTable::Measure(StructId structure) {
+  Struct& measured = structs_[structure];
+  measured.packed_size = Walk(*this, measured, measured.fields.size());
 }
 
 std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major) {

@@ -113,6 +113,7 @@ struct Struct {
   std::string name;  // as written; "" for an unnamed struct
   std::vector<Field> fields;
   Span span;
+  std::uint32_t packed_size = 0;  // PackedExtent(..).size; TypeTable::Measure gives it
 };
 
 // The types of one program. The common types are the same in every program: their ids are
@@ -146,7 +147,11 @@ class TypeTable {
   // The shape of `type` with the component kind `kind`; `type` itself if it is not numeric.
   TypeId WithScalar(TypeId type, Scalar kind);
 
-  StructId AddStruct(Struct structure) { return structs_.Add(std::move(structure)); }
+  StructId AddStruct(Struct structure);
+  // Computes the packed size of a struct whose fields have changed since it was added. A struct
+  // keeps its size because structs of structs have more fields than can be walked for each member
+  // after each pass.
+  void Measure(StructId structure);
   const Type& operator[](TypeId id) const {
     return id.index < kCommonCount ? kCommon[id.index] : types_[TypeId{id.index - kCommonCount}];
   }

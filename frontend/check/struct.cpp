@@ -144,6 +144,7 @@ TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId 
   MeasureStruct(context, type, span);
   // Push constants belong to one stage: their places are no part of its interface with another.
   if (!context.program.is_interface_only) CheckOffsets(context, type);
+  context.types.Measure(structure);
   return type;
 }
 
