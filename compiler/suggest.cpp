@@ -21,7 +21,7 @@ std::string Choices(std::span<const std::string_view> names) {
 }  // namespace
 
 std::string Suggest(std::string_view name, std::span<const std::string_view> names) {
-  constexpr std::size_t kFew = 20;
+  constexpr std::size_t kFew = 32;
   if (const auto near = NearNames(name, names); !near.empty())
     return fmt::format("; did you mean {}?", Choices(near));
   return names.empty() || names.size() > kFew ? std::string()

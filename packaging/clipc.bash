@@ -12,7 +12,8 @@ _clipc() {
   _init_completion -s || return
   local program=${words[0]}
   case $prev in
-    -T) mapfile -t COMPREPLY < <(compgen -W "$(_clipc_values "$program" -T '?')" -- "$cur") ;;
+    # The first letter says the stage whose profiles clipc answers with.
+    -T) mapfile -t COMPREPLY < <(compgen -W "$(_clipc_values "$program" -T "${cur:0:1}?")" -- "$cur") ;;
     -E | -D | -U | -j | -Vn) ;;
     --fragment | --pixel-shader | --table | --reflect | --batch | --index | --sandbox-includes | --depfile) _filedir ;;
     --*)

@@ -30,4 +30,5 @@ expect -Zp -- -Zpc -Zpr
 expect --lower=n -- near-plane none
 expect --target=essl -- essl100 essl300 essl310 essl320
 expect -T vs_5 -- vs_5_0 vs_5_1
+expect -T ps_5 -- ps_5_0 ps_5_1
 cd "$(dirname "$0")/../examples/first" && expect wat -- water.hlsl
