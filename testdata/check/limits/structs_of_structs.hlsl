@@ -5,9 +5,7 @@ struct S1 { S0 a, b; }; struct S2 { S1 a, b; }; struct S3 { S2 a, b; }; struct S
 struct S5 { S4 a, b; }; struct S6 { S5 a, b; }; struct S7 { S6 a, b; }; struct S8 { S7 a, b; };
 struct S9 { S8 a, b; }; struct S10 { S9 a, b; }; struct S11 { S10 a, b; }; struct S12 { S11 a, b; };
 #define FOUR(name) S12 name##0; S12 name##1; S12 name##2; S12 name##3;
-#define SIXTEEN(name) FOUR(name##0) FOUR(name##1) FOUR(name##2) FOUR(name##3)
-#define MANY(name) SIXTEEN(name##0) SIXTEEN(name##1) SIXTEEN(name##2) SIXTEEN(name##3)
-cbuffer C { MANY(a) MANY(b) MANY(c) MANY(d) float4 plane; };
+cbuffer C { FOUR(a) FOUR(b) FOUR(c) FOUR(d) float4 plane; };
 // CHECK:      layout(std140, binding = 0) uniform C {  // b0
 // CHECK-NEXT:     vec4 plane;
 // CHECK-NEXT: } c;
