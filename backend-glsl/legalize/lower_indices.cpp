@@ -34,7 +34,9 @@ class IndexLowering {
     // Targets are lowered first: GLSL does not assign to a comma expression.
     for (const ExprId id : writes) LowerTargets(id);
     for (const ExprId id : indices) {
-      if (IsLost(id)) PutBefore(id, {TakeIndex(id)});
+      if (!IsLost(id)) continue;
+      const ExprId index = TakeIndex(id);
+      if (!legalizer_.MayBeSkipped(index) && !PutAfterRest(id, index)) PutBefore(id, {index});
     }
   }
 
@@ -52,10 +54,10 @@ class IndexLowering {
   }
 
   // Whether the expression indexes the only row, or the only component, for which GLSL has no [],
-  // by an index that changes something.
+  // by an index that assigns or calls.
   bool IsLost(ExprId expr) {
     const auto* node = As<Index>(program_, expr);
-    return node && IsOnlyElement(program_, *node) && !legalizer_.MayBeSkipped(node->index);
+    return node && IsOnlyElement(program_, *node) && !IsPure(program_, node->index);
   }
 
   // Whether the expression indexes the only element of an array by a computed index. Mesa 22.3's
@@ -82,11 +84,34 @@ class IndexLowering {
       for (ExprId part = target; part; part = WholeOf(program_, part)) {
         if (!IsLost(part) && !IsOfOne(part)) continue;
         const ExprId index = TakeIndex(part);
-        if (!legalizer_.MayBeSkipped(index)) indices.push_back(index);
+        if (!legalizer_.MayBeSkipped(index) && !PutAfterRest(part, index)) indices.push_back(index);
       }
       std::reverse(indices.begin() + static_cast<std::ptrdiff_t>(begin), indices.end());
     }
     PutBefore(expr, indices);
+  }
+
+  // The last expression that changes something among those that the path evaluates before its own
+  // index: an index, or the value that the path is a part of.
+  ExprId LastBefore(ExprId path) {
+    for (ExprId part = WholeOf(program_, path);; part = WholeOf(program_, part)) {
+      const bool is_root = !WholeOf(program_, part);
+      const auto* node = As<Index>(program_, part);
+      if (is_root) return legalizer_.MayBeSkipped(part) ? ExprId{} : part;
+      if (node && !legalizer_.MayBeSkipped(node->index)) return node->index;
+    }
+  }
+
+  // Evaluates `index`, which `path` no longer has, in its place: rows[f()][g()], of one component
+  // each, becomes rows[first(f(), g())]. False where nothing of the path has to be evaluated first.
+  bool PutAfterRest(ExprId path, ExprId index) {
+    const ExprId last = LastBefore(path);
+    if (!last) return false;
+    const ExprId value =
+        legalizer_.At(last).Add(TypeIdOf(program_, last), program_.exprs[last].node);
+    const ExprId arguments[] = {value, index};
+    legalizer_.BecomeCall(last, "first", arguments, [](HelperBody& body) { body.Return(body[0]); });
+    return true;
   }
 
   void PutBefore(ExprId expr, const std::vector<ExprId>& values) {

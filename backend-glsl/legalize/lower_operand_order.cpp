@@ -120,6 +120,7 @@ class OperandOrder {
     std::size_t before = kNone;  // the read of the same variable below this one
     bool is_marked = false;
     bool may_precede = false;  // nothing is written between the start of the statement and it
+    bool is_target = false;    // of the compound assignment `expr`, which reads it last
   };
 
   // ---- statements
@@ -158,7 +159,12 @@ class OperandOrder {
       marked_.clear(), reversed_.clear();
       Visit(expr);
       Pop(0);
-      for (const Read& read : std::views::reverse(marked_)) Save(read, declared);
+      for (const Read& read : marked_) {
+        if (read.is_target) SaveValue(read.expr, declared);
+      }
+      for (const Read& read : std::views::reverse(marked_)) {
+        if (!read.is_target) Save(read, declared);
+      }
       for (const ExprId reversed : reversed_) SaveAllButLast(reversed, declared);
     }
     for (const StmtId part : parts) LowerStmt(part, declared, false);
@@ -176,6 +182,29 @@ class OperandOrder {
     } else {
       program_.exprs[read.expr].node = Assign{std::nullopt, b.Ref(old), value};
     }
+  }
+
+  // a[i] += (a[0] = 2)  =>  (index = i, value = a[0] = 2, a[index] += value)
+  void SaveValue(ExprId expr, std::vector<StmtId>& declared) {
+    Builder b(program_, program_.exprs[expr].span);
+    Assign assign = *As<Assign>(program_, expr);
+    std::vector<ExprId> saved;
+    const auto save = [&](const char* name, ExprId from) {
+      const VarId to = b.Local(name, TypeIdOf(program_, from));
+      declared.push_back(b.Stmt(Declare{to, {}}));
+      saved.push_back(b.AssignTo(b.Ref(to), from));
+      return b.Ref(to);
+    };
+    assign.value = save("value", assign.value);
+    for (ExprId part = assign.target; part; part = WholeOf(program_, part)) {
+      const auto* node = As<Index>(program_, part);
+      if (!node || As<Literal>(program_, node->index)) continue;
+      const ExprId base = node->base, index = save("index", node->index);
+      program_.exprs[part].node = Index{base, index};
+    }
+    ExprId first = saved.back();
+    for (std::size_t i = saved.size() - 1; i-- > 0;) first = b.CommaOf(first, saved[i]);
+    program_.exprs[expr].node = Comma{first, b.Add(program_.exprs[expr].type, assign)};
   }
 
   // mul(f(), b)  =>  (value = f(), mul(value, b))
@@ -209,8 +238,8 @@ class OperandOrder {
 
   // ---- reads
 
-  void Push(ExprId expr, VarId var, bool may_precede) {
-    reads_.push_back({expr, var, last_[var.index], false, may_precede});
+  void Push(ExprId expr, VarId var, bool may_precede, bool is_target = false) {
+    reads_.push_back({expr, var, last_[var.index], false, may_precede, is_target});
     last_[var.index] = reads_.size() - 1;
   }
   void Pop(std::size_t size) {
@@ -233,7 +262,7 @@ class OperandOrder {
     return taken;
   }
   void Put(const std::vector<Read>& taken) {
-    for (const Read& read : taken) Push(read.expr, read.var, read.may_precede);
+    for (const Read& read : taken) Push(read.expr, read.var, read.may_precede, read.is_target);
   }
 
   void Write(VarId var) {
@@ -272,6 +301,8 @@ class OperandOrder {
                      },
                      [&](const Assign& node) {
                        VisitPath(node.target);
+                       const VarId root = RootOf(program_, node.target);
+                       if (node.op && root) Push(expr, root, false, true);
                        Visit(node.value);
                        Pop(size);
                        Write(RootOf(program_, node.target));

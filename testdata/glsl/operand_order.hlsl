@@ -65,6 +65,21 @@ Out main(int4 p : POSITION, float4 v : V) {
   o.e = mul(turn(), m);
   // CHECK: vs_E0 += (value_2 = greaterThan(v, vec4(0.0)), (value_3 = v, mix(v = v * 2.0, value_3, value_2)));
   o.e += (v > 0) ? v : (v = v * 2);
+  // A compound assignment reads its target last (CGExprScalar.cpp, EmitCompoundAssignLValue: the right side is emitted first).
+  float2x2 small = { 1, 2, 3, 4 };
+  // CHECK: value_4 = small = mat2(v.x, 0.0, 0.0, 2.0), small = matrixCompMult(small, value_4);
+  small *= small = float2x2(v.x, 0, 0, 2);
+  o.e += float4(small[0], small[1]);
+  // CHECK: index = at, value_5 = (a[0] = in_POSITION0.y & 3) + 2, a[index] = imod(a[index], value_5);
+  a[at] %= (a[0] = p.y & 3) + 2;
+  o.b.x += a[0] + a[3];
+  // The index of an only row is evaluated in its place.
+  int1x1 ones[2] = { p.x, p.y };
+  // CHECK: vs_B0.y += ones[first((old_at_3 = at = 1) & 1, (at = 3 - at) & 0)];
+  o.b.y += ones[(at = 1) & 1][(at = 3 - at) & 0];
+  // CHECK: ones[first((old_at_4 = at = 2) & 1, (at = 5 - at) & 0)] = at;
+  ones[(at = 2) & 1][(at = 5 - at) & 0] = at;
+  o.b.z += ones[0][0] + at;
   o.position = v;
   return o;
 }

@@ -70,6 +70,7 @@ struct Context {
   int turns = 1, cost = 0;                    // the runs of a statement here; the sum of all runs
   int loops = 0;                              // loops around a statement here
   bool has_continue = true;                   // whether `continue` may be written in such a loop
+  bool has_exit = true;                       // whether a statement here may end the loop it is in
   bool writes_globals = false;                // whether something here may write a global
   std::vector<std::string> taken;             // variables that may not be written a second time
   // Variables that the expression reads and writes: their order counts.

@@ -203,6 +203,8 @@ std::string MakeWhile(Context& context, int depth) {
   const Temporarily inner(context.loops, context.loops + 1);
   const Temporarily continues(context.has_continue, true);
   const Temporarily turned(context.turns, context.turns * turns);
+  const Temporarily exits(context.has_exit,
+                          context.has_exit && (!is_do || context.Has(Feature::kDoExits)));
   const std::string body = MakeBody(context, depth);
   if (is_do) return declared + Indent(context) + "do " + body + " while (" + condition + ");\n";
   return declared + Indent(context) + "while (" + condition + ") " + body + "\n";
@@ -233,6 +235,9 @@ std::string MakeJump(Context& context) {
   std::string jump;
   if (clipc::InfoOf(context.stage).draws_pixels && context.Chance(20)) {
     jump = "discard";
+  } else if (!context.has_exit) {
+    if (!context.has_continue) return MakeAssignment(context);
+    jump = "continue";
   } else if (context.loops > 0 && context.Chance(60)) {
     jump = context.Chance(50) || !context.has_continue ? "break" : "continue";
   } else if (!context.function || context.function->is_void) {

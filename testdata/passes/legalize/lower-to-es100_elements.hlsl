@@ -48,12 +48,12 @@ float4 main(float4 p : POSITION, int2 i : I) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-NEXT: main void main.1() {
 // CHECK-NEXT:   int index
-// CHECK-NEXT:   float value
-// CHECK-NEXT:   int index.1
 // CHECK-NEXT:   float value.1
+// CHECK-NEXT:   int index.1
+// CHECK-NEXT:   float value.2
 // CHECK-NEXT:   float result.1
 // CHECK-NEXT:   int index.2
-// CHECK-NEXT:   float3 value.2
+// CHECK-NEXT:   float3 value.3
 // CHECK-NEXT:   int2 i = in_I0
 // CHECK-NEXT:   Part parts[2] = Part[2]{Part{float3[2]{in_POSITION0.xyz, in_POSITION0.yzw}, float2x3(in_POSITION0.xyz, in_POSITION0.yyy)}, Part{float3[2]{in_POSITION0.wzy, in_POSITION0.xxx}, float2x3(in_POSITION0.zzz, in_POSITION0.www)}}
 // CHECK-NEXT:   float4 sum = in_POSITION0
@@ -64,8 +64,9 @@ float4 main(float4 p : POSITION, int2 i : I) : SV_Position {
 // CHECK-NEXT:   assign_multiply_element_field0_element_yz(i.y, i.x, splat<float2>(2.0), parts)
 // CHECK-NEXT:   set_element_element(i.x, i.y, 7.0, parts[1].m)
 // CHECK-NEXT:   set_element_field1_1_0(i.x, 3.0, parts)
-// CHECK-NEXT:   sum.w += ((((((index = i.x), (value = element.2(parts, index).v[1].x)), (index.1 = i.y)), (result.1 = Change(value, value.1, in_POSITION0.x))), set_element_field0_1_x(index, value, parts)), set_element(index.1, value.1, sum)), result.1
-// CHECK-NEXT:   (((index.2 = i.y), (value.2 = element.1(parts[0].v, index.2))), Set(value.2)), set_element.1(index.2, value.2, parts[0].v)
+// CHECK-NEXT:   float value
+// CHECK-NEXT:   (value = ((((((index = i.x), (value.1 = element.2(parts, index).v[1].x)), (index.1 = i.y)), (result.1 = Change(value.1, value.2, in_POSITION0.x))), set_element_field0_1_x(index, value.1, parts)), set_element(index.1, value.2, sum)), result.1), (sum.w += value)
+// CHECK-NEXT:   (((index.2 = i.y), (value.3 = element.1(parts[0].v, index.2))), Set(value.3)), set_element.1(index.2, value.3, parts[0].v)
 // CHECK-NEXT:   sincos_element_element_field0_0_y(in_POSITION0.x, i.x, i.y, sum, parts)
 // CHECK-NEXT:   int counts[3] = int[3]{1, 2, 3}
 // CHECK-NEXT:   sum.x += convert<float>(post_increment_element(i.x++, counts) + pre_decrement_element(i.x, counts))
