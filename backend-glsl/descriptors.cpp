@@ -60,7 +60,7 @@ void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all,
     (is_far ? far : used).insert(set);
   }
   if (far.empty()) return;
-  const auto take = [&](const GlslInfo::Place& place) { used.insert(place.set.value_or(0)); };
+  const auto take = [&](const GlslInfo::Binding& place) { used.insert(place.set.value_or(0)); };
   if (other && other->written) {
     std::ranges::for_each(other->written->blocks, take);
     std::ranges::for_each(other->written->objects, take);
@@ -80,7 +80,7 @@ bool Descriptors::IsRenumbered(const ir::Register& reg) const {
 // Gives what both stages share the other's place. Returns all places that the other stage has.
 Descriptors::Taken Descriptors::TakeFromOther(const ir::Program& program, const OtherStage& other) {
   Taken taken;
-  const auto take = [&](const GlslInfo::Place& place, const ir::Register* reg) {
+  const auto take = [&](const GlslInfo::Binding& place, const ir::Register* reg) {
     if (!place.binding) return;
     taken.emplace(place.set.value_or(0), *place.binding);
     if (reg) moved_.emplace(reg, ir::Descriptor{*place.binding, place.set.value_or(0)});

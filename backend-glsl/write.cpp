@@ -62,7 +62,7 @@ std::string Header(const Context& context) {
 
 }  // namespace
 
-Written WriteGlsl(const Program& program, const Target& target, const WriteOptions& options) {
+WrittenGlsl WriteGlsl(const Program& program, const Target& target, const WriteOptions& options) {
   Code code(program, target, options);
   code.names = NameEverything(code);
   code.names.functions = NameFunctions(code);

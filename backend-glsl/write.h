@@ -70,11 +70,11 @@ struct GlslInfo {
   };
   // The place where the host binds a block or an object; without a binding, the host finds it by
   // name.
-  struct Place {
+  struct Binding {
     std::optional<std::uint32_t> set, binding;
     std::uint32_t count = 1;  // of an array: so many bindings of OpenGL from `binding` on
   };
-  struct Block : Place {
+  struct Block : Binding {
     ir::CbufferId cbuffer;
     BlockForm form = BlockForm::kStd140;
     std::string name;               // of the block; empty where there is none
@@ -85,7 +85,7 @@ struct GlslInfo {
     std::vector<Member> members;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
-  struct Object : Place {
+  struct Object : Binding {
     ir::VarId texture, sampler;  // of the HLSL shader; either may be none
     std::string name;
     ir::ObjectKind kind =
@@ -108,13 +108,13 @@ struct GlslInfo {
   }
 };
 
-struct Written {
+struct WrittenGlsl {
   std::string glsl;  // the whole shader
   GlslInfo info;
 };
 // Requires Form::kLegalized, and that CheckTarget reported no error. The result depends on nothing
 // but the arguments.
-Written WriteGlsl(const ir::Program& program, const Target& target,
-                  const WriteOptions& options = {});
+WrittenGlsl WriteGlsl(const ir::Program& program, const Target& target,
+                      const WriteOptions& options = {});
 
 }  // namespace clipc::glsl

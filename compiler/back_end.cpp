@@ -101,7 +101,7 @@ Lowered LowerPixel(const PixelHalf& half, Lowering lowering, std::size_t planes,
 }
 
 // Fits the typed program to the pixel shader, which is the lowered one of a pair if that is given,
-// and asks whether it fits the request. Returns the input with the position, as CheckLowering does.
+// and asks whether it fits the request. Returns the input with the position (FindPositionInput).
 ir::VarId Fit(const Job& job, const PixelHalf* half, const std::optional<Lowered>& pixel,
               ir::Program& typed, std::vector<std::string>& dependencies) {
   const CompileRequest& request = job.request;
@@ -112,7 +112,7 @@ ir::VarId Fit(const Job& job, const PixelHalf* half, const std::optional<Lowered
     LinkPixelShader(request, job.plan.input, typed, dependencies, job.diagnostics);
   }
   if (job.diagnostics.has_errors()) return {};
-  const ir::VarId position_input = CheckLowering(typed, job.plan.lowering, job.diagnostics);
+  const ir::VarId position_input = FindPositionInput(typed, job.plan.lowering, job.diagnostics);
   if (!request.planes.given_to_device && !request.debug.changes_result())
     CheckPlanesAreKept(typed, job.plan.lowering, request.target, job.diagnostics);
   return position_input;
@@ -121,8 +121,8 @@ ir::VarId Fit(const Job& job, const PixelHalf* half, const std::optional<Lowered
 // ---- from the lowered program to the outputs
 
 struct WrittenProgram {
-  Written shader;
-  std::optional<Written> pixel;
+  WrittenGlsl shader;
+  std::optional<WrittenGlsl> pixel;
 };
 
 // The options of a job's writer. With `lines`, the GLSL has those of the HLSL as comments.
@@ -175,7 +175,8 @@ struct Finished {
 };
 
 // Validates the shader. Returns what keeps glslang from judging it.
-std::string_view ValidateShader(const Job& job, const Lowered& lowered, const Written& written) {
+std::string_view ValidateShader(const Job& job, const Lowered& lowered,
+                                const WrittenGlsl& written) {
   const auto problems = Validate(written.glsl, lowered.target, lowered.program.stage);
   if (problems.empty()) return {};
   const std::string_view unknown = UnknownToValidator(lowered, written.info);

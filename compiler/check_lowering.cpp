@@ -39,8 +39,8 @@ void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics) 
   if (request.lowering == Lowering::kLevel9) diagnostics.Report({}, diag::RewriteLevel9);
 }
 
-ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
-                        Diagnostics& diagnostics) {
+ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& request,
+                            Diagnostics& diagnostics) {
   const auto& planes = program.clip_planes;
   if (planes.empty()) return {};
   if (request.lowering == Lowering::kNone) {

@@ -39,8 +39,8 @@ void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 // Reports where the shader's clip planes and the request do not fit each other. Returns the input
 // that carries the position for kObject; none for the other spaces, for a shader without planes,
 // and after an error. Requires Form::kTyped.
-ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
-                        Diagnostics& diagnostics);
+ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& request,
+                            Diagnostics& diagnostics);
 
 // Reports clip planes that only the clip table has: the device clips with them, not the GLSL.
 void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,

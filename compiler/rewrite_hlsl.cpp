@@ -178,7 +178,7 @@ void PlanPlanes(const Job& job, rewrite::Entry& entry) {
   const LoweringRequest& lowering = job.plan.lowering;
   const ir::Program& program = entry.point.program;
   entry.form = {lowering.lowering, lowering.plane_space,
-                CheckLowering(program, lowering, job.diagnostics), lowering.distances};
+                FindPositionInput(program, lowering, job.diagnostics), lowering.distances};
   if (lowering.lowering != Lowering::kDiscard) return;
   for (const ir::IoVar& output : program.outputs) {
     if (EqualIgnoringCase(output.semantic, rewrite::kPlaneDistance))

@@ -51,7 +51,7 @@ void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& d
   glsl::CheckTarget(lowered.program, lowered.target, blocks, diagnostics);
 }
 
-Written Write(const Lowered& lowered, const glsl::WriteOptions& options) {
+WrittenGlsl Write(const Lowered& lowered, const glsl::WriteOptions& options) {
   return glsl::WriteGlsl(lowered.program, lowered.target, options);
 }
 

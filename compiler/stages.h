@@ -21,7 +21,7 @@
 // The chain that every shader takes from HLSL to GLSL. Each stage takes a value and gives a value;
 // the compiler, the draw tests and whoever else compiles a shader call these and nothing below.
 //
-//   Source --Front--> ir::Program --Lower--> Lowered --Legalize--> Lowered --Write--> Written
+//   Source --Front--> ir::Program --Lower--> Lowered --Legalize--> Lowered --Write--> WrittenGlsl
 //
 // The rules about what the user may ask for lie beside the chain: check_lowering.h between Front
 // and Lower, CheckTarget between Lower and Legalize.
@@ -68,8 +68,8 @@ void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& d
 // reports no error. Afterwards `lowered` is complete unless `options` stopped it.
 void Legalize(Lowered& lowered, const ir::PassOptions& options);
 
-using glsl::Written;
+using glsl::WrittenGlsl;
 // Writes the GLSL. Requires that Legalize has run to its end.
-Written Write(const Lowered& lowered, const glsl::WriteOptions& options);
+WrittenGlsl Write(const Lowered& lowered, const glsl::WriteOptions& options);
 
 }  // namespace clipc

@@ -40,7 +40,7 @@ void Bindings::Reserve(const ir::Register& reg, std::uint32_t count) {
     reserved.insert(reg.descriptor->binding + i);
 }
 
-void Bindings::Take(const GlslInfo::Place& place) {
+void Bindings::Take(const GlslInfo::Binding& place) {
   for (std::uint32_t i = 0; place.binding && i < place.count; ++i) taken.insert(*place.binding + i);
 }
 
@@ -57,7 +57,7 @@ std::string RegisterText(const ir::Register& reg) {
   return reg.letter + std::to_string(reg.number);
 }
 
-std::string Bind(const Context& context, GlslInfo::Place& place,
+std::string Bind(const Context& context, GlslInfo::Binding& place,
                  const ir::BlockDeclaration& declared) {
   if (context.target.IsVulkan()) place.set = declared.set;
   if (context.target.IsVulkan() || context.Has(Feature::kBindings))
@@ -67,8 +67,8 @@ std::string Bind(const Context& context, GlslInfo::Place& place,
   return place.binding ? Concat(set, "binding = ", std::to_string(*place.binding)) : set;
 }
 
-std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
-                 Bindings& taken, std::uint32_t count, const GlslInfo::Place* written) {
+std::string Bind(const Context& context, GlslInfo::Binding& place, const ir::Register& reg,
+                 Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written) {
   std::string set;
   place.count = count;
   if (context.target.IsVulkan()) {

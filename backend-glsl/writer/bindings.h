@@ -25,7 +25,7 @@ struct Bindings {
   std::set<std::uint32_t> reserved = {};  // bindings that a [[vk::binding]] asks for
   void Reserve(const ir::Register& reg, std::uint32_t count);
   // Takes the bindings of a block or an object of the other stage of a pair.
-  void Take(const GlslInfo::Place& place);
+  void Take(const GlslInfo::Binding& place);
 };
 
 // Decides where `count` blocks or objects of this register are bound: for Vulkan at the set and
@@ -33,12 +33,12 @@ struct Bindings {
 // else the register's number or, where that is taken or too high, at the first free one. Returns
 // the qualifiers that say so, none where the target cannot say it or none is free.
 // `written` is the place that the other stage of a pair gave it; null if it is written here first.
-std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
-                 Bindings& taken, std::uint32_t count, const GlslInfo::Place* written = nullptr);
+std::string Bind(const Context& context, GlslInfo::Binding& place, const ir::Register& reg,
+                 Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written = nullptr);
 
 // Binds a block where another stage declares it; returns the qualifiers that say so, none if that
 // stage gives no place.
-std::string Bind(const Context& context, GlslInfo::Place& place,
+std::string Bind(const Context& context, GlslInfo::Binding& place,
                  const ir::BlockDeclaration& declared);
 
 }  // namespace clipc::glsl

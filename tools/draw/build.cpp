@@ -56,9 +56,9 @@ CheckedShader::CheckedShader(const BuildOptions& options)
   check.whole_register_planes = options.lowering == Lowering::kLevel9;
   state_->typed = Front(reading.source, check, reading.diagnostics);
   reading.StopAtErrors();
-  state_->position_input =
-      CheckLowering(state_->typed, {options.lowering, options.plane_space, options.position_input},
-                    reading.diagnostics);
+  state_->position_input = FindPositionInput(
+      state_->typed, {options.lowering, options.plane_space, options.position_input},
+      reading.diagnostics);
   reading.StopAtErrors();
 }
 
