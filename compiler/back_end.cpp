@@ -92,7 +92,10 @@ struct LoweredProgram {
 Lowered LowerPixel(const PixelHalf& half, Lowering lowering, std::size_t planes, bool is_first,
                    std::string& dump) {
   LowerSettings settings = SettingsOf(half.job, {}, dump);
-  if (lowering == Lowering::kDiscard) settings.passes.discarded_planes = planes;
+  if (lowering == Lowering::kDiscard) {
+    settings.passes.discarded_planes = planes;
+    if (is_first && planes > 0) CheckDiscards(half.typed, half.job.diagnostics);
+  }
   if (!is_first) settings.passes.after_pass = {};
   Lowered lowered = is_first ? LowerAndLegalize(half.job, half.typed, settings)
                              : LowerAgain(half.typed, settings);

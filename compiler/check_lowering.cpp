@@ -67,6 +67,15 @@ void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& reque
   diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesOnlyInTable);
 }
 
+// [earlydepthstencil] forces the depth-stencil test, with its writes, before the shader (Direct3D
+// 11.3, 15.3.4 "Force Early Depth/Stencil Test"; GL_ARB_shader_image_load_store: a fragment that is
+// discarded afterwards has updated the buffers).
+void CheckDiscards(const ir::Program& pixel, Diagnostics& diagnostics) {
+  if (!pixel.tests_early) return;
+  const ir::Function& entry = pixel.functions[pixel.entry];
+  diagnostics.Report(entry.span, diag::DiscardEarlyTests, entry.name);
+}
+
 ClipDistances ClipDistancesOf(const ir::Program& program) {
   const ir::VarId output = passes::FindOutput(program, ir::Builtin::kClipDistance);
   if (!output) return {};

@@ -46,6 +46,9 @@ ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& r
 void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,
                         const glsl::Target& target, Diagnostics& diagnostics);
 
+// Reports a pixel shader that discards for clip planes after it has written depth and stencil.
+void CheckDiscards(const ir::Program& pixel, Diagnostics& diagnostics);
+
 // The output that carries the clip distances, and the number of its elements; none and 0 for a
 // program without it.
 struct ClipDistances {

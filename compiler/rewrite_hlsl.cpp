@@ -215,6 +215,7 @@ std::optional<rewrite::Entry> PixelEntry(const MainFile& main, const rewrite::En
   form.discards_first = MayWriteMemory(main.file);
   entry->pixel = std::move(form);
   entry->planes = vertex.planes;
+  CheckDiscards(entry->point.program, main.job.diagnostics);
   CheckNewNames(request, main.file, *entry);
   return entry;
 }

@@ -23,7 +23,6 @@ Needs glslangValidator and spirv-cross.
 import argparse
 import collections
 import concurrent.futures
-import difflib
 import json
 import pathlib
 import random
@@ -81,10 +80,11 @@ class Scene:
 
     def __init__(self, seed, buffers):
         self.seed, self.cbuffers = seed, buffers
-        self.buffers = {}  # by the name in the HLSL and by that in the GLSL
+        self.buffers = {}  # by the name in the HLSL, by that in the GLSL and by the binding
         for buffer in buffers:
-            for name in (buffer["name"], buffer.get("glsl", {}).get("block")):
-                self.buffers[name] = buffer
+            glsl = buffer.get("glsl", {})
+            for key in (buffer["name"], glsl.get("block"), glsl.get("binding")):
+                self.buffers[key] = buffer
 
     def rows(self, buffer):
         chance = random.Random(f"{self.seed} {buffer['name']}")
@@ -118,9 +118,12 @@ class Scene:
             count = int(kind[-1]) if kind[-1].isdigit() else 1
             vertices = "/".join(numbers(chance, count, mark) for _ in range(VERTICES))
             command += ["--attribute", f"{name}={vertices}"]
-        for _, name in BLOCK.findall(text):
-            # A block that clipc does not have, such as push constants: any numbers.
-            buffer = self.buffers.get("$Globals" if name == "_Global" else name)
+        for layout, name in BLOCK.findall(text):
+            # SPIRV-Cross renames some, and glslang has `_Global` for push constants too. Any numbers
+            # are good for a block that clipc does not have.
+            binding = int((re.search(r"binding = (\d+)", layout) or [0, "-1"])[1])
+            known = self.buffers.get("$Globals" if name == "_Global" else name)
+            buffer = known or self.buffers.get(binding)
             for offset, row in self.rows(buffer or {"name": name, "size": 4096}):
                 command += ["--block", f"{name}@{offset}={row}"]
         drawn = run(*command)
@@ -246,15 +249,8 @@ def judge(tools, line, is_test, folder):
     if rewritten.returncode:
         return "refused: " + rewritten.stderr[:90], 0
     run(clipc, before, *options, "--target=hlsl", "--lower=none", "-o", folder / "plain.hlsl")
-    lines = difflib.SequenceMatcher(
-        None, text.splitlines(), after.read_text().splitlines(), autojunk=False
-    )
-    removed = [
-        row
-        for tag, a, b, _, _ in lines.get_opcodes()
-        if tag in ("replace", "delete")
-        for row in text.splitlines()[a:b]
-    ]
+    compared = run("diff", "--minimal", before, after).stdout
+    removed = [row[2:] for row in compared.splitlines() if row.startswith("< ")]
     changed = len(removed)
     if not all(re.search(named_lines(entry), row, re.I) for row in removed):
         return "another line changes", changed
@@ -268,6 +264,10 @@ def judge(tools, line, is_test, folder):
     one, other = in_common(drawn, redrawn)
     if one != other:
         is_undefined = "[-Wvariable-not-written]" in compiled.stderr
+        # clipc does not follow each read of what is not written; its evaluator does.
+        if not is_undefined:
+            evaluated = run(draw, "compare", before, *planes, "--target", "glsl450", "--direct3d")
+            is_undefined = "nothing was compared" in evaluated.stderr
         return "undefined" if is_undefined else "different", changed
     return judge_at_peer(draw, scene, drawn, peer, folder, not is_test and space == "clip"), changed
 
@@ -300,7 +300,7 @@ def main():
             verdicts[verdict.split(":")[0]] += 1
             if verdict.startswith(("not in", "not compiled")):
                 continue
-            judged += 1
+            judged += verdict != "not drawn"
             changes[changed] += 1
             if arguments.v and verdict != "same, and at the peer":
                 print(verdict, *line.split("\t")[:2], flush=True)
