@@ -2,10 +2,18 @@
 #include "rewrite/signature.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
 namespace clipc::rewrite {
+namespace {
+
+// The functions that a wrapper calls beside its entry function.
+constexpr std::array<std::string_view, 2> kCalled = {"all", "dot"};
+
+}  // namespace
 
 Signature::Signature(const EntryPoint& entry)
     : entry_(entry), has_result_(entry.return_type != "void"), result_(entry.prefix + "result") {
@@ -21,8 +29,9 @@ void Signature::ReturnByParameter() {
 std::string Signature::NameOf(std::size_t parameter) const {
   const std::string& name = entry_.parameters[parameter].name;
   if (name.empty()) return fmt::format("{}unused{}", entry_.prefix, parameter);
-  const bool hides = std::ranges::find(entry_.not_hidden, name) != entry_.not_hidden.end();
-  return hides ? entry_.prefix + name : name;
+  const bool hides = std::ranges::find(entry_.not_hidden, name) != entry_.not_hidden.end() ||
+                     std::ranges::find(kCalled, name) != kCalled.end();
+  return hides ? fmt::format("{}parameter_{}", entry_.prefix, name) : name;
 }
 
 std::string Signature::ValueOf(const EntryAccess& access) const {
@@ -32,7 +41,7 @@ std::string Signature::ValueOf(const EntryAccess& access) const {
 std::string Signature::Call(const std::string& inner) const {
   const std::string call = fmt::format("{}({});\n", inner, fmt::join(names_, ", "));
   if (!has_result_) return "    " + call;
-  return fmt::format("    {}{} = {}", by_parameter_ ? "" : entry_.return_type + " ", result_, call);
+  return fmt::format("    {}{} = {}", by_parameter_ ? "" : entry_.result_type + " ", result_, call);
 }
 
 std::string Signature::Write(const std::string& name, const std::string& inner,

@@ -154,6 +154,7 @@ EntryPoint Describe(const Context& context, FunctionInfoId function,
   const ast::FunctionDecl& decl = DeclOf(context, info);
   EntryPoint entry;
   entry.name = context[decl.name];
+  entry.not_hidden = {entry.name};
   for (ScopeId scope = info.scope; scope != context.names.global(); scope = context[scope].parent)
     entry.scope = fmt::format("{}::{}", context[context[scope].name], entry.scope);
   entry.prefix = FreePrefix(context.file);
@@ -162,7 +163,14 @@ EntryPoint Describe(const Context& context, FunctionInfoId function,
     if (!context[type].name.name) entry.unnamed_type = what;
   };
   note_unnamed(decl.return_type, "the result");
-  entry.return_type = QualifierText(decl.qualifiers) + TypeText(context, decl.return_type);
+  // A result is no less a value for being const, and the wrapper's is assigned to.
+  const ast::Qualifiers qualifiers = decl.qualifiers & ~ast::kConst;
+  const std::string type = TypeText(context, decl.return_type);
+  entry.return_type = QualifierText(qualifiers) + type;
+  // DXC refuses `noperspective` and the like on a local variable.
+  entry.result_type =
+      QualifierText(qualifiers & ~ast::WithoutEffectAt(ast::QualifierOwner::kLocal, qualifiers)) +
+      type;
   entry.return_semantic = SemanticText(context, decl.return_semantic);
   if (decl.return_dimensions.size > 0) entry.unnamed_type = "the result";
   entry.not_hidden.emplace_back(context[context[decl.return_type].name.name]);

@@ -25,12 +25,15 @@ struct EntryParameterText {
 struct EntryPoint {
   ir::Program program;  // whose functions have no bodies if they were not checked
   std::string name;
-  std::string scope;                         // the namespaces around it, "A::B::"; empty: none
-  std::string attributes;                    // without the clip planes: "[RootSignature(\"\")]\n"
-  std::string return_type, return_semantic;  // "precise float4", ": SV_Position"
+  std::string scope;       // the namespaces around it, "A::B::"; empty: none
+  std::string attributes;  // without the clip planes: "[RootSignature(\"\")]\n"
+  // "precise noperspective float4", ": SV_Position".
+  std::string return_type, return_semantic;
+  std::string result_type;  // that of a local variable with the result: "precise float4"
   std::vector<EntryParameterText> parameters;
   std::vector<std::string> planes;  // the operands
-  // The first names of the operands and of the result's type: a local variable may not hide them.
+  // The entry function's name and the first names of the operands and of the result's type: a local
+  // variable may not hide them.
   std::vector<std::string> not_hidden;
   // What text may be put before a name so that the file has no such name: "clipc_".
   std::string prefix;
