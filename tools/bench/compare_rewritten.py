@@ -222,9 +222,20 @@ def judge_at_peer(draw, scene, drawn, peer, folder, knows_planes):
     return "same; the peer's position differs"
 
 
-def named_lines(entry):
-    """What the lines that may change have in them; what follows the function's end is on a line of its own."""
-    return rf"clipplanes|\[shader|^\s*\}}|(?<!\w){re.escape(entry.split('::')[-1])}(?!\w)"
+def may_change(row, text, entry):
+    """Whether the row of the text is one that --target=hlsl changes: a part of an attribute, the function's name, or the function's end,
+    after which the rest is on a line of its own."""
+    name = re.escape(entry.split("::")[-1])
+    if re.search(rf"\[shader|^\s*\}}|(?<!\w){name}(?!\w)", row):
+        return True
+    for match in re.finditer(r"\[\s*clipplanes", text, re.I):
+        depth, at = 1, match.end()
+        while at < len(text) and depth:
+            depth += {"[": 1, "]": -1}.get(text[at], 0)
+            at += 1
+        if any(part in row for part in text[match.start() : at].splitlines()):
+            return True
+    return False
 
 
 def judge(tools, line, is_test, folder):
@@ -252,7 +263,7 @@ def judge(tools, line, is_test, folder):
     compared = run("diff", "--minimal", before, after).stdout
     removed = [row[2:] for row in compared.splitlines() if row.startswith("< ")]
     changed = len(removed)
-    if not all(re.search(named_lines(entry), row, re.I) for row in removed):
+    if not all(may_change(row, text, entry) for row in removed):
         return "another line changes", changed
     again = run(clipc, after, *options, "-o", second)
     if again.returncode:
