@@ -21,6 +21,7 @@ struct FileStatus {
   unsigned mode = 0;       // its permissions, as OpenNew takes them
   // The volume of the file and its number there, which are the same for every path to the file.
   std::pair<std::uint64_t, std::uint64_t> identity;
+  std::int64_t modified = 0;  // when, in nanoseconds since 1970
 };
 
 // The status of a file; none if there is no such file.
@@ -54,6 +55,13 @@ bool Close(int file);
 // Gives the file `from` the name `to`, which at any moment has the old contents or the new ones.
 bool Replace(const std::string& from, const std::string& to);
 void Remove(const std::string& path);
+
+// Makes the interrupts of a terminal (SIGINT, SIGTERM, Ctrl+C) something that the program asks for,
+// in place of its end.
+void CatchInterrupts();
+bool IsInterrupted();
+// Waits so long, or until an interrupt. Returns whether there was one since CatchInterrupts().
+bool WaitForInterrupt(unsigned milliseconds);
 
 // A number that no other running process has.
 unsigned ProcessNumber();

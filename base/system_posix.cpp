@@ -3,12 +3,16 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <string_view>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifndef __wasi__
+#include <csignal>
+#endif
 
 #include "base/system.h"
 
@@ -22,8 +26,16 @@ FileStatus From(const struct stat& status) {
   result.size = static_cast<std::uint64_t>(status.st_size);
   result.mode = status.st_mode & 07777;
   result.identity = {status.st_dev, status.st_ino};
+#ifdef __APPLE__
+  const timespec& modified = status.st_mtimespec;
+#else
+  const timespec& modified = status.st_mtim;
+#endif
+  result.modified = std::int64_t{modified.tv_sec} * 1'000'000'000 + modified.tv_nsec;
   return result;
 }
+
+volatile int g_is_interrupted = 0;  // as std::sig_atomic_t
 
 }  // namespace
 
@@ -78,6 +90,26 @@ bool Replace(const std::string& from, const std::string& to) {
 }
 
 void Remove(const std::string& path) { unlink(path.c_str()); }
+
+#ifdef __wasi__
+void CatchInterrupts() {}  // there are none
+#else
+void CatchInterrupts() {
+  struct sigaction action{};
+  action.sa_handler = [](int) { g_is_interrupted = 1; };
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+#endif
+
+bool IsInterrupted() { return g_is_interrupted != 0; }
+
+// A signal that comes just before nanosleep() is seen after it.
+bool WaitForInterrupt(unsigned milliseconds) {
+  const timespec time = {static_cast<std::time_t>(milliseconds / 1000),
+                         static_cast<long>(milliseconds % 1000 * 1'000'000)};
+  if (!IsInterrupted()) nanosleep(&time, nullptr);
+  return IsInterrupted();
+}
 
 unsigned ProcessNumber() { return static_cast<unsigned>(getpid()); }
 

@@ -2,6 +2,7 @@
 // Names of files are passed to the functions that take UTF-16, so that neither the code page nor,
 // by the prefix "\\?\", the limit of 260 characters matters.
 #ifdef _WIN32
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -85,8 +86,16 @@ std::optional<FileStatus> StatusOfHandle(HANDLE file) {
   result.mode = attributes & FILE_ATTRIBUTE_READONLY ? kReadOnly : kReadAndWrite;
   result.identity = {about.dwVolumeSerialNumber,
                      std::uint64_t{about.nFileIndexHigh} << 32 | about.nFileIndexLow};
+  // In 100 nanoseconds since 1601.
+  constexpr std::int64_t k1970 = 116'444'736'000'000'000;
+  const auto modified =
+      static_cast<std::int64_t>(std::uint64_t{about.ftLastWriteTime.dwHighDateTime} << 32 |
+                                about.ftLastWriteTime.dwLowDateTime);
+  result.modified = (modified - k1970) * 100;
   return result;
 }
+
+std::atomic<bool> g_is_interrupted = false;
 
 // Opens a file or folder to ask for its status. Returns INVALID_HANDLE_VALUE and sets errno on
 // failure.
@@ -179,6 +188,22 @@ bool Replace(const std::string& from, const std::string& to) {
 }
 
 void Remove(const std::string& path) { _wunlink(Wide(path).c_str()); }
+
+void CatchInterrupts() {
+  SetConsoleCtrlHandler(
+      [](DWORD) -> BOOL {
+        g_is_interrupted = true;
+        return TRUE;
+      },
+      TRUE);
+}
+
+bool IsInterrupted() { return g_is_interrupted; }
+
+bool WaitForInterrupt(unsigned milliseconds) {
+  if (!IsInterrupted()) Sleep(milliseconds);
+  return IsInterrupted();
+}
 
 unsigned ProcessNumber() { return GetCurrentProcessId(); }
 

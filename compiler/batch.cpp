@@ -42,7 +42,7 @@ class Batch {
         printer_(command_.format),
         progress_(command_.format == MessageFormat::kText) {}
 
-  int Run(BatchOfGroups batch);
+  RunResult Run(BatchOfGroups batch);
 
  private:
   struct Job {
@@ -317,6 +317,7 @@ std::string Batch::Prepare() {
   std::unordered_set<std::string> said;
   for (ShaderGroup& group : groups_) {
     if (std::string problem = PrepareRequest(group.command); !problem.empty()) return problem;
+    group.command.request.limits.is_cancelled = command_.request.limits.is_cancelled;
     group.command.request.outputs.validate = group.command.asks_to_validate.value_or(true);
     const CompileResult notices = NoticesOf(group.command);
     if (!notices.messages.empty() && said.insert(notices.messages.front().text).second)
@@ -325,14 +326,14 @@ std::string Batch::Prepare() {
   return {};
 }
 
-int Batch::Run(BatchOfGroups batch) {
+RunResult Batch::Run(BatchOfGroups batch) {
   groups_ = std::move(batch.groups);
   render_ = std::move(batch.render);
   if (const std::string problem = CheckUsage(); !problem.empty())
-    return Fail(problem, command_.format);
+    return {Fail(problem, command_.format)};
   if (const std::string problem = Prepare(); !problem.empty())
-    return Fail(problem, command_.format);
-  if (const std::string problem = Plan(); !problem.empty()) return Fail(problem, command_.format);
+    return {Fail(problem, command_.format)};
+  if (const std::string problem = Plan(); !problem.empty()) return {Fail(problem, command_.format)};
   AddDependencies(batch.first);
   printer_.Show(batch.first);
   CompileInOrder(
@@ -346,7 +347,7 @@ int Batch::Run(BatchOfGroups batch) {
   }
   printer_.End();
   Summarise();
-  return exit_code_;
+  return {exit_code_, {std::move(dependencies_)}};
 }
 
 }  // namespace
@@ -356,15 +357,15 @@ bool WantsBatch(const CommandLine& command) {
   return !command.batch.empty() || !TakeAxes(defines).empty();
 }
 
-int RunBatch(std::span<const char* const> arguments, CommandLine command) {
+RunResult RunBatch(std::span<const char* const> arguments, CommandLine command) {
   Manifest manifest;
   if (!command.batch.empty()) {
     if (!command.inputs.empty())
-      return Fail("the manifest of --batch names the shaders; give no others", command.format);
+      return {Fail("the manifest of --batch names the shaders; give no others", command.format)};
     manifest = ReadManifest(command.batch, arguments);
-    if (!manifest.error.empty()) return Fail(manifest.error, command.format);
+    if (!manifest.error.empty()) return {Fail(manifest.error, command.format)};
   } else if (command.inputs.empty()) {
-    return Fail("no input file; `clipc --help` lists the options", command.format);
+    return {Fail("no input file; `clipc --help` lists the options", command.format)};
   }
   for (const std::string& input : command.inputs) {
     ShaderGroup group;
@@ -377,7 +378,7 @@ int RunBatch(std::span<const char* const> arguments, CommandLine command) {
   return RunBatch(std::move(command), {std::move(manifest.groups), {}, RenderIndex});
 }
 
-int RunBatch(CommandLine command, BatchOfGroups batch) {
+RunResult RunBatch(CommandLine command, BatchOfGroups batch) {
   return Batch(std::move(command)).Run(std::move(batch));
 }
 

@@ -10,6 +10,7 @@
 #include "compiler/compile.h"
 #include "compiler/options.h"
 #include "compiler/permutations.h"
+#include "compiler/run_result.h"
 
 // The compilation of many settings of a few shaders in one run: docs/permutations.md.
 namespace clipc {
@@ -17,8 +18,8 @@ namespace clipc {
 // Whether the command line asks for a batch, by a manifest or a macro with several values.
 bool WantsBatch(const CommandLine& command);
 
-// Runs a batch. `arguments` are those that `command` was read from. Returns the exit code.
-int RunBatch(std::span<const char* const> arguments, CommandLine command);
+// Runs a batch. `arguments` are those that `command` was read from.
+RunResult RunBatch(std::span<const char* const> arguments, CommandLine command);
 
 // A batch whose shaders are known.
 struct BatchOfGroups {
@@ -27,6 +28,6 @@ struct BatchOfGroups {
   // Returns the text of the index; `entries` are those of the groups, in their order.
   std::function<std::string(const std::vector<BatchEntry>& entries)> render;
 };
-int RunBatch(CommandLine command, BatchOfGroups batch);
+RunResult RunBatch(CommandLine command, BatchOfGroups batch);
 
 }  // namespace clipc

@@ -66,6 +66,7 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (named(command.index)) return "--index";
   if (command.shards != 1) return "--shard";
   if (command.keep_going) return "-k";
+  if (command.watch) return "--watch";
   if (command.show_includes) return "-H";
   if (command.syntax_only) return "-fsyntax-only";
   if (command.request.planes.variants) return "--variants";

@@ -19,6 +19,7 @@
 #include "compiler/show_messages.h"
 #include "compiler/usage.h"
 #include "compiler/validate.h"
+#include "compiler/watch.h"
 #include "frontend/lex/source.h"
 #include "frontend/lex/source_text.h"
 
@@ -30,7 +31,7 @@ class Driver {
   explicit Driver(CommandLine&& command)
       : command_(std::move(command)), printer_(command_.format) {}
 
-  int Run();
+  RunResult Run();
 
  private:
   std::string CheckUsage();
@@ -40,7 +41,8 @@ class Driver {
   void ShowNotices();
 
   CommandLine command_;
-  std::vector<Outputs> outputs_;  // by input
+  std::vector<Outputs> outputs_;                 // by input
+  std::vector<std::vector<std::string>> files_;  // that were read, by input
   MessagePrinter printer_;
 };
 
@@ -74,16 +76,16 @@ std::string Driver::CheckUsage() {
   return {};
 }
 
-int Driver::Run() {
+RunResult Driver::Run() {
   if (const std::string problem = CheckUsage(); !problem.empty())
-    return Fail(problem, command_.format);
+    return {Fail(problem, command_.format)};
   if (const std::string problem = PrepareRequest(command_); !problem.empty())
-    return Fail(problem, command_.format);
+    return {Fail(problem, command_.format)};
   ShowNotices();
-  if (command_.notices.has_errors()) return kExitUsage;
+  if (command_.notices.has_errors()) return {kExitUsage};
   const int exit_code = CompileAll();
   printer_.End();
-  return exit_code;
+  return {exit_code, std::move(files_)};
 }
 
 // Compiles on as many threads as were asked for. Messages and files come in the order of the
@@ -103,6 +105,7 @@ int Driver::CompileAll() {
         return compiler.Compile(request);
       },
       [&](std::size_t index, CompileResult result) {
+        files_.push_back(result.dependencies);
         const int code = Finish(std::move(result), outputs_[index]);
         exit_code = std::max(exit_code, code);
         failed += code == kExitOk ? 0 : 1;
@@ -156,12 +159,15 @@ std::string VersionText(std::string_view commit) {
 int RunCommandLine(std::span<const char* const> arguments, std::string_view commit) {
   ParsedCommandLine parsed = ParseCommandLine(arguments);
   if (!parsed.error.empty()) return Fail(parsed.error, parsed.command.format);
-  if (parsed.command.action == CommandLine::Action::kCompile && parsed.command.effect)
-    return RunEffect(std::move(parsed.command));
-  if (parsed.command.action == CommandLine::Action::kCompile && WantsBatch(parsed.command))
-    return RunBatch(arguments, std::move(parsed.command));
-  if (parsed.command.action == CommandLine::Action::kCompile)
-    return Driver(std::move(parsed.command)).Run();
+  const auto run = [arguments](CommandLine command) {
+    if (command.effect) return RunEffect(std::move(command));
+    if (WantsBatch(command)) return RunBatch(arguments, std::move(command));
+    return Driver(std::move(command)).Run();
+  };
+  if (parsed.command.action == CommandLine::Action::kCompile) {
+    if (parsed.command.watch) return WatchFiles(std::move(parsed.command), run);
+    return run(std::move(parsed.command)).code;
+  }
   OutputFiles files;
   std::string text;
   switch (parsed.command.action) {

@@ -87,18 +87,18 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   return loaded;
 }
 
-int RunEffect(CommandLine command) {
+RunResult RunEffect(CommandLine command) {
   if (const std::string problem = CheckEffectCommand(command); !problem.empty())
-    return Fail(problem, command.format);
+    return {Fail(problem, command.format)};
   const std::string path = command.inputs[0];
   LoadedEffect loaded = LoadEffect(command);
   if (!loaded.problem.empty())
-    return Fail(fmt::format("`{}`: {}", path, loaded.problem), command.format);
+    return {Fail(fmt::format("`{}`: {}", path, loaded.problem), command.format)};
   if (!loaded.is_read) {
     MessagePrinter printer(command.format);
     printer.Show(loaded.messages);
     printer.End();
-    return loaded.code;
+    return {loaded.code, {std::move(loaded.messages.dependencies)}};
   }
   const char* slash = EndsWithSlash(command.output) ? "" : "/";
   const std::string stem = WithoutExtension(path.substr(NameBegin(path)));
@@ -110,7 +110,9 @@ int RunEffect(CommandLine command) {
   batch.render = [&, options](const std::vector<BatchEntry>& entries) {
     return RenderEffect(loaded.effect, loaded.programs, options, entries);
   };
-  return std::max(loaded.code, RunBatch(std::move(command), std::move(batch)));
+  RunResult result = RunBatch(std::move(command), std::move(batch));
+  result.code = std::max(loaded.code, result.code);
+  return result;
 }
 
 }  // namespace clipc

@@ -6,6 +6,7 @@
 #include "compiler/compile.h"
 #include "compiler/effect_passes.h"
 #include "compiler/options.h"
+#include "compiler/run_result.h"
 
 namespace clipc {
 
@@ -24,7 +25,7 @@ struct LoadedEffect {
 LoadedEffect LoadEffect(const CommandLine& command);
 
 // Runs --effect: compiles every pass of an effect as a pair or a single shader, and writes JSON
-// that describes the effect beside them (docs/effects.md). Returns the exit code.
-int RunEffect(CommandLine command);
+// that describes the effect beside them (docs/effects.md).
+RunResult RunEffect(CommandLine command);
 
 }  // namespace clipc

@@ -51,6 +51,7 @@ struct CommandLine {
   std::string index;               // the index of permutations: see docs/permutations.md
   bool keep_going = false;         // go on after a permutation with errors
   unsigned shard = 1, shards = 1;  // only each `shards`-th permutation, from number `shard` on
+  bool watch = false;              // compile again what changes, until an interrupt
   std::optional<bool> asks_to_validate;  // --validate, --no-validate
   Diagnostics notices;                   // warnings about the options
 };

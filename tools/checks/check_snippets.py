@@ -225,7 +225,8 @@ def check_command(run, page, line, folder):
             continue
         is_whole = not PLACEHOLDER.search(part) and any(WHOLE.search(word) for word in words)
         if words[0] in ("clipc", "glslangValidator") and is_whole:
-            run.call(words, folder, page.name)
+            # With --watch it would not end.
+            run.call([word for word in words if word != "--watch"], folder, page.name)
         elif words[0] == "clipc-draw" and is_whole and shutil.which("clipc-draw", path=run.path):
             run.call(words, folder, page.name)
         elif words[0] not in ("clipc", "glslangValidator"):
