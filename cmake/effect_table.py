@@ -329,37 +329,17 @@ class Table:
             kind,
         )
         if not shape:
-            return (0, size, 0), None
+            return 0, size, 0
         rows, columns = (int(shape[1]), int(shape[2])) if shape[2] else (1, int(shape[1] or 1))
         elements = 1
         for dimension in re.findall(r"\d+", shape[3]):
             elements *= int(dimension)
-        return (rows, columns, elements if shape[3] else 0), kind
+        return rows, columns, elements if shape[3] else 0
 
-    def value(self, name, shape, kind):
-        text = self.parameters.get(name, {}).get("value", "")
-        if not text:
-            return None
-        total = shape[0] * shape[1] * max(1, shape[2])
-        try:
-            found = numbers(text)
-        except Unknown as value:
-            found = []
-            self.problem(f"parameter `{name}`: `{value}` of its default value is not a constant")
-        if not found or kind is None:
-            return None
-        if len(found) == 1:
-            found *= total
-        if len(found) != total:
-            self.problem(
-                f"parameter `{name}`: its default value has {len(found)} numbers for {total}"
-            )
-            return None
-        if kind.startswith(("float", "half", "min16f", "min10f")) or "float" in kind:
-            return [float_bits(float(v)) for v in found]
-        if kind.startswith("bool"):
-            return [int(v != 0) for v in found]
-        return [int(v) & 0xFFFFFFFF for v in found]
+    def value(self, name):
+        """The words of the default value, as they lie in a buffer."""
+        data = bytes.fromhex(self.parameters.get(name, {}).get("default", ""))
+        return [int.from_bytes(data[at : at + 4], "little") for at in range(0, len(data), 4)]
 
     # ---- the header
 
@@ -368,8 +348,8 @@ class Table:
                '#include "runtime/gl/effect.h"', ""]  # fmt: skip
         parameters, places = [], []
         for parameter in self.places:
-            shape, kind = self.shape(parameter)
-            value = self.value(parameter, shape, kind)
+            shape = self.shape(parameter)
+            value = self.value(parameter)
             array = "0"
             if value:
                 array = f"{name}_value_{len(parameters)}"
@@ -379,7 +359,7 @@ class Table:
             at = self.places[parameter][2]
             semantic = self.parameters.get(parameter, {}).get("semantic", "")
             parameters.append(
-                f"{{{quoted(parameter)}, {quoted(semantic)}, {shape[0]}, {shape[1]}, {shape[2]}, {len(places)}, {len(at)}, {array}}}"
+                f"{{{quoted(parameter)}, {quoted(semantic)}, {shape[0]}, {shape[1]}, {shape[2]}, {len(places)}, {len(at)}, {array}, {len(value)}}}"
             )
             places += [f"{{{block}, {offset}, {row_major}}}" for block, offset, row_major in at]
         lists = [

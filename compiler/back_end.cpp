@@ -268,6 +268,10 @@ void Describe(const Job& job, const LoweredProgram& lowered, const WrittenProgra
     pixel.emplace(ReflectedStage{*lowered.pixel, written.pixel->info, *no_planes});
   }
   if (outputs.reflection) result.reflection = Reflect(shader, position, pixel ? &*pixel : nullptr);
+  if (outputs.initial_values) {
+    AddInitialValues(lowered.shader.program, result.initial_values);
+    if (lowered.pixel) AddInitialValues(lowered.pixel->program, result.initial_values);
+  }
   if (outputs.structs) {
     result.structs = WriteStructs(lowered.shader.program, outputs.struct_prefix,
                                   lowered.pixel ? &lowered.pixel->program : nullptr);

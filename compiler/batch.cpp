@@ -229,6 +229,7 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
       exit_code_ = printer_.Fail(problem);
       return false;
     }
+    entry.initial_values = std::move(result.initial_values);
     entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
     entry.exit_code = code;
   }

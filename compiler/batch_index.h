@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@ struct BatchEntry {
   BatchStatus status = BatchStatus::kNotCompiled;
   int exit_code = 0;
   std::vector<std::pair<std::string, std::string>> files;  // kind and name
+  std::map<std::string, std::string> initial_values;       // CompileResult::initial_values
 };
 
 // Fills in the source, entry, profile, target and defines of the group's setting `number`.

@@ -195,6 +195,7 @@ CompileResult Deliver(CompileResult result, const Job& job, const Job* pixel) {
   result.table.reset();
   result.reflection.clear();
   result.structs.clear();
+  result.initial_values.clear();
   result.spirv.clear();
   result.pixel_spirv.clear();
   result.listing.clear();

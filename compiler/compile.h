@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -136,6 +137,7 @@ struct OutputOptions {
   bool reflection = false;            // fill CompileResult::reflection
   bool structs = false;               // fill CompileResult::structs
   std::string struct_prefix;          // of their names
+  bool initial_values = false;        // fill CompileResult::initial_values
   std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
   bool preprocess = false;            // fill CompileResult::preprocessed, and stop
   bool text = true;                   // fill CompileResult::text
@@ -201,11 +203,12 @@ struct CompileResult {
   Shaders shaders;                  // empty unless kOk, and when compilation stopped before them
   std::vector<Shaders> variants;    // on request: variants[k] has the first k planes
   std::optional<std::string> hlsl;  // on request, instead of all that comes with `shaders`
-  std::optional<clip_table::ClipTable> table;  // with `shaders`
-  std::string reflection;                      // JSON, with `shaders`, on request
-  std::string structs;                         // a C header: structs.h
-  std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
-  std::vector<std::uint32_t> pixel_spirv;      // of `shaders.fragment` of a pair, on request
+  std::optional<clip_table::ClipTable> table;         // with `shaders`
+  std::string reflection;                             // JSON, with `shaders`, on request
+  std::string structs;                                // a C header: structs.h
+  std::map<std::string, std::string> initial_values;  // by the constant's name: reflect.h
+  std::vector<std::uint32_t> spirv;                   // of `shaders.vertex`, on request
+  std::vector<std::uint32_t> pixel_spirv;             // of `shaders.fragment` of a pair, on request
   std::string listing;       // with `shaders`, on request: see OutputOptions::source_lines
   std::string preprocessed;  // HLSL, on request
   std::string dump;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <map>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -81,11 +83,15 @@ EffectJson TechniqueOf(const ast::EffectTechnique& technique) {
   return json;
 }
 
-EffectJson ParameterOf(const ast::EffectParameter& parameter) {
+// `initial_values` are those of the programs, by name.
+EffectJson ParameterOf(const ast::EffectParameter& parameter,
+                       const std::map<std::string, std::string>& initial_values) {
   EffectJson json = {{"name", parameter.name}, {"type", parameter.type}};
   AddUnlessEmpty(json, "semantic", parameter.semantic);
   AddUnlessEmpty(json, "annotations", parameter.annotations);
   AddUnlessEmpty(json, "value", parameter.value);
+  if (const auto found = initial_values.find(parameter.name); found != initial_values.end())
+    json["default"] = found->second;
   AddUnlessEmpty(json, "states", parameter.states);
   for (const ast::EffectShader& shader : parameter.shaders) json["shaders"].push_back(shader.text);
   return json;
@@ -108,8 +114,11 @@ std::string RenderEffect(const ast::Effect& effect, const EffectPrograms& progra
     json["techniques"].back()["passes"].push_back(
         PassOf(technique.passes[pass.pass], pass, entries));
   }
+  std::map<std::string, std::string> initial_values;
+  for (const BatchEntry& entry : entries)
+    initial_values.insert(entry.initial_values.begin(), entry.initial_values.end());
   for (const ast::EffectParameter& parameter : effect.parameters)
-    json["parameters"].push_back(ParameterOf(parameter));
+    json["parameters"].push_back(ParameterOf(parameter, initial_values));
   return json.dump(2, ' ', false, EffectJson::error_handler_t::replace) + "\n";
 }
 

@@ -143,6 +143,7 @@ class ProgramFinder {
     request.language.profile = first.profile;
     request.language.entry = first.shader->function;
     request.language.entry_call = first.shader->call;
+    request.outputs.initial_values = true;
     request.link.is_pair = program.vertex && program.pixel;
     if (request.link.is_pair) {
       group.command.pixel_output = ".frag";

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "ir/packing.h"
@@ -87,6 +88,15 @@ Json Field(const Program& program, ir::TypeId type, int index) {
   return json;
 }
 
+// The bytes in hexadecimal digits.
+std::string InitialBytes(const Program& program, const ir::CbufferMember& member) {
+  const ir::Var& var = program.vars[member.var];
+  std::string text;
+  for (const std::uint8_t byte : ir::Packed(program.types, var.type, var.row_major, member.initial))
+    text += fmt::format("{:02X}", byte);
+  return text;
+}
+
 Json Member(const Program& program, const ir::CbufferMember& member, const GlslInfo::Block* block) {
   const ir::Var& var = program.vars[member.var];
   Json json = {{"name", var.name},
@@ -94,6 +104,7 @@ Json Member(const Program& program, const ir::CbufferMember& member, const GlslI
                {"offset", member.offset},
                {"size", member.size}};
   if (var.row_major) json["rowMajor"] = true;
+  if (!member.initial.empty()) json["default"] = InitialBytes(program, member);
   if (!block) return json;
   for (const GlslInfo::Member& named : block->members) {
     if (named.var != member.var) continue;
@@ -273,6 +284,15 @@ void AddPlanes(const ReflectedStage& stage, const PositionMatrices& position, Js
 }
 
 }  // namespace
+
+void AddInitialValues(const Program& program, std::map<std::string, std::string>& to) {
+  for (const ir::CbufferId id : program.cbuffers.ids()) {
+    for (const ir::CbufferMember& member : program.cbuffers[id].members) {
+      if (!member.initial.empty())
+        to.emplace(program.vars[member.var].name, InitialBytes(program, member));
+    }
+  }
+}
 
 std::string Reflect(const ReflectedStage& stage, const PositionMatrices& position,
                     const ReflectedStage* pixel) {

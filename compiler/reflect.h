@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "clip-table/clip_table.h"
@@ -21,5 +22,8 @@ struct ReflectedStage {
 };
 std::string Reflect(const ReflectedStage& stage, const PositionMatrices& position,
                     const ReflectedStage* pixel = nullptr);
+// Adds the constants that have an initial value, by name: the bytes in a buffer, in hexadecimal
+// digits.
+void AddInitialValues(const ir::Program& program, std::map<std::string, std::string>& to);
 
 }  // namespace clipc

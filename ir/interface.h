@@ -35,6 +35,9 @@ struct CbufferMember {
   std::uint32_t size = 0;    // bytes
   // The offset is written in the source: packoffset(c1.y), or register(c1) in $Globals.
   bool has_packoffset = false;
+  // The components of the initial value as ConstantBits gives them, which the application may put
+  // into the buffer; empty: none.
+  std::vector<std::uint64_t> initial = {};
 };
 enum class CbufferKind : std::uint8_t {
   kCbuffer,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace clipc::ir {
@@ -72,6 +73,44 @@ std::uint32_t PlaceOutside(const std::vector<Range>& taken, Extent extent, std::
   return offset;
 }
 
+struct Packer {
+  const TypeTable& types;
+  std::span<const std::uint64_t> components;  // that are not packed yet
+  std::vector<std::uint8_t> bytes;
+
+  void Pack(TypeId id, bool row_major, std::uint64_t offset) {
+    const Type& type = types[id];
+    if (type.kind == TypeKind::kArray) {
+      const std::uint64_t stride = ArrayStride(types, id, row_major);
+      for (std::uint32_t i = 0; i < type.count && !components.empty(); ++i)
+        Pack(type.element, row_major, offset + i * stride);
+    } else if (type.kind == TypeKind::kStruct) {
+      const auto& fields = types[type.structure].fields;
+      for (std::uint32_t i = 0; i < fields.size(); ++i) {
+        Pack(fields[i].type, fields[i].row_major, offset + FieldOffset(types, type.structure, i));
+      }
+    } else if (type.IsNumeric()) {
+      PackRows(type, row_major, offset);
+    }
+  }
+
+  // Packs a scalar, a vector or a matrix.
+  void PackRows(const Type& type, bool row_major, std::uint64_t offset) {
+    const std::uint64_t size = ByteSize(type.scalar);
+    const bool is_matrix = type.kind == TypeKind::kMatrix;
+    const std::uint64_t stride = RoundUp((row_major ? type.columns : type.rows) * size, kRow);
+    for (std::uint32_t i = 0; i < type.Components() && !components.empty(); ++i) {
+      const std::uint64_t row = i / type.columns, column = i % type.columns;
+      const std::uint64_t place = !is_matrix  ? i * size
+                                  : row_major ? row * stride + column * size
+                                              : column * stride + row * size;
+      for (std::uint64_t byte = 0; byte < size && offset + place + byte < bytes.size(); ++byte)
+        bytes[offset + place + byte] = static_cast<std::uint8_t>(components.front() >> (8 * byte));
+      components = components.subspan(1);
+    }
+  }
+};
+
 }  // namespace
 
 Extent PackedExtent(const TypeTable& types, TypeId id, bool row_major) {
@@ -124,6 +163,14 @@ void TypeTable::Measure(StructId structure) {
 
 std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major) {
   return Clamped(RoundUp(PackedExtent(types, types[array].element, row_major).size, kRow));
+}
+
+std::vector<std::uint8_t> Packed(const TypeTable& types, TypeId type, bool row_major,
+                                 std::span<const std::uint64_t> components) {
+  Packer packer{types, components,
+                std::vector<std::uint8_t>(PackedExtent(types, type, row_major).size)};
+  packer.Pack(type, row_major, 0);
+  return std::move(packer.bytes);
 }
 
 void LayOut(const TypeTable& types, const Arena<Var>& vars, Cbuffer& buffer, bool whole_registers) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "ir/program.h"
 
@@ -41,6 +43,10 @@ std::uint32_t FieldPlace(const TypeTable& types, const Field& field, std::uint32
 std::uint32_t FieldOffset(const TypeTable& types, StructId structure, std::uint32_t field);
 // The number of bytes from one array element to the next: the element's size rounded up to a row.
 std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major);
+// The bytes of a value in a buffer, without padding after the last component. Its components are in
+// the order of the type, as Literal holds them.
+std::vector<std::uint8_t> Packed(const TypeTable& types, TypeId type, bool row_major,
+                                 std::span<const std::uint64_t> components);
 // Gives every member without has_packoffset its offset, every member its size, and the buffer its
 // size (of one buffer, for an array of ConstantBuffers). Where only some members have a place of
 // their own (register(c#) in $Globals; a cbuffer may not mix), the others follow the last of those

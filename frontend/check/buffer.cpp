@@ -5,12 +5,26 @@
 
 #include "frontend/check/assign.h"
 #include "frontend/check/global.h"
+#include "frontend/check/init.h"
 #include "frontend/check/type.h"
 #include "frontend/check/vulkan.h"
+#include "ir/evaluate.h"
 #include "ir/packing.h"
 
 namespace clipc::check {
 namespace {
+
+// Keeps the components of the initial value of a member. It has no meaning for the shader:
+// Direct3D's reflection has it (D3D11_SHADER_VARIABLE_DESC::DefaultValue), and effects set it.
+void KeepInitial(Context& context, const ast::VarDecl& var, VarId member) {
+  const Span span = context[member].span;
+  const ExprId value = CheckInit(context, var.init, context[member].type);
+  auto components = context.IsError(value) ? std::nullopt : ConstantBits(context.program, value);
+  if (components)
+    context.globals.initial.emplace(member.index, std::move(*components));
+  else if (!context.diagnostics.has_errors())
+    context.Report(span, diag::InitialValueUnknown, context[var.name]);
+}
 
 void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   Symbol& symbol = context[id];
@@ -33,6 +47,7 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
       (buffer.kind == CbufferKind::kGlobals ? context.globals.buffer.index : symbol.owner);
   symbol.is_const = (qualifiers & ast::kConst) != 0;
   symbol.Resolve(result.index);
+  if (var.init) KeepInitial(context, var, result);
 }
 
 void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& var,
@@ -176,6 +191,8 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
       continue;
     CbufferMember member;
     member.var = var;
+    if (auto kept = context.globals.initial.find(var.index); kept != context.globals.initial.end())
+      member.initial = std::move(kept->second);
     FinishMember(context, buffer, context.Get<ast::VarDecl>(context[symbol].decl), member);
     context[var].cbuffer = id;
     if (buffer.kind == CbufferKind::kConstantBuffer) {

@@ -72,6 +72,8 @@ struct Globals {
   std::unordered_map<std::uint32_t, Register> registers;         // by VarId of a resource
   std::unordered_map<std::uint32_t, std::string> formats;        // by VarId of an image
   std::unordered_map<std::uint32_t, std::uint32_t> attachments;  // by VarId of a subpass input
+  // The components of initial values, by VarId of a member of a buffer.
+  std::unordered_map<std::uint32_t, std::vector<std::uint64_t>> initial;
   OutOfLine out_of_line;
   std::vector<bool> const_vars;  // by VarId
 };

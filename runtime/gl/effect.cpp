@@ -183,6 +183,16 @@ void Set(clipc_gl_effect& effect, const clipc_gl_effect_parameter& parameter, co
   }
 }
 
+void SetDefault(clipc_gl_effect& effect, const clipc_gl_effect_parameter& parameter) {
+  const std::size_t size = std::size_t{4} * parameter.value_count;
+  for (std::uint32_t i = 0; size != 0 && i < parameter.place_count; ++i) {
+    const clipc_gl_effect_place& place = effect.table.places[parameter.first_place + i];
+    std::vector<unsigned char>& bytes = effect.blocks[place.block].bytes;
+    if (place.offset + size <= bytes.size())
+      std::memcpy(bytes.data() + place.offset, parameter.value, size);
+  }
+}
+
 Status Make(clipc_gl_effect& effect) {
   const clipc_gl_effect_table& table = effect.table;
   for (std::uint32_t i = 0; i < table.program_count; ++i) {
@@ -201,10 +211,7 @@ Status Make(clipc_gl_effect& effect) {
   effect.blocks.resize(table.block_count);
   for (std::uint32_t i = 0; i < table.block_count; ++i)
     effect.blocks[i].bytes.resize(table.block_sizes[i]);
-  for (std::uint32_t i = 0; i < table.parameter_count; ++i) {
-    const clipc_gl_effect_parameter& parameter = table.parameters[i];
-    if (parameter.value) Set(effect, parameter, parameter.value, SizeOf(parameter));
-  }
+  for (std::uint32_t i = 0; i < table.parameter_count; ++i) SetDefault(effect, table.parameters[i]);
   return {};
 }
 

@@ -117,7 +117,8 @@ typedef struct clipc_gl_effect_parameter {
    * buffer, columns of them. */
   uint32_t rows, columns, elements;
   uint32_t first_place, place_count;
-  const uint32_t* value; /**< the default, as clipc_gl_effect_set takes it; NULL: zeros */
+  const uint32_t* value; /**< the default, as it lies in the buffer; NULL: zeros */
+  uint32_t value_count;
 } clipc_gl_effect_parameter;
 typedef struct clipc_gl_effect_table {
   const clipc_gl_effect_technique* techniques;
