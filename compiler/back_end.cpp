@@ -136,8 +136,8 @@ glsl::WriteOptions WriteOptionsOf(const Job& job, bool lines) {
 }
 
 // Writes the program. The pixel shader gets the names and places that are left after the other.
-WrittenProgram WriteProgram(const Job& job, const PixelHalf* half, LoweredProgram& lowered) {
-  const bool lines = job.request.outputs.source_lines;
+WrittenProgram WriteProgram(const Job& job, const PixelHalf* half, LoweredProgram& lowered,
+                            bool lines) {
   glsl::WriteOptions options = WriteOptionsOf(job, lines);
   if (!half) return {Write(lowered.shader, options), {}};
   const glsl::OtherStage pixel =
@@ -180,7 +180,10 @@ struct Finished {
 // Validates the shader. Returns what keeps glslang from judging it.
 std::string_view ValidateShader(const Job& job, const Lowered& lowered,
                                 const WrittenGlsl& written) {
-  const auto problems = Validate(written.glsl, lowered.target, lowered.program.stage);
+  const Stage stage = lowered.program.stage;
+  if (job.valid.Has(written.glsl, lowered.target, stage)) return {};
+  const auto problems = Validate(written.glsl, lowered.target, stage);
+  if (problems.empty()) job.valid.Add(written.glsl, lowered.target, stage);
   if (problems.empty()) return {};
   const std::string_view unknown = UnknownToValidator(lowered, written.info);
   if (!unknown.empty()) return unknown;
@@ -238,7 +241,7 @@ std::vector<Finished> WriteVariants(const Job& job, const PixelHalf* half, const
     LoweredProgram lowered{LowerAgain(std::move(program), settings), {}};
     std::string no_dump;
     if (half) lowered.pixel = LowerPixel(*half, lowered.shader.lowering, count, false, no_dump);
-    WrittenProgram written = WriteProgram(job, half, lowered);
+    WrittenProgram written = WriteProgram(job, half, lowered, job.request.outputs.source_lines);
     variants.push_back(Finish(job, half, lowered, std::move(written)));
   }
   return variants;
@@ -300,8 +303,11 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
     return;
   }
 
-  if (outputs.listing) result.listing = Write(lowered.shader, WriteOptionsOf(job, true)).glsl;
-  WrittenProgram written = WriteProgram(job, half, lowered);
+  if (outputs.listing) {
+    const WrittenProgram listed = WriteProgram(job, half, lowered, true);
+    result.listing = listed.shader.glsl + (listed.pixel ? "\n" + listed.pixel->glsl : "");
+  }
+  WrittenProgram written = WriteProgram(job, half, lowered, job.request.outputs.source_lines);
   Describe(job, lowered, written, position, result);
   Finished finished = Finish(job, half, lowered, std::move(written));
   std::string_view unjudged = finished.unjudged;

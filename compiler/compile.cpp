@@ -13,6 +13,7 @@
 #include "compiler/back_end.h"
 #include "compiler/dump_tokens.h"
 #include "compiler/job.h"
+#include "compiler/known_texts.h"
 #include "compiler/pixel_half.h"
 #include "compiler/plan.h"
 #include "compiler/rewrite_hlsl.h"
@@ -60,15 +61,27 @@ class Stop {
 
 // ---- from a request to a result
 
+// What the compiles of one Compiler share.
+struct Shared {
+  FrontendContext& context;
+  KnownTexts& texts;
+  ValidTexts& valid;
+};
+
 // A job with everything that it refers to but its request.
 class JobHolder {
  public:
-  JobHolder(FrontendContext& context, const CompileRequest& request, Watch* watch,
+  JobHolder(const Shared& shared, const CompileRequest& request, Watch* watch,
             Plan (*resolve)(const CompileRequest&, Diagnostics&) = Resolve)
       : diagnostics_(request.warnings),
         plan_(resolve(request, diagnostics_)),
-        source_(context, plan_.input),
-        job{request, plan_, source_, diagnostics_, watch} {
+        known_(watch || !diagnostics_.all().empty()
+                   ? nullptr
+                   : shared.texts.Get(shared.context, request, plan_)),
+        source_(known_ ? nullptr : std::make_unique<Source>(shared.context, plan_.input)),
+        job{request,      plan_,       known_ ? known_->source : *source_, diagnostics_, watch,
+            shared.valid, known_.get()} {
+    if (known_) diagnostics_ = known_->messages;
     diagnostics_.SetWatch(watch);
   }
   JobHolder(const JobHolder&) = delete;
@@ -77,7 +90,8 @@ class JobHolder {
  private:
   Diagnostics diagnostics_;
   Plan plan_;
-  Source source_;
+  std::shared_ptr<KnownText> known_;
+  std::unique_ptr<Source> source_;  // of a text that is not known
 
  public:
   const Job job;
@@ -114,9 +128,13 @@ void RunStages(const Job& job, const Job* pixel, CompileResult& result) {
     result.is_repeated = request.is_known(*result.digest);
     return !result.is_repeated;
   };
-  ir::Program program = Front(source, job.plan.check, diagnostics, is_new);
+  const auto program_of = [](const Job& of, const std::function<bool(const Tokens&)>& wants) {
+    return of.known ? of.known->Check(of.plan.check, of.diagnostics)
+                    : Front(of.source, of.plan.check, of.diagnostics, wants);
+  };
+  ir::Program program = program_of(job, is_new);
   ir::Program pixel_program;
-  if (pixel) pixel_program = Front(pixel->source, pixel->plan.check, pixel->diagnostics);
+  if (pixel) pixel_program = program_of(*pixel, {});
   const bool has_errors = diagnostics.has_errors() || (pixel && pixel->diagnostics.has_errors());
   if (has_errors || result.is_repeated) return;
   if (job.IsDump(DumpStage::kIr)) {
@@ -202,14 +220,14 @@ CompileResult Deliver(CompileResult result, const Job& job, const Job* pixel) {
   return result;
 }
 
-CompileResult CompileIn(FrontendContext& context, const CompileRequest& request) {
+CompileResult CompileIn(const Shared& shared, const CompileRequest& request) {
   Stop stop(request.limits);
-  const JobHolder shader(context, request, stop.watch());
+  const JobHolder shader(shared, request, stop.watch());
   std::optional<CompileRequest> pixel_request;
   std::optional<JobHolder> half;
   if (request.reads_pixel_half()) {
     pixel_request = PixelRequest(request);
-    half.emplace(context, *pixel_request, stop.watch(), ResolvePixelHalf);
+    half.emplace(shared, *pixel_request, stop.watch(), ResolvePixelHalf);
     const std::string& path = request.link.pixel_shader.path;
     // The caller who gives the includes gives this text too: no file is read for it.
     if (request.includes.read && !pixel_request->text && !path.empty())
@@ -242,12 +260,18 @@ CompileResult Failure(const char* what) {
 
 }  // namespace
 
-Compiler::Compiler() = default;
+struct Compiler::Memory {
+  KnownTexts texts;
+  ValidTexts valid;
+};
+
+Compiler::Compiler() : memory_(std::make_unique<Memory>()) {}
 Compiler::~Compiler() = default;
 
 FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
   if (request.includes.sandbox.empty()) return context_;
   if (!sandboxed_ || sandbox_ != request.includes.sandbox) {
+    memory_->texts.Clear();
     sandboxed_ = std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk,
                                                    request.includes.sandbox);
     sandbox_ = request.includes.sandbox;
@@ -257,9 +281,10 @@ FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
 
 CompileResult Compiler::Compile(const CompileRequest& request) {
   try {
-    if (!request.includes.read) return CompileIn(ContextFor(request), request);
+    if (!request.includes.read)
+      return CompileIn({ContextFor(request), memory_->texts, memory_->valid}, request);
     FrontendContext without_files(FrontendContext::Files::kNone);
-    return CompileIn(without_files, request);
+    return CompileIn({without_files, memory_->texts, memory_->valid}, request);
   } catch (const std::bad_alloc&) {
     return Failure("out of memory");
   } catch (const std::exception& problem) {

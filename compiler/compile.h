@@ -47,7 +47,10 @@ struct LanguageOptions {
   LanguageVersion version = LanguageVersion::k2021;
   std::string profile = "vs_5_0";
   std::string entry = "main";
-  std::string entry_call;               // CheckOptions::entry_call
+  std::string entry_call;  // CheckOptions::entry_call
+  // The shader is one of an effect: it has a preshader, CheckOptions::has_preshader, and its text
+  // is that of other shaders too, which a Compiler reads once.
+  bool is_in_effect = false;
   bool legacy_macro_expansion = false;  // read `##` as fxc from shader model 6 on too
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
@@ -237,9 +240,12 @@ class Compiler {
  private:
   FrontendContext& ContextFor(const CompileRequest& request);
 
+  struct Memory;  // known_texts.h
+
   FrontendContext context_;
   std::unique_ptr<FrontendContext> sandboxed_;  // for requests with `sandbox_`
   std::string sandbox_;
+  std::unique_ptr<Memory> memory_;  // refers to the contexts
 };
 
 // Compiles one shader. May be called on several threads at once.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -44,6 +45,17 @@ EffectJson HalfOf(const EffectHalf& half) {
   return json;
 }
 
+// What the effect's JSON calls a file of a batch: the stage, whether it is GLSL or SPIR-V, and the
+// number of a variant.
+std::string FileKind(std::string_view kind, bool is_pixel_alone) {
+  if (kind == "fragment.spirv") return "fragment";
+  for (const std::string_view first : {"glsl", "spirv"}) {
+    if (kind == first || (kind.starts_with(first) && kind[first.size()] == '.'))
+      return (is_pixel_alone ? "fragment" : "vertex") + std::string(kind.substr(first.size()));
+  }
+  return std::string(kind);
+}
+
 EffectJson ProgramOf(const EffectProgram& program, const BatchEntry& entry) {
   EffectJson json = EffectJson::object();
   if (program.vertex) json["vertex"] = HalfOf(*program.vertex);
@@ -51,10 +63,8 @@ EffectJson ProgramOf(const EffectProgram& program, const BatchEntry& entry) {
   const bool is_compiled = entry.status == BatchStatus::kCompiled;
   json["status"] = is_compiled ? "compiled" : "failed";
   json["files"] = EffectJson::object();
-  for (const auto& [kind, file] : entry.files) {
-    const bool is_pixel_alone = !program.vertex && kind == "glsl";
-    json["files"][is_pixel_alone ? "fragment" : kind == "glsl" ? "vertex" : kind] = file;
-  }
+  for (const auto& [kind, file] : entry.files)
+    json["files"][FileKind(kind, !program.vertex)] = file;
   return json;
 }
 

@@ -143,10 +143,11 @@ class ProgramFinder {
     request.language.profile = first.profile;
     request.language.entry = first.shader->function;
     request.language.entry_call = first.shader->call;
+    request.language.is_in_effect = true;
     request.outputs.initial_values = true;
     request.link.is_pair = program.vertex && program.pixel;
     if (request.link.is_pair) {
-      group.command.pixel_output = ".frag";
+      group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";
       request.link.pixel_shader.profile = program.pixel->profile;
       request.link.pixel_shader.entry = program.pixel->shader->function;
       request.link.pixel_shader.entry_call = program.pixel->shader->call;

@@ -3,6 +3,7 @@
 
 #include "base/diagnostics.h"
 #include "compiler/compile.h"
+#include "compiler/known_texts.h"
 #include "compiler/plan.h"
 #include "frontend/lex/source.h"
 
@@ -15,6 +16,8 @@ struct Job {
   Source& source;
   Diagnostics& diagnostics;
   Watch* watch;
+  ValidTexts& valid;
+  KnownText* known = nullptr;  // the text, if it was read before
 
   bool IsDump(DumpStage stage) const { return request.debug.dump == stage; }
   bool IsStopped() const { return watch && watch->stopped(); }

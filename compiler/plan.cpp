@@ -57,6 +57,7 @@ CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagno
   }
   options.entry = language.entry;
   options.entry_call = language.entry_call;
+  options.has_preshader = language.is_in_effect;
   options.packing = language.packing;
   options.position_name = language.position_name;
   return options;

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -121,8 +123,10 @@ const char* NameOfScalar(Scalar scalar) {
 
 class Header {
  public:
-  Header(const Program& program, std::string_view prefix)
-      : program_(program), types_(program.types), prefix_(prefix) {}
+  // `first` is the header of the other shader of a pair, or null: a struct of one name that is
+  // another there gets a new name.
+  Header(const Program& program, std::string_view prefix, const Header* first)
+      : program_(program), types_(program.types), prefix_(prefix), first_(first) {}
 
   std::string Write() {
     for (const ir::CbufferId id : program_.cbuffers.ids()) AddBuffer(program_.cbuffers[id]);
@@ -132,7 +136,8 @@ class Header {
  private:
   // The text of one struct: its members, with padding between them, and its assertions.
   struct Body {
-    std::string name, members, assertions;
+    std::string name, members;
+    std::vector<std::pair<std::string, std::uint32_t>> offsets;  // by the member's name
     std::uint32_t end = 0;
     int gaps = 0;
   };
@@ -144,6 +149,16 @@ class Header {
     for (int i = 2; !names_.insert(unique).second; ++i)
       unique = fmt::format("{}{}_{}", prefix_, name, i);
     return unique;
+  }
+
+  // Gives the struct a name that the first header has not, if it is another there.
+  void Distinguish(Body& body) {
+    if (!first_) return;
+    const auto other = first_->members_.find(body.name);
+    if (other == first_->members_.end() || other->second == body.members) return;
+    const std::string name = body.name;
+    for (int i = 2; first_->names_.contains(body.name) || !names_.insert(body.name).second; ++i)
+      body.name = fmt::format("{}_{}", name, i);
   }
 
   void Pad(Body& body, std::uint32_t to) {
@@ -162,9 +177,7 @@ class Header {
     fmt::format_to(std::back_inserter(body.members), "  {};  // {}{}\n",
                    Declaration(name, type, row_major), row_major ? "row_major " : "",
                    types_.Name(type));
-    fmt::format_to(std::back_inserter(body.assertions),
-                   "CLIPC_ASSERT(offsetof(struct {0}, {1}) == {2}, \"{0}.{1}\");\n", body.name,
-                   name, offset);
+    body.offsets.emplace_back(name, offset);
     body.end = offset + size;
   }
 
@@ -203,12 +216,12 @@ class Header {
     if (const auto known = structs_.find(id); known != structs_.end()) return known->second;
     const ir::Struct& structure = types_.StructOf(type);
     Body body{NewName(structure.name), {}, {}};
-    structs_.emplace(id, body.name);
     for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
       const ir::Field& field = structure.fields[i];
       AddMember(body, field.name, field.type, field.row_major, ir::FieldOffset(types_, id, i));
     }
     Close(body, fmt::format("struct {}", structure.name));
+    structs_.emplace(id, body.name);
     return body.name;
   }
 
@@ -231,19 +244,29 @@ class Header {
     Close(body, fmt::format("{}, b{}, space {}", buffer.name, buffer.reg.number, buffer.reg.space));
   }
 
-  void Close(const Body& body, std::string_view what) {
+  void Close(Body& body, std::string_view what) {
     if (body.members.empty()) return;
+    Distinguish(body);
+    members_.emplace(body.name, body.members);
+    std::string assertions;
+    for (const auto& [member, offset] : body.offsets) {
+      fmt::format_to(std::back_inserter(assertions),
+                     "CLIPC_ASSERT(offsetof(struct {0}, {1}) == {2}, \"{0}.{1}\");\n", body.name,
+                     member, offset);
+    }
     fmt::format_to(
         std::back_inserter(text_),
         "\n// {0}\n#ifndef CLIPC_STRUCT_{1}\n#define CLIPC_STRUCT_{1}\nstruct {1} {{\n{2}}};\n"
         "#endif\n{3}CLIPC_ASSERT(sizeof(struct {1}) == {4}, \"{1}\");\n",
-        what, body.name, body.members, body.assertions, body.end);
+        what, body.name, body.members, assertions, body.end);
   }
 
   const Program& program_;
   const ir::TypeTable& types_;
   const std::string prefix_;  // of the names of structs
+  const Header* const first_;
   std::set<std::string> names_;
+  std::map<std::string, std::string> members_;  // of each struct, by its name
   std::map<ir::StructId, std::string> structs_;
   std::string text_;
 };
@@ -251,6 +274,9 @@ class Header {
 }  // namespace
 
 std::string WriteStructs(const Program& program, std::string_view prefix, const Program* pixel) {
+  Header header(program, prefix, nullptr);
+  std::string text = header.Write();
+  if (pixel) text += Header(*pixel, prefix, &header).Write();
   return "// Written by clipc: constant buffers, byte by byte as Direct3D lays them out. A struct "
          "that\n"
          "// two shaders share is taken from the first; the assertions of the second hold for it "
@@ -262,8 +288,7 @@ std::string WriteStructs(const Program& program, std::string_view prefix, const 
          "#define CLIPC_ASSERT(condition, what) extern char clipc_assert[(condition) ? 1 : -1]\n"
          "#endif\n#endif\n"
          "#pragma pack(push, 4)\n" +
-         Header(program, prefix).Write() + (pixel ? Header(*pixel, prefix).Write() : "") +
-         "#pragma pack(pop)\n";
+         text + "#pragma pack(pop)\n";
 }
 
 }  // namespace clipc

@@ -70,8 +70,6 @@ std::string CheckPair(const CommandLine& command) {
   if (command.pixel_output.empty()) return "--pixel-output needs the name of a file, or `.frag`";
   if (!command.fragment.empty())
     return "--fragment is for a pixel shader in GLSL; with --pixel-output clipc writes it";
-  if (!command.listing.empty())
-    return "-Fc writes one shader; with --pixel-output there are two, and -Zi puts the lines there";
   if (command.request.planes.variants && command.pixel_output == "-")
     return "--variants writes several files, named after the one that --pixel-output gives";
   if (pixel.path.empty() && pixel.entry.empty())

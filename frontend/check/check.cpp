@@ -70,7 +70,8 @@ void Run(Context& context) {
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
-  if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
+  if (!context.diagnostics.has_errors())
+    CheckLevel9(program, context.options.has_preshader, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);
 }
 

@@ -27,6 +27,8 @@ struct CheckOptions {
   // "Main(true, 4)", as a technique of the file compiles the entry: the arguments are the values of
   // its `uniform` parameters. Empty: these are uniforms.
   std::string entry_call;
+  // Whether an effect has the shader, whose preshader computes what depends on uniforms alone.
+  bool has_preshader = false;
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   // Whether clip planes go to SetClipPlane (the level9 lowering), which takes whole registers only:
   // anything less is reported (X4594).

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,8 +29,8 @@ constexpr std::uint32_t kMaxTurns = 1024;
 
 class Level9Checker {
  public:
-  Level9Checker(const Program& program, Diagnostics& diagnostics)
-      : program_(program), diagnostics_(diagnostics) {}
+  Level9Checker(const Program& program, bool has_preshader, Diagnostics& diagnostics)
+      : program_(program), has_preshader_(has_preshader), diagnostics_(diagnostics) {}
 
   // Reports a vertex shader without a position, and what Direct3D 9 lacks too: bit operations and,
   // before vs_2_a, loops whose number of turns is computed.
@@ -146,10 +147,17 @@ class Level9Checker {
   }
 
   // Whether a loop with the condition can be unrolled, or counts to an int that the application
-  // sets, which vs_2_0 has integer registers for.
+  // sets, which vs_2_0 has integer registers for. The preshader of an effect sets them to what it
+  // computes.
   bool IsKnownCount(ExprId condition) {
     if (!known_) known_.emplace(program_);
     if (known_->Has(condition)) return true;
+    if (has_preshader_ && Target() == "vs_2_0") {
+      if (!known_to_preshader_)
+        known_to_preshader_.emplace(program_, std::span<const VarId>(),
+                                    KnownValues::Kind::kUniforms);
+      return known_to_preshader_->Has(condition);
+    }
     const auto* compare = As<Binary>(program_, condition);
     const auto* bound = compare ? As<VarRef>(program_, compare->right) : nullptr;
     return bound && Target() == "vs_2_0" &&
@@ -233,19 +241,22 @@ class Level9Checker {
   }
 
   const Program& program_;
+  const bool has_preshader_;
   Diagnostics& diagnostics_;
   // The known values, built for the first rule that depends on them.
   std::optional<KnownValues> known_;
+  std::optional<KnownValues> known_to_preshader_;
   std::optional<KnownValues> known_in_short_loops_;  // if no loop beyond kMaxTurns is unrolled
   std::uint32_t instructions_ = 0;  // a lower bound: no loop is counted twice, no addition at all
 };
 
 }  // namespace
 
-void CheckLevel9(const Program& program, Diagnostics& diagnostics) {
-  if (program.profile.IsDirect3D9()) return Level9Checker(program, diagnostics).RunDirect3D9();
+void CheckLevel9(const Program& program, bool has_preshader, Diagnostics& diagnostics) {
+  Level9Checker checker(program, has_preshader, diagnostics);
+  if (program.profile.IsDirect3D9()) return checker.RunDirect3D9();
   const bool is_level9 = program.profile.level9 != Level9::kNone;
-  if (is_level9 && program.stage == Stage::kVertex) Level9Checker(program, diagnostics).Run();
+  if (is_level9 && program.stage == Stage::kVertex) checker.Run();
 }
 
 }  // namespace clipc::rules

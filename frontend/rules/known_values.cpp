@@ -164,9 +164,9 @@ class RegionReader {
   std::vector<std::size_t> unknown_;
 };
 
-bool IsUnknown(const Var& var) {
+bool IsUnknown(const Var& var, KnownValues::Kind kind) {
   switch (var.storage) {
-    case Storage::kUniform:
+    case Storage::kUniform: return kind == KnownValues::Kind::kConstants;
     case Storage::kResource:
     case Storage::kInput:
     case Storage::kOutput: return true;
@@ -176,18 +176,20 @@ bool IsUnknown(const Var& var) {
 
 }  // namespace
 
-KnownValues::KnownValues(const Program& program, std::span<const VarId> unknown)
+KnownValues::KnownValues(const Program& program, std::span<const VarId> unknown, Kind kind)
     : program_(program), graph_(program) {
   RegionReader regions(program, graph_);
   for (const FunctionId id : program.functions.ids()) regions.Read(id);
   unknown_.resize(graph_.size());
   for (const std::size_t node : regions.unknown()) unknown_[node] = true;
   for (const VarId id : program.vars.ids()) {
-    if (IsUnknown(program.vars[id])) unknown_[graph_.NodeOf(id)] = true;
+    if (IsUnknown(program.vars[id], kind)) unknown_[graph_.NodeOf(id)] = true;
   }
   for (const VarId id : unknown) unknown_[graph_.NodeOf(id)] = true;
-  for (const VarId id : program.functions[program.entry].parameters)
-    unknown_[graph_.NodeOf(id)] = true;
+  if (kind == Kind::kConstants) {
+    for (const VarId id : program.functions[program.entry].parameters)
+      unknown_[graph_.NodeOf(id)] = true;
+  }
   for (const ValueGraph::Value& value : graph_.values()) {
     const auto reads = [&](ExprId part) { return As<ObjectCall>(program, part) != nullptr; };
     if (AnyExpr(program, value.expr, reads)) unknown_[value.node] = true;

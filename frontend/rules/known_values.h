@@ -17,9 +17,14 @@ namespace clipc::rules {
 // kind are such variables, however often the loops turn.
 class KnownValues {
  public:
+  // What counts as known beside constants: nothing, or the uniforms too, from which a preshader of
+  // an effect computes what is the same in all runs of a draw call.
+  enum class Kind { kConstants, kUniforms };
+
   // Finds the known values of `program`. The variables `unknown` count as unknown whatever their
   // values are.
-  explicit KnownValues(const Program& program, std::span<const VarId> unknown = {});
+  explicit KnownValues(const Program& program, std::span<const VarId> unknown = {},
+                       Kind kind = Kind::kConstants);
 
   bool Has(ExprId expr) const;
 

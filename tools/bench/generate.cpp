@@ -75,6 +75,12 @@ Varyings main(Vertex input)
                      seed, seed % 7 + 1);
 }
 
+std::string Numbered(std::string_view text, int number) {
+  std::string numbered;
+  for (const char c : text) c == '@' ? numbered += std::to_string(number) : numbered += c;
+  return numbered;
+}
+
 std::string SixtyLinePair(unsigned seed) {
   return SixtyLineShader(seed) + R"(
 Texture2D picture : register(t0);
@@ -87,6 +93,53 @@ float4 pixel(Varyings input) : SV_Target
     return color;
 }
 )";
+}
+
+std::string FiftyPasses() {
+  std::string text = R"(float4x4 World, View;
+float4 Lights[8], Color;
+float2 Scale;
+texture Map;
+sampler Texels = sampler_state { Texture = <Map>; MinFilter = LINEAR; };
+struct V { float4 p : POSITION; float4 c : COLOR0; float2 uv : TEXCOORD0; float3 n : TEXCOORD1; };
+)";
+  for (int i = 0; i < kEffectVertexShaders; ++i) {
+    text += Numbered(R"(V VS@(float4 p : POSITION, float3 n : NORMAL, float2 uv : TEXCOORD0) {
+  V o;
+  float4 world = mul(p, World);
+  float3 normal = mul(n, (float3x3)World);
+  float4 sum = @;
+  for (int i = 0; i < 4; i++) {
+    float3 d = Lights[i].xyz - world.xyz;
+    sum += saturate(dot(normal, normalize(d))) / (dot(d, d) + 1) * Lights[i + 4];
+  }
+  o.p = mul(world, View);
+  o.c = lerp(sum, Color, saturate((world.z - @) / 100));
+  o.uv = uv * Scale;
+  o.n = normal;
+  return o;
+}
+)",
+                     i);
+  }
+  for (int i = 0; i < kEffectPixelShaders; ++i) {
+    text += Numbered(R"(float4 PS@(V v) : COLOR0 {
+  float3 n = normalize(v.n);
+  float4 near = tex2D(Texels, v.uv), far = tex2D(Texels, v.uv + n.xy);
+  float4 color = near * v.c + far * pow(saturate(dot(n, Lights[@].xyz)), 8);
+  if (color.a < 0.1) discard;
+  return color * @;
+}
+)",
+                     i);
+  }
+  text += "technique Draw {\n";
+  for (int i = 0; i < kEffectVertexShaders * kEffectPixelShaders; ++i) {
+    text += "  pass { ZEnable = true; VertexShader = compile vs_3_0 VS" +
+            std::to_string(i / kEffectPixelShaders) + "(); PixelShader = compile ps_3_0 PS" +
+            std::to_string(i % kEffectPixelShaders) + "(); }\n";
+  }
+  return text + "}\n";
 }
 
 std::string LargeShader(std::size_t bytes) {

@@ -131,6 +131,28 @@ void BenchRewrite() {
          "x", 1.2);
 }
 
+// Measures an effect against its different shaders, each compiled once, in one process too.
+void BenchEffect(const std::string& clipc, const std::string& folder) {
+  const std::string effect = folder + "/fifty.fx", manifest = folder + "/fifty.json";
+  Write(effect, FiftyPasses());
+  const auto shaders = [&](const std::string& name, const std::string& profile, int count) {
+    std::string entries;
+    for (int i = 0; i < count; ++i)
+      entries += (i == 0 ? "\"" : ", \"") + name + std::to_string(i) + "\"";
+    return "{\"source\": \"" + effect + "\", \"name\": \"" + name + "\", \"profile\": \"" +
+           profile + "\", \"entry\": [" + entries + "]}";
+  };
+  Write(manifest, "{\"version\": 1, \"shaders\": [" +
+                      shaders("VS", "vs_3_0", kEffectVertexShaders) + ", " +
+                      shaders("PS", "ps_3_0", kEffectPixelShaders) + "]}");
+  const auto runs =
+      RunInTurn({{clipc, "--effect", effect, "-o", folder, "--target=glsl330", "-j", "1"},
+                 {clipc, "--batch=" + manifest, "-o", folder, "--target=glsl330", "-j", "1"}},
+                20);
+  Report("an effect with 50 passes, to its 15 shaders",
+         MedianOf(runs[0], &Run::cpu_ms) / MedianOf(runs[1], &Run::cpu_ms), "x", 1.2);
+}
+
 void BenchBatchValidation() {
   constexpr unsigned kShaders = 100;
   std::vector<double> plain, validated;
@@ -188,11 +210,8 @@ void BenchMany(const std::string& clipc, const std::string& folder) {
     const auto per_byte = [&](std::size_t bytes) {
       std::string declarations, statements;
       for (int i = 0; declarations.size() + statements.size() < bytes; ++i) {
-        const auto add = [&](std::string& to, std::string_view text) {
-          for (const char c : text) c == '@' ? to += std::to_string(i) : to += c;
-        };
-        add(declarations, kind.declaration);
-        add(statements, kind.statement);
+        declarations += Numbered(kind.declaration, i);
+        statements += Numbered(kind.statement, i);
       }
       std::string text = "float Next(inout float x) { return x += 1; }\n";
       text += declarations;
@@ -261,6 +280,7 @@ int main(int argc, char** argv) {
   clipc::bench::BenchWarm();
   clipc::bench::BenchPixelShader();
   clipc::bench::BenchRewrite();
+  clipc::bench::BenchEffect(argv[1], folder);
   clipc::bench::BenchBatchValidation();
   std::printf("\n%d limits missed\n", clipc::bench::g_missed);
   return clipc::bench::g_missed != 0;

@@ -60,6 +60,29 @@ void AddMesh(const std::vector<Active>& attributes, Inputs& inputs) {
   }
 }
 
+// What OpenGL says of each pair of shaders that it refuses; empty texts of the others.
+std::vector<std::string> LinkOnOpenGl(const std::vector<std::string>& texts) {
+  harness::OpenGl opengl;
+  std::vector<std::string> said;
+  for (std::size_t i = 0; i < texts.size(); i += 2) {
+    said.emplace_back();
+    opengl.Use(VersionOf(texts[i]).api);
+    try {
+      glDeleteProgram(harness::LinkProgram(texts[i], texts[i + 1]));
+    } catch (const DrawError& error) {
+      said.back() = error.what();
+    }
+  }
+  return said;
+}
+
+std::vector<std::string> LinkOnVulkan(const std::vector<std::string>& texts) {
+  std::vector<vulkan::SpirvPair> pairs;
+  for (std::size_t i = 0; i < texts.size(); i += 2)
+    pairs.push_back({vulkan::SpirvOfBytes(texts[i]), vulkan::SpirvOfBytes(texts[i + 1])});
+  return vulkan::LinkPrograms(pairs);
+}
+
 struct PixelsOptions {
   std::string png;
   PictureOptions picture;
@@ -167,17 +190,15 @@ int RunLink(const Arguments& arguments) {
   const std::vector<std::string> paths = Parse(arguments, {});
   if (paths.empty() || paths.size() % 2 != 0)
     throw DrawError("link takes vertex shaders, each with its fragment shader after it");
-  harness::OpenGl opengl;
-  int refused = 0;
-  for (std::size_t i = 0; i < paths.size(); i += 2) {
-    const std::string vertex = ReadFile(paths[i]), fragment = ReadFile(paths[i + 1]);
-    opengl.Use(VersionOf(vertex).api);
-    try {
-      glDeleteProgram(harness::LinkProgram(vertex, fragment));
-    } catch (const DrawError& error) {
-      std::printf("%s %s: %s\n", paths[i].c_str(), paths[i + 1].c_str(), error.what());
-      ++refused;
-    }
+  std::vector<std::string> texts;
+  for (const std::string& path : paths) texts.push_back(ReadFile(path));
+  const std::vector<std::string> said =
+      vulkan::IsSpirv(texts[0]) ? LinkOnVulkan(texts) : LinkOnOpenGl(texts);
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (said[i].empty()) continue;
+    std::printf("%s %s: %s\n", paths[2 * i].c_str(), paths[2 * i + 1].c_str(), said[i].c_str());
+    ++refused;
   }
   std::printf("%zu of %zu programs link\n", paths.size() / 2 - refused, paths.size() / 2);
   return refused == 0 ? 0 : 1;

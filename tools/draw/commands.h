@@ -36,8 +36,9 @@ clipc-draw pair A.vert A.frag B.vert B.frag
   message of Vulkan's validation layers about the first program fails too.
 
 clipc-draw link A.vert A.frag ...
-  Links each pair on Mesa's software OpenGL, or OpenGL ES where the shaders are of that. Names those
-  that it refuses, with its message.
+  Links each pair on Mesa's software OpenGL, or OpenGL ES where the shaders are of that. Files in
+  SPIR-V become pipelines of Vulkan, and its validation layers say whether the two fit. Names those
+  that are refused, with the message.
 
 clipc-draw passes FIRST.vert SECOND.vert
   Draws with the first, and then with the second where its depth is equal. Fails where a pixel of

@@ -22,6 +22,21 @@ std::vector<vk::raii::DescriptorSetLayout> MakeLayouts(const Device& device, Lay
   return layouts;
 }
 
+std::vector<vk::raii::DescriptorSetLayout> LayoutsOf(const Device& device,
+                                                     std::span<const Reads> stages) {
+  constexpr std::uint32_t kManyElements = 16;
+  LayoutBindings sets;
+  for (const Reads& reads : stages) {
+    for (const Reads::Binding& read : reads.bindings) {
+      sets[read.set].try_emplace(
+          read.binding, read.binding, TypeOf(read.kind),
+          read.elements > 0 ? read.elements : kManyElements,
+          vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment);
+    }
+  }
+  return MakeLayouts(device, sets);
+}
+
 std::vector<vk::DescriptorSetLayout> HandlesOf(
     const std::vector<vk::raii::DescriptorSetLayout>& layouts) {
   std::vector<vk::DescriptorSetLayout> handles;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "tools/draw/vulkan/image.h"
@@ -18,6 +19,9 @@ using LayoutBindings =
 // A layout for each set up to the last one, by its number. `sets` gets an empty set for each number
 // that it lacks.
 std::vector<vk::raii::DescriptorSetLayout> MakeLayouts(const Device& device, LayoutBindings& sets);
+// Layouts for what the stages of a program read. An array without a size gets 16 elements.
+std::vector<vk::raii::DescriptorSetLayout> LayoutsOf(const Device& device,
+                                                     std::span<const Reads> stages);
 std::vector<vk::DescriptorSetLayout> HandlesOf(
     const std::vector<vk::raii::DescriptorSetLayout>& layouts);
 

@@ -13,33 +13,8 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-// The number of elements that an array without a size gets.
-constexpr std::uint32_t kManyElements = 16;
 // The number of bytes of push constants that every Vulkan has at least.
 constexpr std::uint32_t kPushedBytes = 128;
-
-Attributes AttributesOf(const Reads& reads) {
-  Attributes attributes;
-  std::uint32_t offset = 0;
-  for (const Reads::Attribute& read : reads.attributes) {
-    for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {
-      attributes.places.emplace_back(at, 0, FormatOf(read.shape), offset);
-      offset += 4 * static_cast<std::uint32_t>(read.shape.rows);
-    }
-  }
-  if (offset > 0) attributes.bindings.emplace_back(0, offset);
-  return attributes;
-}
-
-std::vector<vk::raii::DescriptorSetLayout> LayoutsOf(const Device& device, const Reads& reads) {
-  LayoutBindings sets;
-  for (const Reads::Binding& read : reads.bindings) {
-    sets[read.set].try_emplace(read.binding, read.binding, TypeOf(read.kind),
-                               read.elements > 0 ? read.elements : kManyElements,
-                               vk::ShaderStageFlagBits::eVertex);
-  }
-  return MakeLayouts(device, sets);
-}
 
 // The GLSL type of one element, `vec3` or `mat4x3`.
 std::string GlslTypeOf(const Shape& shape) {
@@ -92,7 +67,7 @@ CodeCounter::~CodeCounter() = default;
 MachineCode CodeCounter::Count(const Spirv& vertex) const try {
   const vk::raii::Device& device = device_->get();
   const Reads reads = ReadsOf(vertex);
-  const std::vector<vk::raii::DescriptorSetLayout> sets = LayoutsOf(*device_, reads);
+  const std::vector<vk::raii::DescriptorSetLayout> sets = LayoutsOf(*device_, {&reads, 1});
   const std::vector<vk::DescriptorSetLayout> layouts = HandlesOf(sets);
   const vk::PushConstantRange pushed(vk::ShaderStageFlagBits::eVertex, 0, kPushedBytes);
   const vk::raii::PipelineLayout layout(device, vk::PipelineLayoutCreateInfo({}, layouts, pushed));

@@ -98,7 +98,50 @@ std::vector<float> Draw(const Device& device, const SpirvPair& pair) try {
   throw DrawError(std::string("Vulkan refuses the program: ") + error.what());
 }
 
+// Targets for all that the pixel shader writes.
+PipelineTargets TargetsOf(const Spirv& fragment) {
+  PipelineTargets targets;
+  targets.colors.clear();
+  for (const Output& output : OutputsOf(fragment)) {
+    if (!output.location) continue;
+    const std::size_t end = *output.location + static_cast<std::size_t>(output.count);
+    targets.colors.resize(std::max(targets.colors.size(), end), vk::Format::eUndefined);
+    const vk::Format format = FormatOf({output.shape.kind, 4, 1});
+    for (std::size_t i = *output.location; i < end; ++i) targets.colors[i] = format;
+  }
+  return targets;
+}
+
+void Link(const Device& device, const SpirvPair& pair) {
+  constexpr std::uint32_t kPushedBytes = 128;  // that every Vulkan has
+  const Reads reads[] = {ReadsOf(pair.vertex), ReadsOf(pair.fragment)};
+  const std::vector<vk::raii::DescriptorSetLayout> sets = LayoutsOf(device, reads);
+  const std::vector<vk::DescriptorSetLayout> layouts = HandlesOf(sets);
+  const vk::PushConstantRange pushed(
+      vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0, kPushedBytes);
+  const vk::raii::PipelineLayout layout(device.get(),
+                                        vk::PipelineLayoutCreateInfo({}, layouts, pushed));
+  MakePipeline(device.get(), {pair.vertex, pair.fragment, PipelineEnd::kPicture},
+               AttributesOf(reads[0]), layout, TargetsOf(pair.fragment));
+}
+
 }  // namespace
+
+std::vector<std::string> LinkPrograms(std::span<const SpirvPair> pairs) {
+  const Device device(Validation::kOn);
+  TakeMessages();
+  std::vector<std::string> said;
+  for (const SpirvPair& pair : pairs) {
+    std::string& text = said.emplace_back();
+    try {
+      Link(device, pair);
+    } catch (const vk::Error& error) {
+      text = std::string("Vulkan refuses the program: ") + error.what();
+    }
+    for (const std::string& message : TakeMessages()) text += (text.empty() ? "" : "\n") + message;
+  }
+  return said;
+}
 
 PairResult ComparePictures(const SpirvPair& first, const SpirvPair& second) {
   const Device device(Validation::kOn);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct PairResult {
 // set and binding. Throws DrawError where a program reads what it cannot be given: arrays of
 // blocks or textures, storage.
 PairResult ComparePictures(const SpirvPair& first, const SpirvPair& second);
+
+// Makes a pipeline of each pair, while the validation layers watch. Returns for each what they and
+// the driver say of it: nothing where locations, types and bindings of the two shaders fit.
+std::vector<std::string> LinkPrograms(std::span<const SpirvPair> pairs);
 
 // The name of the device that draws pairs. Throws NoDevice where there is none, or no validation
 // layers.

@@ -38,6 +38,19 @@ Attributes UploadAttributes(const Device& device, const DrawCall& call) {
   return made;
 }
 
+Attributes AttributesOf(const Reads& vertex) {
+  Attributes attributes;
+  std::uint32_t offset = 0;
+  for (const Reads::Attribute& read : vertex.attributes) {
+    for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {
+      attributes.places.emplace_back(at, 0, FormatOf(read.shape), offset);
+      offset += 4 * static_cast<std::uint32_t>(read.shape.rows);
+    }
+  }
+  if (offset > 0) attributes.bindings.emplace_back(0, offset);
+  return attributes;
+}
+
 void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes) {
   for (std::uint32_t i = 0; i < attributes.buffers.size(); ++i)
     commands.bindVertexBuffers(i, *attributes.buffers[i].buffer, {0});

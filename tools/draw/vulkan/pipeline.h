@@ -18,6 +18,8 @@ struct Attributes {
 };
 // The format of an attribute's values at one location.
 vk::Format FormatOf(const Shape& shape);
+// Descriptions without buffers, of all that the vertex shader reads.
+Attributes AttributesOf(const Reads& vertex);
 Attributes UploadAttributes(const Device& device, const DrawCall& call);
 void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes);
 
