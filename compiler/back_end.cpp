@@ -291,11 +291,13 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
         LowerPixel(*half, job.plan.lowering.lowering, typed.clip_planes.size(), true, result.dump);
     if (half->job.diagnostics.has_errors() || job.IsStopped()) return;
   }
+  const std::size_t outputs_written = typed.outputs.size();
   const ir::VarId position_input = Fit(job, half, pixel, typed, result.dependencies);
   if (job.diagnostics.has_errors()) return;
   const PositionMatrices position = outputs.reflection ? FollowPosition(typed) : PositionMatrices{};
   const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
-  const LowerSettings settings = SettingsOf(job, position_input, result.dump);
+  LowerSettings settings = SettingsOf(job, position_input, result.dump);
+  settings.passes.drops_unneeded = half && typed.outputs.size() < outputs_written;
   LoweredProgram lowered{LowerAndLegalize(job, std::move(typed), settings), std::move(pixel)};
   if (job.diagnostics.has_errors() || job.IsStopped()) return;
   if (!lowered.shader.is_complete) {

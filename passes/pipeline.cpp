@@ -5,6 +5,7 @@
 #include "passes/defer_discards.h"
 #include "passes/discard_planes.h"
 #include "passes/drop_idle_clip_distances.h"
+#include "passes/drop_unneeded.h"
 #include "passes/drop_unread.h"
 #include "passes/drop_unread_arguments.h"
 #include "passes/drop_unwritten.h"
@@ -45,6 +46,12 @@ constexpr ir::Pass<Run> kPipeline[] = {
     {"drop-unread-arguments", [](Run& run) { DropUnreadArguments(run.program); },
      ir::Form::kInlined},
     {"drop-unwritten", [](Run& run) { DropUnwritten(run.program); }, ir::Form::kInlined},
+    // Outputs that the pixel shader does not read are local variables, whole ones only now.
+    {"drop-unneeded",
+     [](Run& run) {
+       if (run.options.drops_unneeded) DropUnneeded(run.program);
+     },
+     ir::Form::kInlined},
     // Variables become unread where the passes before have removed statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
     // The distances are inputs, which no pass before has to carry along; whether the discard must
