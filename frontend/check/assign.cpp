@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frontend/check/bit_field.h"
 #include "frontend/check/cast_target.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/init.h"
@@ -241,6 +242,11 @@ ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
   const ExprId left = CheckExpr(context, expr.left);
   if (const ast::ExprId operand = CastOperand(context, left))
     return AssignToCast(context, expr, context.TypeIdOf(left), operand, span);
+  if (IsBitField(context, left)) {
+    const ExprId value = expr.op ? CheckExpr(context, expr.right)
+                                 : CheckInit(context, expr.right, context.TypeIdOf(left));
+    return AssignToBits(context, expr.op, left, value, span);
+  }
   const ExprId target = TakeSteps(context, left, steps);
   return WithPrologue(context, steps, AssignTo(context, expr, target, span));
 }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "frontend/check/assign.h"
+#include "frontend/check/bit_field.h"
 #include "frontend/check/emit.h"
 #include "frontend/check/flow.h"
 #include "frontend/check/function.h"
@@ -34,7 +35,11 @@ void CheckBody(Context& context, FunctionInfoId id) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
     const SymbolId symbol =
         DeclareLocal(context, SymbolKind::kVariable, var.name, parameter.decl, var.name_span);
-    context[symbol].Resolve(vars[next++].index);
+    const VarId added = vars[next++];
+    context[symbol].Resolve(added.index);
+    if (parameter.storage != Storage::kOut || !HoldsBits(context, parameter.type)) continue;
+    Builder at = context.At(var.name_span);
+    body.hoisted.push_back(at.Eval(at.AssignTo(at.Ref(added), at.ZeroOf(parameter.type))));
   }
   const std::size_t mark = context.stmts.size();
   {

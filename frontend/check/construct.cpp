@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/value.h"
 #include "frontend/rules/reread.h"
@@ -14,6 +15,8 @@ namespace {
 ExprId ConstructStruct(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1) {
     if (context.TypeIdOf(arguments[0]) == type) return arguments[0];
+    if (RefusesBits(context, context.TypeIdOf(arguments[0]), type, span))
+      return context.ErrorExpr(span);
     if (IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type)) {
       return ConvertExplicit(context.program, arguments[0], type, context);
     }

@@ -102,6 +102,8 @@ struct Context final : TemporaryMaker {
   Globals globals;
   // The operands of casts of paths, by the expression that each became: cast_target.h.
   std::unordered_map<std::uint32_t, ast::ExprId> casts;
+  // The bit-fields that are read, by the expression that each became: bit_field.h.
+  std::unordered_map<std::uint32_t, BitAccess> bits;
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
   int depth = 0;                      // the weights of the RecursionGuards that are open

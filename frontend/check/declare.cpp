@@ -72,12 +72,6 @@ void DeclareNamespace(Context& context, const ast::NamespaceDecl& space, Span sp
   for (ast::DeclId member : context[space.members]) DeclareOne(context, member, inner);
 }
 
-// Reports what the version of the language does not have yet.
-void ReportLanguage(Context& context, Span span, std::string_view what, LanguageVersion first) {
-  context.Report(span, diag::LanguageNeeded, what, static_cast<int>(first),
-                 static_cast<int>(context.options.language));
-}
-
 // A forward declaration and the definition are one symbol, the definition's declaration.
 void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl, ScopeId scope) {
   if (decl.is_template && !context.options.has_templates)
@@ -128,6 +122,11 @@ void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& 
 }
 
 }  // namespace
+
+void ReportLanguage(Context& context, Span span, std::string_view what, LanguageVersion first) {
+  context.Report(span, diag::LanguageNeeded, what, static_cast<int>(first),
+                 static_cast<int>(context.options.language));
+}
 
 void DeclareAll(Context& context, std::span<const ast::DeclId> decls, ScopeId scope) {
   for (ast::DeclId id : decls) DeclareOne(context, id, scope);

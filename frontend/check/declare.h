@@ -15,5 +15,7 @@ void DeclareTypeInside(Context& context, ast::TypeId type, ScopeId scope);
 // `using namespace a;` makes the names of `a` visible in the scope. `using a::b;` gives `b` a
 // second name there.
 void DeclareUsing(Context& context, const ast::UsingDecl& use, Span span, ScopeId scope);
+// Reports `what`, which the version of the language does not have yet.
+void ReportLanguage(Context& context, Span span, std::string_view what, LanguageVersion first);
 
 }  // namespace clipc::check

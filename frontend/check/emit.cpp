@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "frontend/check/bit_field.h"
+
 namespace clipc::check {
 namespace {
 
@@ -50,8 +52,8 @@ void EmitValue(Context& context, ExprId value) {
   if (const auto* comma = std::get_if<Comma>(&expr.node)) {
     const ExprId second = comma->second;
     EmitValue(context, comma->first);
-    const bool is_path = RootOf(context.program, second) && IsPure(context.program, second);
-    if (!is_path) EmitValue(context, second);
+    const bool is_read = RootOf(context.program, second) || IsBitField(context, second);
+    if (!is_read || !IsPure(context.program, second)) EmitValue(context, second);
     return;
   }
   const auto* call = std::get_if<IntrinsicCall>(&expr.node);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/entry_signature.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -63,6 +64,25 @@ VarId AddUniformParameter(Context& context, const ast::VarDecl& var, const Param
   return added;
 }
 
+bool HasObjectField(const Context& context, TypeId id) {
+  if (HoldsObjects(context, id)) return true;
+  const Type& type = context[context.types.Innermost(id)];
+  return type.kind == TypeKind::kStruct &&
+         std::ranges::any_of(context.types[type.structure].fields, [&](const Field& field) {
+           return HasObjectField(context, field.type);
+         });
+}
+
+// Whether the parameter is a struct whose textures and samplers are those of the shader, as if it
+// were uniform. fxc takes them in 5.0 and 5.1 (a test of vkd3d's, checked against native); DXC
+// refuses an object in the parameters of an entry function.
+bool TakesObjects(const Context& context, const Parameter& parameter) {
+  const Profile& profile = context.program.profile;
+  return parameter.storage == Storage::kIn && profile.IsAtLeast(5, 0) && !profile.IsAtLeast(6, 0) &&
+         context[parameter.type].kind == TypeKind::kStruct &&
+         HasObjectField(context, parameter.type);
+}
+
 }  // namespace
 
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
@@ -87,6 +107,8 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
       entry_parameter.uniform_var = number < arguments.size()
                                         ? AddArgument(context, var, parameter, arguments[number])
                                         : AddUniformParameter(context, var, parameter);
+    } else if (TakesObjects(context, parameter)) {
+      entry_parameter.objects = AddUniformParameter(context, var, parameter);
     }
     signature.parameters.push_back(std::move(entry_parameter));
   }

@@ -6,6 +6,7 @@
 
 #include "base/overloaded.h"
 #include "frontend/check/assign.h"
+#include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/cast_target.h"
 #include "frontend/check/enum.h"
@@ -164,6 +165,10 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
   const ExprId value = CheckExpr(context, expr.operand);
   if (context.IsError(value, type)) return context.ErrorExpr(span);
   if (context.TypeIdOf(value) == type) return value;
+  const bool is_zero =
+      As<Literal>(context.program, value) && EvaluateInteger(context.program, value) == 0;
+  if (!is_zero && RefusesBits(context, context.TypeIdOf(value), type, span))
+    return context.ErrorExpr(span);
   if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
     const bool is_path{RootOf(context.program, value)};
     const ExprId converted = ConvertExplicit(context.program, value, type, context);
@@ -230,8 +235,9 @@ ExprId UseSymbol(Context& context, SymbolId id, Span span) {
     case SymbolKind::kVariable: return UseVariable(context, id, span);
     case SymbolKind::kField: {
       const VarId self = context.view.body ? context.view.body->self : VarId{};
-      const auto field = self ? FindField(context, context[self].type, symbol.name) : std::nullopt;
-      if (field) return context.At(span).Field(context.At(span).Ref(self), *field);
+      const ExprId field =
+          self ? FieldNamed(context, context.At(span).Ref(self), symbol.name, span) : ExprId{};
+      if (field) return field;
       context.Report(span, diag::FieldWithoutObject, context[symbol.name])
           .Note(symbol.span, diag::DeclaredHere, context[symbol.name]);
       return context.ErrorExpr(span);

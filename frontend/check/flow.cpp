@@ -5,6 +5,7 @@
 
 #include "base/overloaded.h"
 #include "frontend/rules/constant.h"
+#include "frontend/rules/loop_turns.h"
 #include "ir/walk.h"
 
 namespace clipc::check {
@@ -75,8 +76,11 @@ bool FallsThrough(const Context& context, StmtId id) {
 
 bool NeverEnds(const Context& context, StmtId loop) {
   const auto never_ends = [&](ExprId condition, StmtId body) {
+    const auto* counted = context.GetIf<For>(loop);
     const auto known = condition ? EvaluateInteger(context.program, condition) : 1;
-    if (known.value_or(0) == 0 || Breaks(context, body)) return false;
+    const bool holds =
+        known.value_or(0) != 0 || (counted && NeverLeaves(context.program, *counted));
+    if (!holds || Breaks(context, body)) return false;
     bool returns = false;
     ForEachStmt(context.program, body, [&](StmtId stmt) { returns |= context.Is<Return>(stmt); });
     return !returns;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "frontend/check/bit_field.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/expr.h"
+#include "frontend/check/struct.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
 
@@ -58,13 +60,28 @@ class ListReader {
     failed_ = true;
   }
 
+  // The bit-fields that the part of the struct is made of.
+  std::span<const BitField> BitsOf(TypeId type, std::uint32_t part) const {
+    const StructInfo* info = InfoOf(context_, type);
+    if (!info) return {};
+    return std::span(std::ranges::equal_range(info->bits, part, {}, &BitField::field));
+  }
+
   void OpenPart(ExprId value) {
-    Builder at = context_.At(context_[value].span);
+    const Span at_span = context_[value].span;
+    Builder at = context_.At(at_span);
     const Type type = context_.TypeOf(value);
     if (type.kind != TypeKind::kStruct && type.kind != TypeKind::kArray)
       return TakeApart(context_, value, scalars_, prologue_);
     const std::uint32_t count = context_.types.PartCount(context_.TypeIdOf(value));
-    for (std::uint32_t i = 0; i < count; ++i) OpenPart(at.Part(Clone(context_.program, value), i));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::span<const BitField> bits = BitsOf(context_.TypeIdOf(value), i);
+      for (const BitField& field : bits) {
+        if (field.name)
+          scalars_.push_back(ReadBits(context_, Clone(context_.program, value), field, at_span));
+      }
+      if (bits.empty()) OpenPart(at.Part(Clone(context_.program, value), i));
+    }
   }
 
   ExprId TakeScalar(Scalar kind) {
@@ -100,12 +117,28 @@ class ListReader {
     return Construct(type_id, parts);
   }
 
+  // Takes the bit-fields of one number.
+  ExprId TakeBits(std::span<const BitField> bits) {
+    ExprId word;
+    for (const BitField& field : bits) {
+      if (!field.name || Stopped()) continue;
+      const ExprId value = TakeScalar(context_[field.type].scalar);
+      if (Stopped() || context_.IsError(value)) return value;
+      const ExprId placed = PlaceBits(context_, value, field);
+      const Span span = context_[placed].span;
+      word = word ? context_.At(span).BinaryOf(BinaryOp::kBitOr, word, placed) : placed;
+    }
+    return word ? word : context_.At({}).ZeroOf(bits.front().type);
+  }
+
   // Takes the rows of a matrix, the fields of a struct or the elements of an array.
   ExprId TakeParts(TypeId type_id) {
     const std::uint32_t count = context_.types.PartCount(type_id);
     Exprs parts;
-    for (std::uint32_t i = 0; i < count && !Stopped(); ++i)
-      parts.push_back(Take(context_.types.PartType(type_id, i)));
+    for (std::uint32_t i = 0; i < count && !Stopped(); ++i) {
+      const std::span<const BitField> bits = BitsOf(type_id, i);
+      parts.push_back(bits.empty() ? Take(context_.types.PartType(type_id, i)) : TakeBits(bits));
+    }
     return Construct(type_id, parts);
   }
 

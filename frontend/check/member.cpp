@@ -6,8 +6,10 @@
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
+#include "frontend/check/bit_field.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
+#include "frontend/check/type.h"
 #include "frontend/check/value.h"
 
 namespace clipc::check {
@@ -99,9 +101,24 @@ ExprId ArrayLength(Context& context, ExprId array, Span span) {
   return IsPure(context.program, array) ? length : context.At(span).CommaOf(array, length);
 }
 
+// The static member S<int>::k.
+ExprId StaticMember(Context& context, TypeId owner, const ast::MemberExpr& expr, Span span) {
+  if (context.IsError(owner)) return context.ErrorExpr(span);
+  const SymbolId member = FindMember(context, owner, expr.name);
+  if (!member) {
+    ReportNoMember(context, owner, expr.name, expr.name_span);
+    return context.ErrorExpr(span);
+  }
+  if (context[member].kind == SymbolKind::kField)
+    return context.Fail(expr.name_span, diag::FieldWithoutObject, context[expr.name]);
+  return UseSymbol(context, member, span);
+}
+
 }  // namespace
 
 ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
+  if (const auto* owner = context.GetIf<ast::TypeExpr>(expr.base))
+    return StaticMember(context, ResolveType(context, owner->type), expr, span);
   const ExprId base = CheckExpr(context, expr.base);
   if (context.IsError(base)) return base;
   const TypeId type = context.TypeIdOf(base);
@@ -117,8 +134,7 @@ ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
       return ArrayLength(context, base, span);
     default: break;
   }
-  if (const auto field = FindField(context, type, expr.name))
-    return context.At(span).Field(base, *field);
+  if (const ExprId field = FieldNamed(context, base, expr.name, span)) return field;
   const SymbolId member = FindMember(context, type, expr.name);
   if (!member) {
     ReportNoMember(context, type, expr.name, expr.name_span);

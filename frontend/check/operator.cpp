@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "frontend/check/assign.h"
+#include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
@@ -21,6 +22,7 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
   const Type& type = context.TypeOf(target);
   if (!type.IsNumeric() || type.scalar == Scalar::kBool)
     return context.Fail(span, diag::BadOperand, SpellingOf(op), context.TypeName(target));
+  if (IsBitField(context, target)) return IncrementBits(context, op, target, span);
   if (const ExprId element = ElementIn(context, target)) {
     const ExprId store = ChangeElement(context, element, steps);
     const ExprId result = Hoist(context, context.At(span).UnaryOf(op, target), steps);

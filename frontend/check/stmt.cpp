@@ -4,6 +4,7 @@
 #include "base/overloaded.h"
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
+#include "frontend/check/bit_field.h"
 #include "frontend/check/declare.h"
 #include "frontend/check/emit.h"
 #include "frontend/check/expr.h"
@@ -20,6 +21,13 @@
 
 namespace clipc::check {
 namespace {
+
+// The word of a statement that nothing after it in its block is reached from; empty for others.
+std::string_view JumpOf(const Context& context, ast::StmtId stmt) {
+  if (context.Is<ast::ReturnStmt>(stmt)) return "return";
+  if (context.Is<ast::BreakStmt>(stmt)) return "break";
+  return context.Is<ast::ContinueStmt>(stmt) ? "continue" : "";
+}
 
 // Checks a static variable of a function, which only this function can name.
 void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
@@ -67,6 +75,8 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
       local.init = Clone(context.program, init);
     }
   }
+  // The first bit-field that is written would read the number that it is a part of.
+  if (!init && HoldsBits(context, type)) init = context.At(var.name_span).ZeroOf(type);
   if (init) init = Unwrap(context, init);
   Emit(context, var.name_span, Declare{result, init});
 }
@@ -198,7 +208,13 @@ Hint HintOf(const Context& context, const ast::Stmt& stmt) {
 }  // namespace
 
 void CheckStmts(Context& context, List<ast::StmtId> stmts) {
-  for (ast::StmtId stmt : context[stmts]) CheckStmt(context, stmt);
+  std::string_view jump;
+  for (const ast::StmtId stmt : context[stmts]) {
+    if (!jump.empty() && !context.Is<ast::EmptyStmt>(stmt))
+      context.Report(context[stmt].span, diag::UnreachableCode, jump);
+    CheckStmt(context, stmt);
+    jump = JumpOf(context, stmt);
+  }
 }
 
 StmtId CheckBlock(Context& context, ast::StmtId id) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frontend/check/bit_field.h"
 #include "frontend/check/declare.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/enum.h"
@@ -37,10 +38,19 @@ void AddBases(Context& context, const ast::StructDecl& decl, TypeId type) {
     const ScopeId scope = context.structs.infos[structure.index].scope;
     context[scope].nested.push_back(info->scope);
     const Struct& base_struct = context.types.StructOf(base);
+    const auto first = static_cast<std::uint32_t>(context[structure].fields.size());
     for (std::size_t f = 0; f < base_struct.fields.size(); ++f) {
       const SymbolId symbol = context.names.Declare(SymbolKind::kField, scope, info->fields[f], {},
                                                     base_struct.fields[f].span);
       AddField(context, structure, symbol, base_struct.fields[f]);
+    }
+    for (BitField bits : info->bits) {
+      const bool is_declared = info->fields[bits.field] == bits.name;
+      bits.field += first;
+      context.structs.infos[structure.index].bits.push_back(bits);
+      if (is_declared || !bits.name) continue;
+      context[context.names.Declare(SymbolKind::kField, scope, bits.name, {}, {})].Resolve(
+          bits.field);
     }
   }
 }
@@ -59,7 +69,6 @@ Field MakeField(Context& context, const ast::VarDecl& var) {
   ReadInterpolation(qualifiers, field);
   ReadVulkan(context, var.attributes, field);
   field.offset = OffsetOf(context, var.attributes);
-  if (var.bit_width) context.Report(context[var.bit_width].span, diag::Unsupported, "a bit-field");
   return field;
 }
 
@@ -76,7 +85,14 @@ void AddMember(Context& context, ast::DeclId id, TypeId type) {
     const SymbolId symbol =
         context.names.Declare(is_static ? SymbolKind::kVariable : SymbolKind::kField, scope,
                               var->name, id, var->name_span);
-    if (!is_static) AddField(context, context[type].structure, symbol, MakeField(context, *var));
+    if (is_static) return;
+    Field field = MakeField(context, *var);
+    if (var->bit_width && !context.IsError(field.type)) {
+      if (!context.options.has_templates)
+        ReportLanguage(context, context[var->bit_width].span, "bit-fields", LanguageVersion::k2021);
+      if (AddBitField(context, *var, type, symbol, field)) return;
+    }
+    AddField(context, context[type].structure, symbol, std::move(field));
     return;
   }
   DeclareOne(context, id, scope);
@@ -87,8 +103,11 @@ void MeasureStruct(Context& context, TypeId type, Span span) {
   for (const Field& field : context.types.StructOf(type).fields) {
     info.components += ComponentsOf(context, field.type);
     info.fields_of_all += FieldsOf(context, field.type) + 1;
+    info.holds_bits |= HoldsBits(context, field.type);
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
+  for (const BitField& bits : info.bits) info.components += bits.name && bits.first != 0 ? 1 : 0;
+  info.holds_bits |= !info.bits.empty();
   if (!IsTooLarge(context, type, span)) return;
   // A struct that is too large to walk is left without fields.
   info.components = 0;

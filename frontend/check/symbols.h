@@ -92,13 +92,30 @@ struct Parameter {
   Storage storage = Storage::kIn;
 };
 
+// A bit-field, which is a part of a field: uint a : 3 and uint b : 5 are one field `a_b`.
+struct BitField {
+  Name name;            // none: it is only room
+  std::uint32_t field;  // the number of the field, as a Symbol has it
+  TypeId type;          // int or uint, which is that of the field
+  int first;            // the number of its lowest bit
+  int width;            // 1..32
+};
+
+// A bit-field of a value: `word` is the field that it is a part of.
+struct BitAccess {
+  ExprId word;
+  BitField bits;
+};
+
 // The checker's record of a struct besides its ir::Struct.
 struct StructInfo {
   ast::DeclId decl;
   ScopeId scope;
   std::vector<TypeId> bases;
   std::vector<Name> fields;         // in the order of ir::Struct::fields
-  std::uint64_t components = 0;     // the number in a value of this type
+  std::vector<BitField> bits;       // in the order of the text
+  bool holds_bits = false;          // whether it or a struct in it has bit-fields
+  std::uint64_t components = 0;     // the number in a value of this type; a bit-field is one
   std::uint64_t fields_of_all = 0;  // the number of fields, those of the fields' structs included
   int depth = 1;                    // the levels of structs and arrays in it
 };

@@ -5,6 +5,7 @@
 
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
+#include "frontend/check/partial_order.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/type.h"
 #include "frontend/check/type_names.h"
@@ -139,8 +140,7 @@ bool Fits(Context& context, const ast::StructDecl& general, const ast::StructDec
 }
 
 // The specialisation of the struct `symbol` that has these arguments: the one without parameters of
-// its own, else the one that is left; none: the template itself. Several that are left are an
-// error, since the order of partial specialisations is not worked out.
+// its own, else the most special one; none: the template itself.
 std::optional<StructSpecialisation> SpecialisationOf(Context& context, SymbolId id,
                                                      const ast::StructDecl& general,
                                                      std::uint32_t order,
@@ -158,10 +158,17 @@ std::optional<StructSpecialisation> SpecialisationOf(Context& context, SymbolId 
     fitting.push_back({decl, found});
   }
   if (fitting.empty()) return std::nullopt;
-  if (fitting.size() > 1)
-    context.Report(
-        span, diag::Unsupported,
-        fmt::format("a choice between partial specialisations of `{}`", context[general.name]));
+  const auto special = [&](const StructSpecialisation& one) -> const ast::StructDecl& {
+    return context.Get<ast::StructDecl>(one.decl);
+  };
+  for (const StructSpecialisation& one : fitting) {
+    const bool is_most_special = std::ranges::all_of(fitting, [&](const auto& other) {
+      return other.decl == one.decl || (IsAtLeastAsSpecial(context, special(one), special(other)) &&
+                                        !IsAtLeastAsSpecial(context, special(other), special(one)));
+    });
+    if (is_most_special) return one;
+  }
+  context.Report(span, diag::AmbiguousSpecialisation, context[general.name]);
   return fitting.front();
 }
 

@@ -52,6 +52,7 @@ ExprId Implicit(Context& context, ExprId value, TypeId to) {
   if (from == to) return value;
   if (context.IsError(from, to)) return context.ErrorExpr(span);
   if (RankImplicit(context.types, from, to)) {
+    if (RefusesBits(context, from, to, span)) return context.ErrorExpr(span);
     if (NeedsCast(context, from, to)) {
       return context.Fail(span, diag::CastNeeded, context.TypeName(from), context.TypeName(to));
     }

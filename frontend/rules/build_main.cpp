@@ -15,6 +15,7 @@
 #include "frontend/rules/locations.h"
 #include "frontend/rules/semantics.h"
 #include "frontend/rules/signature_leaves.h"
+#include "ir/access.h"
 #include "ir/builder.h"
 
 namespace clipc::rules {
@@ -75,16 +76,20 @@ class MainBuilder {
     const VarId local = builder_.Local(var.name, var.type);
     whole.part = leaves_.Whole(local);
     body_.push_back(builder_.Stmt(Declare{local, {}}));
-    if (reads) ReadInto(whole);
+    leaves_.SetTakesObjects(bool{parameter.objects});
+    if (reads) ReadInto(whole, parameter.objects);
+    leaves_.SetTakesObjects(false);
     arguments_.push_back(builder_.Ref(local));
     if (writes) pending_outputs_.push_back(std::move(whole));
   }
 
-  // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once.
-  void ReadInto(const Carrier& whole) {
+  // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once, and textures
+  // and samplers from those of `objects`.
+  void ReadInto(const Carrier& whole, VarId objects) {
     std::vector<ExprId> columns;
     for (const Carrier& leaf : leaves_.Of(whole)) {
-      ExprId value = Input(leaf);
+      const bool is_object = program_.types[leaf.type].kind == TypeKind::kObject;
+      ExprId value = is_object ? InVar(leaves_.ValueOf(leaf.part), objects) : Input(leaf);
       if (!value) continue;
       PartNumber target = leaf.part;
       if (const Part part = leaves_[target]; part.columns > 0) {
@@ -98,6 +103,14 @@ class MainBuilder {
       }
       body_.push_back(builder_.Eval(builder_.AssignTo(leaves_.ValueOf(target), value)));
     }
+  }
+
+  // The path, into `var` in place of its own variable.
+  ExprId InVar(ExprId path, VarId var) {
+    ExprId root = path;
+    while (const ExprId whole = WholeOf(program_, root)) root = whole;
+    program_.exprs[root].node = VarRef{var};
+    return path;
   }
 
   void CallEntry() {

@@ -26,6 +26,8 @@ struct EntryParameter {
   std::optional<std::uint32_t> location;  // [[vk::location(..)]]
   bool is_uniform = false;
   VarId uniform_var;  // the member of $Params that a `uniform` parameter became
+  VarId
+      objects;  // the variable that has the textures and samplers of the struct; none: it has none
 };
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry

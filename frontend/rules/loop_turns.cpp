@@ -76,6 +76,19 @@ bool LeavesWithin(const KnownCount& count, std::int64_t limit) {
 
 }  // namespace
 
+bool NeverLeaves(const Program& program, const For& loop) {
+  const CountedLoop count = PartsOf(program, loop);
+  const auto* compare = As<Binary>(program, count.comparison);
+  const bool is_plain = compare && As<VarRef>(program, compare->left) && !count.more;
+  if (!is_plain || !MayBound(compare->op)) return false;
+  const auto bound = EvaluateInteger(program, compare->right);
+  if (IsUnsigned(TypeOf(program, compare->left).scalar) && compare->op == BinaryOp::kGreaterEqual)
+    return bound == 0;
+  const auto first = count.start ? EvaluateInteger(program, count.start) : std::nullopt;
+  return first && bound && !loop.step && !IsChangedInBody(program, loop, count.counter) &&
+         !Leaves(compare->op, *first, 0, *bound, 1);
+}
+
 std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit) {
   const auto count = KnownCountOf(program, loop);
   if (!count || IsChangedInBody(program, loop, count->counter)) return std::nullopt;

@@ -14,6 +14,10 @@ namespace clipc::rules {
 // longer loops whose body may end them.
 std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit);
 
+// Whether the head of the loop says that its condition is always true: its counter is a uint, which
+// is never below 0, or is changed nowhere.
+bool NeverLeaves(const Program& program, const For& loop);
+
 // Whether the numbers in the head of the loop say that it turns at most once.
 bool RunsAtMostOnce(const Program& program, const For& loop);
 

@@ -56,6 +56,7 @@ void SignatureLeaves::Collect(const Carrier& piece, Cursor& cursor) {
     case TypeKind::kArray:
     case TypeKind::kStruct: break;
     default:
+      if (takes_objects_ && type.kind == TypeKind::kObject) return leaves_.push_back(piece);
       diagnostics_.Report(piece.span, diag::SemanticOnObject, piece.name,
                           program_.types.Name(piece.type));
       return;

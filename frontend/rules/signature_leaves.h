@@ -67,6 +67,8 @@ class SignatureLeaves {
  public:
   SignatureLeaves(Program& program, Builder& builder, Diagnostics& diagnostics);
 
+  // Sets whether textures and samplers are leaves; else they are reported.
+  void SetTakesObjects(bool takes_objects) { takes_objects_ = takes_objects; }
   // Sets whether all matrices are taken apart by row, row_major or not.
   void SetByRow(bool by_row) { by_row_ = by_row; }
 
@@ -96,6 +98,7 @@ class SignatureLeaves {
   std::vector<Part> parts_;
   std::vector<Carrier> leaves_;
   bool by_row_ = false;
+  bool takes_objects_ = false;
   bool is_too_large_ = false;  // the argument of Of has more than kMaxLeaves
 };
 

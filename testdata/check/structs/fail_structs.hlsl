@@ -6,8 +6,6 @@ struct S {
   float3 normal;
   // CHECK-DAG: [[#@LINE+1]]:29: error: `position` is used without an object; it belongs to each object of its struct [field-without-object, X3004]
   static float f() { return position.x; }
-  // CHECK-DAG: [[#@LINE+1]]:12: error: a bit-field is not supported [unsupported]
-  uint b : 3;
 };
 // CHECK-DAG: [[#@LINE+1]]:12: error: `float4` is not a struct, class or interface; only those can be inherited from [base-not-struct, X3000]
 struct T : float4 { float x; };

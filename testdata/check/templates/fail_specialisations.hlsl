@@ -21,6 +21,6 @@ template<typename T, typename U> struct Pair { static float Kind() { return 0; }
 template<typename T> struct Pair<T, int> { static float Kind() { return 1; } };
 template<typename T> struct Pair<int, T> { static float Kind() { return 2; } };
 float4 main(float4 p : POSITION) : SV_Position {
-  // CHECK: [[#@LINE+1]]:14: error: a choice between partial specialisations of `Pair` is not supported [unsupported]
+  // CHECK: [[#@LINE+1]]:14: error: several partial specialisations of `Pair` fit, and none of them is more special than all others [ambiguous-specialisation]
   return p * Pair<int, int>::Kind();
 }

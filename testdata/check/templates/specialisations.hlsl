@@ -10,6 +10,12 @@ template<typename T, int N = 4> struct Box { static float Kind() { return 1; } }
 template<typename T> struct Box<T, 2> { static float Kind() { return 2; } T two; };
 template<int N> struct Box<float, N> { static float Kind() { return 10 + N; } };
 template<typename T, int N> struct Box<vector<T, N>, 3> { static float Kind() { return 20 + N; } };
+// The most special one that fits is meant, [temp.class.order] of C++: a float2 is a vector<T, 2> first.
+template<typename T, typename U> struct Pair { static const int kKind = 1; };
+template<typename T> struct Pair<T, T> { static const int kKind = 2; };
+template<typename T, int N> struct Pair<vector<T, N>, vector<T, N> > { static const int kKind = 3; };
+template<typename T> struct Pair<vector<T, 2>, vector<T, 2> > { static const int kKind = 4; };
+template<typename T> struct Pair<T, int> { static const int kKind = 5; };
 float4 main(float4 p : POSITION) : SV_Position {
   // CHECK: int f(int x) {
   // CHECK-NEXT: return x * 3;
@@ -22,6 +28,9 @@ float4 main(float4 p : POSITION) : SV_Position {
   // The kinds are 1, 2, 17, 14 and 22.
   r.y += Box<int>::Kind() + 10 * Box<int, 2>::Kind() + Box<float, 7>::Kind() * 100 + Box<float>::Kind() * 10000;
   r.z += Box<int2, 3>::Kind();
+  // The kinds are 1, 2, 3, 4 and 5.
+  r.w += Pair<float, uint>::kKind + 10 * Pair<uint, uint>::kKind + 100 * Pair<int3, int3>::kKind + 1000 * Pair<float2, float2>::kKind +
+         10000 * Pair<float, int>::kKind;
   return r;
 }
 // RUN: %draw compare %s -T vs_6_2
