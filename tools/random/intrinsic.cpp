@@ -25,8 +25,10 @@ Expr MakeRounding(const Wanted& wanted) {
 }
 
 Expr MakeLimited(const Wanted& wanted) {
-  const Expr a = wanted.Operand(), b = wanted.Operand();
   Context& context = wanted.context;
+  const bool may_nest = wanted.shape.IsScalar() || context.Has(Feature::kNestedLimits);
+  const Wanted operand{context, wanted.kind, wanted.shape, may_nest ? wanted.depth : 0};
+  const Expr a = operand.Operand(), b = operand.Operand();
   switch (context.Pick({1, 1, 1})) {
     case 0: return Call(wanted, "min", {&a, &b}, Least(a.range, b.range));
     case 1: return Call(wanted, "max", {&a, &b}, Greatest(a.range, b.range));
