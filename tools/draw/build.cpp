@@ -85,7 +85,7 @@ Shader CheckedShader::BuildFor(const std::string& target) const {
     return reported.id == DiagId::kTargetUintAsInt;
   });
   Legalize(lowered, settings.passes);
-  Written written = Write(lowered, {});
+  WrittenGlsl written = Write(lowered, {});
   shader.lowered = std::move(lowered.program);
   shader.glsl = std::move(written.glsl);
   shader.info = std::move(written.info);
