@@ -25,6 +25,7 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
   const Descriptors descriptors(program, reached, target);
   struct Taken {
     std::string name;
+    Span span;
     ObjectCategory category;
     bool is_chosen;  // [[vk::binding]] gives the place
   };
@@ -38,8 +39,8 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
                          kHighestBinding, kHighestSet);
     if (descriptors.IsRenumbered(reg) && renumbered.insert(reg.space).second)
       diagnostics.Report(span, diag::TargetSetRenumbered, name, reg.space, kHighestSet);
-    const auto [found, is_free] =
-        taken.try_emplace({at.set, at.binding}, Taken{name, category, reg.descriptor.has_value()});
+    const auto [found, is_free] = taken.try_emplace(
+        {at.set, at.binding}, Taken{name, span, category, reg.descriptor.has_value()});
     Taken& other = found->second;
     const bool may_combine =
         target.bindings.combines_samplers || (other.is_chosen && reg.descriptor.has_value());
@@ -48,7 +49,8 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
             std::pair(ObjectCategory::kTexture, ObjectCategory::kSampler)) {
       other.category = ObjectCategory::kCombinedSampler;
     } else if (!is_free) {
-      diagnostics.Report(span, diag::TargetBindingsCollide, other.name, name, at.binding, at.set);
+      diagnostics.Report(span, diag::TargetBindingsCollide, other.name, name, at.binding, at.set)
+          .Note(other.span, diag::DeclaredHere, other.name);
     }
   };
   for (CbufferId id : program.cbuffers.ids()) {

@@ -229,16 +229,18 @@ class TargetCheck {
   }
 
   void ConstantIds() {
-    std::map<std::uint32_t, std::string> taken;
+    std::map<std::uint32_t, const Var*> taken;
     for (const VarId global : reached_.globals) {
       const Var& constant = program_.vars[global];
       if (!constant.constant_id) continue;
-      const auto [found, is_free] = taken.try_emplace(*constant.constant_id, constant.name);
+      const auto [found, is_free] = taken.try_emplace(*constant.constant_id, &constant);
       if (!target_.IsVulkan())
         Report(constant.span, diag::TargetConstantId, constant.name);
       else if (!is_free)
-        diagnostics_.Report(constant.span, diag::TargetConstantIdTwice, found->second,
-                            constant.name, *constant.constant_id);
+        diagnostics_
+            .Report(constant.span, diag::TargetConstantIdTwice, found->second->name, constant.name,
+                    *constant.constant_id)
+            .Note(found->second->span, diag::DeclaredHere, found->second->name);
     }
   }
 

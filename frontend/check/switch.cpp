@@ -2,7 +2,7 @@
 #include "frontend/check/switch.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
 
 #include "frontend/check/emit.h"
@@ -15,13 +15,15 @@ namespace {
 
 // The value of a label; nullopt for `default`, and after an error, which was reported.
 std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt& stmt, Span span,
-                                           std::unordered_set<std::int64_t>& seen) {
+                                           std::unordered_map<std::int64_t, Span>& seen) {
   constexpr std::int64_t kDefault = std::int64_t{1} << 40;  // no label has this value
   std::optional<std::int64_t> value = kDefault;
   if (stmt.value) value = ConstantInteger(context, stmt.value);
   if (!value) return std::nullopt;
-  if (!seen.insert(*value).second) {
-    context.Report(span, diag::CaseTwice, stmt.value ? fmt::format("case {}", *value) : "default");
+  const auto [first, is_new] = seen.try_emplace(*value, span);
+  if (!is_new) {
+    context.Report(span, diag::CaseTwice, stmt.value ? fmt::format("case {}", *value) : "default")
+        .Note(first->second, diag::FirstGivenHere);
     return std::nullopt;
   }
   return stmt.value ? value : std::nullopt;
@@ -62,7 +64,7 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
   const ScopeTable::LocalScope scope(context.names);
   std::vector<SwitchCase> arms;
   Exprs labels;
-  std::unordered_set<std::int64_t> seen;
+  std::unordered_map<std::int64_t, Span> seen;
   const std::size_t mark = context.stmts.size();
   Span label_span;
   const auto finish = [&] {

@@ -113,7 +113,8 @@ void Parser::ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers)
       const auto before = std::exchange(var.packoffset, ParsePackOffset());
       const auto& after = var.packoffset;
       if (before && after && (before->reg != after->reg || before->component != after->component))
-        diagnostics_.Report(after->span, diag::PackOffsetOverridden);
+        diagnostics_.Report(after->span, diag::PackOffsetOverridden)
+            .Note(before->span, diag::FirstGivenHere);
       return;
     }
     default: break;

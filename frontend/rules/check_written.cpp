@@ -456,8 +456,9 @@ void WrittenWalk::CheckRead(ExprId path) {
 void WrittenWalk::Report(const Read& read) {
   if (shared_.is_reported[read.place.var.index]) return;
   shared_.is_reported[read.place.var.index] = true;
-  shared_.diagnostics.Report(read.span, diag::VariableNotWritten,
-                             program_.vars[read.place.var].name);
+  const Var& var = program_.vars[read.place.var];
+  shared_.diagnostics.Report(read.span, diag::VariableNotWritten, var.name)
+      .Note(var.span, diag::DeclaredHere, var.name);
 }
 
 // ---- main

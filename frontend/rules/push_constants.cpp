@@ -145,7 +145,9 @@ void CheckPushConstants(const Program& program, Diagnostics& diagnostics) {
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& buffer = program.cbuffers[id];
     if (!buffer.is_push_constant) continue;
-    if (first) diagnostics.Report(buffer.span, diag::PushConstantTwice, first->name, buffer.name);
+    if (first)
+      diagnostics.Report(buffer.span, diag::PushConstantTwice, first->name, buffer.name)
+          .Note(first->span, diag::DeclaredHere, first->name);
     first = &buffer;
     CheckPacking(program, buffer, diagnostics);
   }

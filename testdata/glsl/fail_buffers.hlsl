@@ -22,6 +22,7 @@ uint index;
 // VULKAN-NEXT:    [[#@LINE+2]] | Texture2D first : register(t0);
 // VULKAN-NEXT:       |           ^~~~~
 Texture2D first : register(t0);
+// VULKAN: note: `Far` is declared here
 Texture2D second : register(t1);
 cbuffer Far : register(b32) { float4 offset; };
 #endif

@@ -5,6 +5,7 @@
 cbuffer Block {
   // CHECK-DAG: [[#@LINE+1]]:46: warning: this `packoffset` overrides the one before it [-Wpack-offset-overridden]
   float4 a : packoffset(c4) : ANY_SEMANTIC : packoffset(c5);
+  // CHECK-DAG: [[#@LINE-1]]:14: note: first given here
   float4 b : packoffset(c6) : packoffset(c6.x);
   Texture2D none;
   // MIXED: [[#@LINE+1]]:10: warning: `c` has no `packoffset`, and other members of its buffer have one; it follows the last of those, fxc reports an error [-Wpack-offset-mixed]

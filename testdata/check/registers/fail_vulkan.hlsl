@@ -45,6 +45,7 @@ float4 number(float4 p : POSITION) : SV_Position { return p * number_; }
 
 struct One { float4 a; };
 // TWO: error: `one` and `other` are both push constants; a shader has one block of them [push-constant-twice]
+// TWO: note: `one` is declared here
 [[vk::push_constant]] One one;
 [[vk::push_constant]] ConstantBuffer<One> other;
 float4 two(float4 p : POSITION) : SV_Position { return one.a + other.a; }
@@ -79,6 +80,7 @@ float4 ruled(float4 p : POSITION) : SV_Position { return p * in_other; }
 float4 far(float4 p : POSITION) : SV_Position { return p * in_space; }
 
 // SAME: error: `first` and `second` both have the `vk::constant_id` 3 [target-constant-id-twice]
+// SAME: note: `first` is declared here
 [[vk::constant_id(3)]] const float first = 1;
 [[vk::constant_id(3)]] const float second = 2;
 float4 same(float4 p : POSITION) : SV_Position { return p * first * second; }

@@ -16,6 +16,7 @@ float4 main(float4 v : POSITION, int n : N) : SV_Position {
     case 1:
     // CHECK: [[#@LINE+1]]:5: error: `case 1` is given twice in one switch [case-twice, X3532]
     case 1: break;
+    // CHECK: note: first given here
     // CHECK: [[#@LINE+1]]:10: error: `n` is not a constant integer; it must be known at compile time [not-constant-integer, X3058]
     case n: break;
   }

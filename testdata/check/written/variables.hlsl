@@ -17,6 +17,7 @@ float2 swizzles(float2 p) {
   v.xz = p;
   // CHECK: [[#@LINE+1]]:13: warning: `v` is read before anything is written to it; its value is undefined [-Wvariable-not-written]
   float w = v.y;
+  // CHECK: [[#@LINE-4]]:10: note: `v` is declared here
   return v.xy + w;
 }
 float loops(float2 p, int n) {
