@@ -5,7 +5,7 @@
     check_words.py            the pages, the man page, the help and the messages of this repository
     check_words.py --test     the check's own examples
 
-The list below is that of a technical editor. Pages are README.md, CONTRIBUTING.md and those in docs/, without code, paths and links;
+The list below is that of a technical editor. Pages are those in docs/, CONTRIBUTING.md, CHANGELOG.md and each README.md, without code, paths and links;
 messages are the texts of base/diagnostic_kinds.def, and the help is that of compiler/own_options.cpp.
 """
 
@@ -70,12 +70,19 @@ def strings(source, beginning):
     )
 
 
+def readmes():
+    """Each README.md that is not in a folder of builds or of packages for node."""
+    skipped = {"build", "node_modules"}
+    return [path for path in sorted(ROOT.rglob("README.md")) if not skipped & set(path.parts)]
+
+
 def texts():
     """(name, text, its words) of all that is looked at."""
     for page in [
-        ROOT / "README.md",
         ROOT / "CONTRIBUTING.md",
-        *sorted((ROOT / "docs").glob("*.md")),
+        ROOT / "CHANGELOG.md",
+        *readmes(),
+        *sorted((ROOT / "docs").glob("[!R]*.md")),
     ]:
         if page.name == "diagnostics.md":
             continue  # made of the messages
