@@ -212,12 +212,13 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
     return true;
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(seen,
-              ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
-                          "split-variables flipped", "drop-idle-clip-distances flipped",
-                          "drop-unread-arguments flipped", "drop-unwritten flipped",
-                          "drop-unread flipped", "discard-planes flipped", "defer-discards flipped",
-                          "spread-precise flipped", "hoist-loop-bounds flipped"));
+  EXPECT_THAT(
+      seen,
+      ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
+                  "split-variables flipped", "drop-idle-clip-distances flipped",
+                  "drop-unread-arguments flipped", "drop-unwritten flipped",
+                  "drop-unneeded flipped", "drop-unread flipped", "discard-planes flipped",
+                  "defer-discards flipped", "spread-precise flipped", "hoist-loop-bounds flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
@@ -230,8 +231,8 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
   EXPECT_THAT(PassNames(),
               ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
                           "split-variables", "drop-idle-clip-distances", "drop-unread-arguments",
-                          "drop-unwritten", "drop-unread", "discard-planes", "defer-discards",
-                          "spread-precise", "hoist-loop-bounds"));
+                          "drop-unwritten", "drop-unneeded", "drop-unread", "discard-planes",
+                          "defer-discards", "spread-precise", "hoist-loop-bounds"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {
