@@ -5,6 +5,7 @@
 
 #include "frontend/check/bit_field.h"
 #include "frontend/check/cast_target.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/init.h"
 #include "frontend/check/operator.h"
@@ -97,6 +98,9 @@ ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Sp
   }
   const ExprId value = CheckExpr(context, expr.right);
   if (context.IsError(target, value)) return context.ErrorExpr(span);
+  const bool fits = expr.op ? CheckNoEnumClass(context, SpellingOf(*expr.op), target, span)
+                            : CheckEnumClasses(context, value, target, context[value].span);
+  if (!fits) return context.ErrorExpr(span);
   if (const ExprId element = ElementIn(context, target))
     return AssignElement(context, expr, target, element, value, span);
   if (IsChosenComponent(context, target)) return AssignChosen(context, expr, target, value, span);

@@ -5,6 +5,7 @@
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/value.h"
@@ -123,7 +124,11 @@ ExprId FieldNamed(Context& context, ExprId object, Name name, Span span) {
   if (!field) return {};
   const std::vector<BitField>& all = InfoOf(context, type)->bits;
   const auto bits = std::ranges::find(all, name, &BitField::name);
-  if (bits == all.end()) return context.At(span).Field(object, *field);
+  if (bits == all.end()) {
+    const ExprId value = context.At(span).Field(object, *field);
+    NoteValue(context, value, FindMember(context, type, name));
+    return value;
+  }
   const BitField found = *bits;
   return ReadBits(context, object, found, span);
 }

@@ -7,6 +7,7 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/emit.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/flow.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
@@ -23,6 +24,7 @@ void CheckBody(Context& context, FunctionInfoId id) {
   Body body;
   body.function = info.function;
   body.return_type = info.return_type;
+  body.written_return_type = decl.return_type;
   const ViewSwitch in(context, {.scope = info.scope,
                                 .order = info.order,
                                 .local_floor = context.names.size(),
@@ -35,6 +37,7 @@ void CheckBody(Context& context, FunctionInfoId id) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
     const SymbolId symbol =
         DeclareLocal(context, SymbolKind::kVariable, var.name, parameter.decl, var.name_span);
+    NoteType(context, symbol, var);
     const VarId added = vars[next++];
     context[symbol].Resolve(added.index);
     if (parameter.storage != Storage::kOut || !HoldsBits(context, parameter.type)) continue;

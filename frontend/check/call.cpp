@@ -6,6 +6,7 @@
 #include "frontend/check/byte_access.h"
 #include "frontend/check/cast_target.h"
 #include "frontend/check/construct.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/init.h"
@@ -269,6 +270,21 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
   return at.Ref(copy);
 }
 
+// The view of the types in the function's declaration.
+View OutsideOf(const Context& context, const FunctionInfo& function) {
+  return {.scope = function.scope,
+          .order = function.order,
+          .local_floor = context.names.size(),
+          .body = context.view.body};
+}
+
+bool TakesArgument(Context& context, const FunctionInfo& function, const Parameter& parameter,
+                   ExprId argument) {
+  const auto& var = context.Get<ast::VarDecl>(parameter.decl);
+  const ViewSwitch in(context, OutsideOf(context, function));
+  return !var.dimensions.empty() || CheckEnumClass(context, var.type, argument);
+}
+
 // The object that a method is called on, or a copy if the method may change it and nothing can be
 // assigned to it.
 ExprId BindSelf(Context& context, const FunctionInfo& function, ExprId self, Exprs& before) {
@@ -282,10 +298,7 @@ ExprId BindSelf(Context& context, const FunctionInfo& function, ExprId self, Exp
 ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::uint32_t index) {
   const Parameter parameter = context[function.parameters][index];
   const auto& var = context.Get<ast::VarDecl>(parameter.with_default);
-  const ViewSwitch in(context, {.scope = function.scope,
-                                .order = function.order,
-                                .local_floor = context.names.size(),
-                                .body = context.view.body});
+  const ViewSwitch in(context, OutsideOf(context, function));
   return CheckInit(context, var.init, parameter.type);
 }
 
@@ -309,7 +322,10 @@ ExprId FinishCall(Context& context, ExprId call, ExprSpan before, ExprSpan after
 ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span) {
   const ast::Expr& callee = context[expr.callee];
   if (const auto* type = std::get_if<ast::TypeExpr>(&callee.node)) {
-    return CheckConstructor(context, ResolveType(context, type->type), expr.arguments, span);
+    const ExprId value =
+        CheckConstructor(context, ResolveType(context, type->type), expr.arguments, span);
+    NoteCastTo(context, value, type->type);
+    return value;
   }
   if (const auto* name = std::get_if<ast::NameExpr>(&callee.node))
     return CallNamed(context, *name, callee.span, expr, span);
@@ -355,12 +371,17 @@ ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs argu
   for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
     const Parameter parameter = context[info.parameters][i];
     const bool is_given = i < arguments.size();
+    if (is_given && !TakesArgument(context, info, parameter, arguments[i]))
+      return context.ErrorExpr(span);
     const ExprId argument = is_given ? BindArgument(context, parameter, arguments[i], before, after)
                                      : DefaultArgument(context, info, i);
     if (context.IsError(argument)) return context.ErrorExpr(span);
     bound.push_back(argument);
   }
-  return FinishCall(context, context.At(span).CallOf(function, bound), before, after);
+  const ExprId call = context.At(span).CallOf(function, bound);
+  const ViewSwitch in(context, OutsideOf(context, info));
+  NoteCastTo(context, call, DeclOf(context, info).return_type);
+  return FinishCall(context, call, before, after);
 }
 
 }  // namespace clipc::check

@@ -31,6 +31,7 @@ namespace clipc::check {
 struct Body {
   FunctionId function;
   TypeId return_type;
+  ast::TypeId written_return_type;
   // The variable that `this` names; none if the function is not a method.
   VarId self;
   int loops = 0;
@@ -102,6 +103,11 @@ struct Context final : TemporaryMaker {
   Globals globals;
   // The operands of casts of paths, by the expression that each became: cast_target.h.
   std::unordered_map<std::uint32_t, ast::ExprId> casts;
+  // What is known of enum classes (enum_class.h): the enum of an expression and of a variable, none
+  // for a number.
+  bool has_enum_classes = false;
+  std::unordered_map<std::uint32_t, SymbolId> enum_values;
+  std::unordered_map<std::uint32_t, SymbolId> enum_symbols;
   // The bit-fields that are read, by the expression that each became: bit_field.h.
   std::unordered_map<std::uint32_t, BitAccess> bits;
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up

@@ -10,6 +10,7 @@
 #include "frontend/check/call.h"
 #include "frontend/check/cast_target.h"
 #include "frontend/check/enum.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/global.h"
 #include "frontend/check/index.h"
 #include "frontend/check/init.h"
@@ -155,8 +156,9 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
     if (!MayBeSkipped(context.program, when_false))
       when_false = Hoist(context, when_false, prologue);
   }
-  return WithPrologue(context, prologue,
-                      context.At(span).Add(*type, Conditional{condition, when_true, when_false}));
+  const ExprId choice = context.At(span).Add(*type, Conditional{condition, when_true, when_false});
+  NoteChoice(context, choice, when_true, when_false);
+  return WithPrologue(context, prologue, choice);
 }
 
 ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
@@ -164,7 +166,10 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
       ArrayOf(context, ResolveType(context, expr.type), expr.dimensions, context[expr.type].span);
   const ExprId value = CheckExpr(context, expr.operand);
   if (context.IsError(value, type)) return context.ErrorExpr(span);
-  if (context.TypeIdOf(value) == type) return value;
+  if (context.TypeIdOf(value) == type) {
+    NoteCastTo(context, value, expr.type);
+    return value;
+  }
   const bool is_zero =
       As<Literal>(context.program, value) && EvaluateInteger(context.program, value) == 0;
   if (!is_zero && RefusesBits(context, context.TypeIdOf(value), type, span))
@@ -232,7 +237,11 @@ ExprId CheckExpr(Context& context, ast::ExprId id) {
 ExprId UseSymbol(Context& context, SymbolId id, Span span) {
   const Symbol& symbol = context[id];
   switch (symbol.kind) {
-    case SymbolKind::kVariable: return UseVariable(context, id, span);
+    case SymbolKind::kVariable: {
+      const ExprId value = UseVariable(context, id, span);
+      NoteValue(context, value, id);
+      return value;
+    }
     case SymbolKind::kField: {
       const VarId self = context.view.body ? context.view.body->self : VarId{};
       const ExprId field =
@@ -246,9 +255,12 @@ ExprId UseSymbol(Context& context, SymbolId id, Span span) {
       const SymbolId owner{symbol.owner};
       ResolveEnum(context, owner, context.Get<ast::EnumDecl>(symbol.decl));
       const auto& values = context.structs.enum_values[owner.index];
-      if (symbol.value < values.size())
-        return context.At(span).Add(ResolveTypeSymbol(context, owner),
-                                    Literal{values[symbol.value]});
+      if (symbol.value < values.size()) {
+        const ExprId value =
+            context.At(span).Add(ResolveTypeSymbol(context, owner), Literal{values[symbol.value]});
+        NoteEnumerator(context, value, owner);
+        return value;
+      }
       return context.Fail(span, diag::InitialisedByItself, context[symbol.name]);
     }
     case SymbolKind::kTemplateValue:

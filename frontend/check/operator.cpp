@@ -6,6 +6,7 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/overload.h"
@@ -20,6 +21,7 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
   const ExprId target = TakeSteps(context, CheckExpr(context, operand), steps);
   if (context.IsError(target)) return target;
   const Type& type = context.TypeOf(target);
+  if (!CheckNoEnumClass(context, SpellingOf(op), target, span)) return context.ErrorExpr(span);
   if (!type.IsNumeric() || type.scalar == Scalar::kBool)
     return context.Fail(span, diag::BadOperand, SpellingOf(op), context.TypeName(target));
   if (IsBitField(context, target)) return IncrementBits(context, op, target, span);
@@ -98,6 +100,7 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
   if (context.IsError(operand)) return operand;
   const TypeId type = context.TypeIdOf(operand);
   const std::string_view spelling = expr.op ? SpellingOf(*expr.op) : "+";
+  if (!CheckNoEnumClass(context, spelling, operand, span)) return context.ErrorExpr(span);
   if (!context[type].IsNumeric()) {
     const ExprId operands[] = {operand};
     if (const auto call = CallOperator(context, spelling, operands, span, span)) return *call;
@@ -117,6 +120,12 @@ ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
   const ExprId left = CheckExpr(context, expr.left);
   const ExprId right = CheckExpr(context, expr.right);
   if (context.IsError(left, right)) return context.ErrorExpr(span);
+  const std::string_view spelling = SpellingOf(expr.op);
+  const bool fits = IsComparison(expr.op)
+                        ? CheckEnumClasses(context, left, right, expr.op_span)
+                        : CheckNoEnumClass(context, spelling, left, expr.op_span) &&
+                              CheckNoEnumClass(context, spelling, right, expr.op_span);
+  if (!fits) return context.ErrorExpr(span);
   if (IsLogical(expr.op) && context.options.short_circuits) {
     const bool is_and = expr.op == BinaryOp::kLogicalAnd;
     for (const ExprId side : {left, right}) {

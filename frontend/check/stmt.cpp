@@ -7,6 +7,7 @@
 #include "frontend/check/bit_field.h"
 #include "frontend/check/declare.h"
 #include "frontend/check/emit.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/global.h"
 #include "frontend/check/init.h"
@@ -55,9 +56,11 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
     if (!context.IsError(init)) init = Implicit(context, init, type);
   } else if (var.init && !context.IsError(type)) {
     init = CheckInit(context, var.init, type);
+    if (var.dimensions.empty()) CheckEnumClass(context, var.type, init);
   }
   const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
   context[symbol].resolution = Resolution::kDone;
+  NoteType(context, symbol, var);
   if (context.IsError(type)) return;
   if (init && context.IsError(init)) init = {};
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
@@ -133,7 +136,9 @@ void CheckNode(Context& context, const ast::ReturnStmt& stmt, Span span) {
     EmitValue(context, value);
     return Emit(context, span, Return{});
   }
-  const ExprId value = Unwrap(context, CheckInit(context, stmt.value, wanted));
+  const ExprId returned = CheckInit(context, stmt.value, wanted);
+  CheckEnumClass(context, context.view.body->written_return_type, returned);
+  const ExprId value = Unwrap(context, returned);
   if (!context.IsError(value)) Emit(context, span, Return{value});
 }
 

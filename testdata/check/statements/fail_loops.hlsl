@@ -19,6 +19,14 @@ float4 main(float4 p : POSITION, int n : N) : SV_Position {
     // CHECK: [[#@LINE+1]]:5: error: the loop never ends
     do { p += 1; if (p.x > 1) continue; } while (1);
   }
+  if (n == 4) {
+    // CHECK: [[#@LINE+1]]:5: error: the loop never ends
+    for (uint k = 4; k >= 0; k--) p += 1;
+    // CHECK: [[#@LINE+1]]:5: error: the loop never ends
+    for (int m = 0; m < 4;) p += 1;
+    for (int moved = 0; moved < 4;) moved += n;
+    for (uint down = 4; down > 0; down--) p += 1;
+  }
   [unroll(3)] while (true) p += 1;
   while (true) {
     if (p.y > 0) break;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/enum_class.h"
+
+#include <optional>
+
+#include "frontend/check/scope.h"
+#include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
+
+namespace clipc::check {
+namespace {
+
+// An enum class, or none for a number; nullopt: not known.
+using Known = std::optional<SymbolId>;
+
+const ast::EnumDecl* ClassOf(const Context& context, SymbolId symbol) {
+  const ast::DeclId decl = context[symbol].decl;
+  const auto* enumeration = decl ? context.GetIf<ast::EnumDecl>(decl) : nullptr;
+  return enumeration && enumeration->is_class ? enumeration : nullptr;
+}
+
+Known MeaningOf(Context& context, ast::TypeId id) {
+  const ast::Type& type = context[id];
+  if (!type.name.name || type.struct_definition || type.outer || type.has_arguments)
+    return std::nullopt;
+  const SymbolId symbol = Find(context, type.name, true);
+  if (symbol) return ClassOf(context, symbol) ? Known(symbol) : std::nullopt;
+  const bool is_plain = type.name.scopes.empty() && !type.name.from_global;
+  return is_plain && NumericType(context, type.name.name) ? Known(SymbolId{}) : std::nullopt;
+}
+
+Known MeaningOf(Context& context, const ast::VarDecl& var) {
+  return var.dimensions.empty() ? MeaningOf(context, var.type) : std::nullopt;
+}
+
+Known MeaningOf(const Context& context, ExprId value) {
+  const auto found = context.enum_values.find(value.index);
+  if (found != context.enum_values.end()) return found->second;
+  return context.Is<Literal>(value) ? Known(SymbolId{}) : std::nullopt;
+}
+
+void Note(Context& context, ExprId value, Known meaning) {
+  if (meaning && !context.IsError(value))
+    context.enum_values.insert_or_assign(value.index, *meaning);
+  else
+    context.enum_values.erase(value.index);
+}
+
+std::string NameOf(const Context& context, SymbolId meaning, TypeId number) {
+  return meaning ? std::string(context[context[meaning].name]) : context.TypeName(number);
+}
+
+}  // namespace
+
+void NoteType(Context& context, SymbolId symbol, const ast::VarDecl& var) {
+  if (const Known meaning = MeaningOf(context, var))
+    context.enum_symbols.insert_or_assign(symbol.index, *meaning);
+}
+
+void NoteValue(Context& context, ExprId value, SymbolId symbol) {
+  if (!context.has_enum_classes) return;
+  auto known = context.enum_symbols.find(symbol.index);
+  const ast::DeclId decl = context[symbol].decl;
+  const auto* var = decl ? context.GetIf<ast::VarDecl>(decl) : nullptr;
+  if (known == context.enum_symbols.end() && var && context[symbol].scope) {
+    const ViewSwitch in(context, ViewOf(context, symbol));
+    NoteType(context, symbol, *var);
+    known = context.enum_symbols.find(symbol.index);
+  }
+  if (known != context.enum_symbols.end()) Note(context, value, known->second);
+}
+
+void NoteEnumerator(Context& context, ExprId value, SymbolId enumeration) {
+  Note(context, value, ClassOf(context, enumeration) ? Known(enumeration) : std::nullopt);
+}
+
+void NoteCastTo(Context& context, ExprId value, ast::TypeId type) {
+  if (context.has_enum_classes) Note(context, value, MeaningOf(context, type));
+}
+
+void NoteChoice(Context& context, ExprId value, ExprId one, ExprId other) {
+  const Known meaning = MeaningOf(context, one);
+  if (context.has_enum_classes && meaning == MeaningOf(context, other))
+    Note(context, value, meaning);
+}
+
+bool CheckEnumClass(Context& context, ast::TypeId type, ExprId value) {
+  if (!context.has_enum_classes || context.IsError(value)) return true;
+  const Known from = MeaningOf(context, value), to = MeaningOf(context, type);
+  if (!from || !to || *from == *to) return true;
+  const TypeId number = context.TypeIdOf(value);
+  context.Report(context[value].span, diag::EnumClassConversion, NameOf(context, *from, number),
+                 NameOf(context, *to, number));
+  return false;
+}
+
+bool CheckEnumClasses(Context& context, ExprId left, ExprId right, Span span) {
+  if (!context.has_enum_classes || context.IsError(left, right)) return true;
+  const Known one = MeaningOf(context, left), other = MeaningOf(context, right);
+  if (!one || !other || *one == *other) return true;
+  context.Report(span, diag::EnumClassConversion, NameOf(context, *one, context.TypeIdOf(left)),
+                 NameOf(context, *other, context.TypeIdOf(right)));
+  return false;
+}
+
+bool CheckNoEnumClass(Context& context, std::string_view op, ExprId operand, Span span) {
+  const Known meaning = MeaningOf(context, operand);
+  if (!context.has_enum_classes || !meaning || !*meaning) return true;
+  context.Report(span, diag::BadOperand, op, NameOf(context, *meaning, {}));
+  return false;
+}
+
+}  // namespace clipc::check
