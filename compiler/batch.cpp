@@ -258,7 +258,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   std::vector<OutputPiece> pieces;
   if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
     return problem;
-  OutputFiles files;
+  OutputFiles files(OutputFiles::Unchanged::kKept);
   std::unordered_set<std::string> paths = {IndexPath()};
   for (OutputPiece& piece : pieces) {
     if (!paths.insert(piece.path).second)

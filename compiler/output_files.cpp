@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/output_files.h"
 
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,6 +37,20 @@ bool WriteAndClose(int file, const std::string& contents) {
   const bool closed = system::Close(file);
   if (!wrote) errno = error;
   return wrote && closed;
+}
+
+bool HasContents(const std::string& path, std::string_view contents) {
+  const int file = system::OpenToRead(path);
+  if (file < 0) return false;
+  std::array<char, 65536> buffer;
+  std::ptrdiff_t got = 0;
+  while ((got = system::Read(file, buffer.data(), buffer.size())) > 0) {
+    const std::string_view part(buffer.data(), static_cast<std::size_t>(got));
+    if (!contents.starts_with(part)) break;
+    contents.remove_prefix(part.size());
+  }
+  system::Close(file);
+  return got == 0 && contents.empty();
 }
 
 // A new file beside `path`, open for writing; -1 and errno on failure.
@@ -71,6 +87,9 @@ std::string OutputFiles::Prepare(File& file) {
     if (status->kind != system::FileKind::kRegular) return {};
     // Renaming needs no permission to write the file itself; a file without it is not replaced.
     if (!system::MayWrite(file.path)) return Problem(file.path);
+    file.is_kept = unchanged_ == Unchanged::kKept && status->size == file.contents.size() &&
+                   HasContents(file.path, file.contents);
+    if (file.is_kept) return {};
     // Renaming must replace the file that a symbolic link stands for, not the link.
     file.path = system::ResolveLinks(file.path);
     mode = status->mode;
@@ -89,7 +108,7 @@ std::string OutputFiles::Commit() {
   }
   // Writing, which may fail, comes before renaming, which hardly can.
   for (const File& file : files_) {
-    if (!file.temporary.empty()) continue;
+    if (file.is_kept || !file.temporary.empty()) continue;
     const bool is_stdout = file.path == "-";
     const int descriptor = is_stdout ? system::kStandardOutput : system::OpenToWrite(file.path);
     if (descriptor < 0) return Problem(file.path);

@@ -14,7 +14,12 @@ namespace clipc {
 // (a device, a pipe) is written in place, just before the renaming.
 class OutputFiles {
  public:
-  OutputFiles() = default;
+  // What becomes of a file that has the contents already. A make rule needs a new time of the file
+  // that it names; of many outputs, those that do not change keep theirs, and so what is made of
+  // them.
+  enum class Unchanged : std::uint8_t { kReplaced, kKept };
+
+  explicit OutputFiles(Unchanged unchanged = Unchanged::kReplaced) : unchanged_(unchanged) {}
   ~OutputFiles();  // removes the temporary files that were not renamed
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
@@ -31,8 +36,11 @@ class OutputFiles {
     std::string path;
     std::string contents;
     std::string temporary;  // empty: written in place
+    bool is_kept = false;
   };
   std::string Prepare(File& file);
+
+  Unchanged unchanged_;
 
   std::vector<File> files_;
 };
