@@ -455,11 +455,13 @@ class TargetCheck {
     }
   }
 
-  // Reports a sampler in an array, which OpenGL cannot combine with a texture.
+  // Reports a sampler in an array, which OpenGL cannot combine with a texture unless a literal says
+  // which one it is.
   void ObjectArgument(ExprId object) {
     const auto* index = As<Index>(object);
     const bool is_sampler = InfoOf(TypeOf(object).object).category == ObjectCategory::kSampler;
-    if (!index || !is_sampler || target_.IsVulkan()) return;
+    if (!index || !is_sampler || target_.IsVulkan() || SamplerElementAt(program_, object).array)
+      return;
     const auto* var = As<VarRef>(index->base);
     Report(program_.exprs[object].span, diag::TargetSamplerArray,
            var ? program_.vars[var->var].name : "sampler");

@@ -2,6 +2,8 @@
 #include "backend-glsl/shape.h"
 
 #include "base/invariant.h"
+#include "ir/access.h"
+#include "ir/object.h"
 
 namespace clipc::glsl {
 
@@ -85,6 +87,17 @@ std::string GlslName(const Shape& shape, bool has_unsigned) {
     name += ']';
   }
   return name;
+}
+
+SamplerElement SamplerElementAt(const ir::Program& program, ir::ExprId expr) {
+  const auto* index = ir::As<ir::Index>(program, expr);
+  const auto* array = index ? ir::As<ir::VarRef>(program, index->base) : nullptr;
+  const auto* number = index ? ir::As<ir::Literal>(program, index->index) : nullptr;
+  const ir::Type& type = ir::TypeOf(program, expr);
+  const bool is_sampler = type.kind == ir::TypeKind::kObject &&
+                          ir::InfoOf(type.object).category == ir::ObjectCategory::kSampler;
+  if (!array || !number || !is_sampler) return {};
+  return {array->var, static_cast<std::uint32_t>(number->bits)};
 }
 
 }  // namespace clipc::glsl

@@ -19,6 +19,12 @@ namespace clipc::glsl {
 //   while (n + f(2));  =>  int old_n; while ((old_n = n) + f(2));
 void LowerOperandOrder(Legalizer& legalizer);
 
+// Makes a variable of each element of an array of samplers, which OpenGL combines with a texture as
+// it does others.
+//
+//   t.Sample(samplers[1], uv)  =>  t.Sample(samplers_1, uv)
+void SplitSamplers(Legalizer& legalizer);
+
 // Evaluates indices that have effects and that GLSL does without before the expression that has
 // them: a matrix of one row is a vector, float1 a scalar.
 //

@@ -12,6 +12,8 @@
 #include "cut.shader.h"
 #include "level9.clip.h"
 #include "level9.shader.h"
+#include "pair.shader.h"
+#include "pair_of_two.shader.h"
 #include "runtime/level9_binder.h"
 #include "shader.h"
 #include "variants.shader.h"
@@ -39,6 +41,9 @@ int main() {
       !std::ifstream(SHADER_FOLDER "/cut.reflect.json"))
     return 1;
   if (vulkan_spv[0] != 0x07230203 || !std::ifstream(SHADER_FOLDER "/vulkan.spv")) return 1;
+  if (!std::strstr(pair_vert[1], "void main") || !std::strstr(pair_frag[1], "SV_Target0") ||
+      !std::strstr(pair_of_two_frag, "SV_Target0") || pair_of_two_spv_pixel[0] != 0x07230203)
+    return 1;
   // SPIR-V's decoration BuiltIn ClipDistance, of the compiler that clipc_add_hlsl_pass() calls.
   const std::uint32_t clip_distance[] = {11, 3};
   if (std::search(std::begin(passed_spv), std::end(passed_spv), std::begin(clip_distance),

@@ -7,3 +7,4 @@
 
 [clipplanes(first, second)]
 float4 main(float4 position : POSITION) : SV_Position { return SCALE * position; }
+float4 pixel() : SV_Target { return 1; }

@@ -197,16 +197,25 @@ Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
 // GL120-NEXT: clipc: note: target `glsl130` can
   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
   r.position += typed[vertex] + structured[vertex];
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:40: error: the sampler `samplers` is an element of an array; target `glsl120` combines each texture with one named sampler [target-sampler-array]
-// GL120-NEXT:   [[#@LINE+8]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
-// GL120-NEXT:       |                                        ^~~~~~~~~~~
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:40: error: the sampler `samplers` is an element of an array; target `essl300` combines each texture with one named sampler [target-sampler-array]
-// ES300-NEXT:   [[#@LINE+5]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
-// ES300-NEXT:       |                                        ^~~~~~~~~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:40: error: the sampler `samplers` is an element of an array; target `glsl330` combines each texture with one named sampler [target-sampler-array]
-// GL330-NEXT:   [[#@LINE+2]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
-// GL330-NEXT:       |                                        ^~~~~~~~~~~
-  r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+18]]:40: error: the sampler `samplers` is an element of an array; target `glsl120` combines each texture with one named sampler [target-sampler-array]
+// GL120-NEXT:   [[#@LINE+17]] |   r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
+// GL120-NEXT:       |                                        ^~~~~~~~~~~~~~~~
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+15]]:40: error: the index of `samplers` is not constant; target `glsl120` accepts only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
+// GL120-NEXT:   [[#@LINE+14]] |   r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
+// GL120-NEXT:       |                                        ^~~~~~~~~~~~~~~~
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+12]]:40: error: the sampler `samplers` is an element of an array; target `essl300` combines each texture with one named sampler [target-sampler-array]
+// ES300-NEXT:   [[#@LINE+11]] |   r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
+// ES300-NEXT:       |                                        ^~~~~~~~~~~~~~~~
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+9]]:40: error: the index of `samplers` is not constant; target `essl300` accepts only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
+// ES300-NEXT:   [[#@LINE+8]] |   r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
+// ES300-NEXT:       |                                        ^~~~~~~~~~~~~~~~
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+6]]:40: error: the sampler `samplers` is an element of an array; target `glsl330` combines each texture with one named sampler [target-sampler-array]
+// GL330-NEXT:   [[#@LINE+5]] |   r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
+// GL330-NEXT:       |                                        ^~~~~~~~~~~~~~~~
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:40: error: the index of `samplers` is not constant; target `glsl330` accepts only constant indices of arrays of buffers, textures and samplers [target-buffer-index-not-constant]
+// GL330-NEXT:   [[#@LINE+2]] |   r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
+// GL330-NEXT:       |                                        ^~~~~~~~~~~~~~~~
+  r.position += maps[1][0].SampleLevel(samplers[vertex], p.xy, 0);
   float2 size;
   float levels;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+16]]:3: error: the shader queries the size of a texture; target `glsl120` cannot answer that [target-texture-query]
