@@ -89,7 +89,10 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   const vk::PipelineMultisampleStateCreateInfo samples;
   vk::PipelineColorBlendAttachmentState color;
   color.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
-  const std::vector<vk::PipelineColorBlendAttachmentState> colors(targets.colors.size(), color);
+  std::vector<vk::PipelineColorBlendAttachmentState> colors(targets.colors.size(), color);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    if (targets.colors[i] == vk::Format::eUndefined) colors[i].colorWriteMask = {};
+  }
   const vk::PipelineColorBlendStateCreateInfo blending({}, false, {}, colors);
   const bool has_depth = targets.depth != vk::Format::eUndefined;
   const vk::PipelineDepthStencilStateCreateInfo depth({}, has_depth, has_depth,
