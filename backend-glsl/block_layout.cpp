@@ -326,6 +326,16 @@ std::optional<Std140Extent> Std430(const TypeTable& types, TypeId type, bool row
   return extent;
 }
 
+bool IsOfWords(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  if (type.kind == TypeKind::kArray) return IsOfWords(types, type.element);
+  if (type.kind == TypeKind::kStruct) {
+    return std::ranges::all_of(types.StructOf(id).fields,
+                               [&](const Field& field) { return IsOfWords(types, field.type); });
+  }
+  return type.IsScalarOrVector() && ByteSize(type.scalar) == 4;
+}
+
 StructuredExtent Structured(const TypeTable& types, TypeId id) {
   const Type& type = types[id];
   const std::uint32_t scalar = ByteSize(type.scalar);

@@ -107,5 +107,8 @@ struct StructuredExtent {
   std::uint32_t alignment = 4;
 };
 StructuredExtent Structured(const ir::TypeTable& types, ir::TypeId type);
+// Whether an element of a StructuredBuffer is words in the order of its components, one each: it
+// has no matrix and nothing of 64 bits.
+bool IsOfWords(const ir::TypeTable& types, ir::TypeId type);
 
 }  // namespace clipc::glsl

@@ -15,6 +15,7 @@
 #include "backend-glsl/reach.h"
 #include "backend-glsl/shape.h"
 #include "backend-glsl/write.h"
+#include "backend-glsl/writer/wave_call.h"
 #include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
@@ -110,13 +111,21 @@ class TargetCheck {
   void Input(const IoVar& input) {
     if (!reached_.Has(input.var)) return;
     const Var& var = program_.vars[input.var];
-    if (input.builtin == Builtin::kUntranslated)
-      return Report(var.span, diag::TargetPixelInput, input.semantic);
+    if (input.builtin == Builtin::kUntranslated) return UntranslatedInput(input, var.span);
     if (input.builtin == Builtin::kPixelPosition) return PixelPosition(input);
     if (input.builtin == Builtin::kNone && clipc::InfoOf(program_.stage).has_stage_before)
       return Varying(input);
     Check(NeedOf(input.builtin), var.span, input.semantic);
     DoubleVarying(var, input.semantic + std::to_string(input.index));
+  }
+
+  void UntranslatedInput(const IoVar& input, Span span) {
+    const ir::Profile& profile = program_.profile;
+    if (profile.IsDirect3D9() || profile.level9 != ir::Level9::kNone) {
+      diagnostics_.Report(span, diag::ProfileInput, input.semantic, profile.name);
+    } else {
+      Report(span, diag::TargetPixelInput, input.semantic);
+    }
   }
 
   void PixelPosition(const IoVar& input) {
@@ -189,8 +198,9 @@ class TargetCheck {
     const bool is_nested = IsArray(type.element);
     const bool in_rows =
         LayOutBlock(program_, cbuffer, target_, blocks_, reached_.vars).form == BlockForm::kRows;
-    const bool fits = in_rows ? target_.Has(Feature::kDynamicBlockIndex) && !is_nested
-                              : !is_nested || target_.Has(Feature::kArraysOfArrays);
+    const bool fits =
+        in_rows ? target_.Has(Feature::kDynamicBlockIndex) && !is_nested
+                : !is_nested || (target_.Has(Feature::kArraysOfArrays) && !target_.IsEs());
     if (!fits || !target_.Has(Feature::kBlockInstances)) {
       Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name);
     }
@@ -401,6 +411,9 @@ class TargetCheck {
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
     if (CategoryOf(call.op) == IntrinsicCategory::kInterpolants) Interpolant(call, span);
+    if (CategoryOf(call.op) == IntrinsicCategory::kWave ||
+        CategoryOf(call.op) == IntrinsicCategory::kQuad)
+      Check(FeatureOfWave(call.op), diag::TargetWave, span, NameOf(call.op));
     if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
       Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
     }
@@ -424,10 +437,13 @@ class TargetCheck {
     const auto arguments = program_.expr_lists[call.arguments];
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
-    if (WritesObject(call.op)) StoreUse(arguments[0], span);
+    if (WritesObject(call.op)) StoreUse(arguments[0], call.op, span);
     if (!HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
       Report(span, diag::TargetSampleCompare);
     if (HasSampleOffset(call)) Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
+    if (call.op == ObjectOp::kSampleCmp && object == ObjectKind::kTexture2DArray &&
+        arguments.size() > 4)
+      Check(Feature::kShadowArrayOffsets, diag::TargetSampleOffset, span);
     const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
     if (!is_length) Check(NeedOf(call.op), span);
   }
@@ -443,14 +459,15 @@ class TargetCheck {
     }
   }
 
-  // Reports a store to elements that lie tighter than std430 says: such elements are read as words,
-  // and not written.
-  void StoreUse(ExprId object, Span span) {
+  // Reports a store to elements that lie tighter than std430 says and cannot be written word by
+  // word.
+  void StoreUse(ExprId object, ObjectOp op, Span span) {
     const ir::Type& type = Innermost(program_.exprs[object].type);
     const auto* ref = As<VarRef>(object);
     const bool row_major = ref && program_.vars[ref->var].row_major;
     if (type.object == ObjectKind::kRWStructuredBuffer &&
-        !Std430(program_.types, type.element, row_major)) {
+        !Std430(program_.types, type.element, row_major) &&
+        (op != ObjectOp::kStore || !IsOfWords(program_.types, type.element))) {
       Report(span, diag::TargetStructuredStore, program_.types.Name(type.element));
     }
   }

@@ -82,6 +82,7 @@ bool IsOfScalars(Intrinsic op, const Shape& shape, const Target& target) {
   const bool is_combining = CategoryOf(op) == IntrinsicCategory::kVectors;
   if (is_combining || !shape.IsVector() || BuiltinOf(op, shape, target)) return false;
   switch (op) {
+    case Intrinsic::kWaveActiveAllEqual:
     case Intrinsic::kAsDouble: return true;
     case Intrinsic::kF16ToF32:
     case Intrinsic::kF32ToF16:

@@ -52,6 +52,16 @@ constexpr SnippetText kSnippets[] = {
     return sums;
 }
 )"},
+    {"QuadAll", SnippetText::kAny, true,
+     R"(bool $N(bool x) {
+    return all(bvec4(x, subgroupQuadSwapHorizontal(x), subgroupQuadSwapVertical(x), subgroupQuadSwapDiagonal(x)));
+}
+)"},
+    {"QuadAny", SnippetText::kAny, true,
+     R"(bool $N(bool x) {
+    return any(bvec4(x, subgroupQuadSwapHorizontal(x), subgroupQuadSwapVertical(x), subgroupQuadSwapDiagonal(x)));
+}
+)"},
     {"dot2add", SnippetText::kFloat, false,
      R"(float $N(vec2 a, vec2 b, float sum) {
     return dot(a, b) + sum;

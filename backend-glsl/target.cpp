@@ -48,6 +48,10 @@ struct FeatureRow {
   Since desktop, es;
 };
 
+constexpr Since Subgroup(std::string_view extension, int first) {
+  return {kNever, first, extension};
+}
+
 // Sources: the GLSL specifications 1.20 to 4.60, GLSL ES 1.00 to 3.20, KHR_vulkan_glsl, and the
 // extensions named.
 constexpr FeatureRow kFeatures[] = {
@@ -106,7 +110,28 @@ constexpr FeatureRow kFeatures[] = {
      {300, 100, "GL_EXT_shader_texture_lod"}},
     {Feature::kLevelQueries, {400}, {}},
     {Feature::kInterpolants, {400}, {320, 300, "GL_OES_shader_multisample_interpolation"}},
-    {Feature::kBarycentrics, {}, {}},  // Vulkan: GL_EXT_fragment_shader_barycentric
+    {Feature::kBarycentrics,  // Vulkan: GL_EXT_fragment_shader_barycentric
+     {kNever, 450, "GL_NV_fragment_shader_barycentric"},
+     {kNever, 320, "GL_NV_fragment_shader_barycentric"}},
+    {Feature::kFullyCovered, {kNever, 450, "GL_NV_conservative_raster_underestimation"}, {}},
+    // Vulkan has no such variable.
+    {Feature::kSampleCount, {400}, {320, 300, "GL_OES_sample_variables"}},
+    {Feature::kHelperInvocation, {450}, {310}},
+    // Vulkan: from 1.1 on.
+    {Feature::kSubgroups, Subgroup("GL_KHR_shader_subgroup_basic", 140),
+     Subgroup("GL_KHR_shader_subgroup_basic", 310)},
+    {Feature::kSubgroupVotes, Subgroup("GL_KHR_shader_subgroup_vote", 140),
+     Subgroup("GL_KHR_shader_subgroup_vote", 310)},
+    {Feature::kSubgroupBallots, Subgroup("GL_KHR_shader_subgroup_ballot", 140),
+     Subgroup("GL_KHR_shader_subgroup_ballot", 310)},
+    {Feature::kSubgroupArithmetic, Subgroup("GL_KHR_shader_subgroup_arithmetic", 140),
+     Subgroup("GL_KHR_shader_subgroup_arithmetic", 310)},
+    {Feature::kSubgroupShuffles, Subgroup("GL_KHR_shader_subgroup_shuffle", 140),
+     Subgroup("GL_KHR_shader_subgroup_shuffle", 310)},
+    {Feature::kSubgroupQuads, Subgroup("GL_KHR_shader_subgroup_quad", 140),
+     Subgroup("GL_KHR_shader_subgroup_quad", 310)},
+    {Feature::kSubgroupPartitions, Subgroup("GL_NV_shader_subgroup_partitioned", 140),
+     Subgroup("GL_NV_shader_subgroup_partitioned", 310)},
     {Feature::kUnsigned, {130}, {300}},
     {Feature::kSwitch, {130}, {300}},
     {Feature::kFreeLoops, {110}, {300}},
@@ -127,6 +152,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kFullMatrices, {120}, {300}},
     {Feature::kTextureFunctions, {130}, {300}},
     {Feature::kTextureArrays, {130}, {300}},
+    {Feature::kShadowArrayOffsets, {430}, {}},
     {Feature::kTexture1D, {110}, {}},
     {Feature::kTexture3D, {110}, {300}},
     {Feature::kCubeArrays,
@@ -184,6 +210,7 @@ Support Target::Of(Feature feature) const {
   if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
   if (feature == Feature::kBarycentrics && IsVulkan())
     return {true, "GL_EXT_fragment_shader_barycentric"};
+  if (feature == Feature::kSampleCount && IsVulkan()) return {};
   if (api_ == Api::kWebGL && version_ >= 300) {
     // Browsers have two of the extensions of ES 3.00, WEBGL_clip_cull_distance and OVR_multiview2.
     if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)

@@ -70,7 +70,18 @@ enum class Feature : std::uint8_t {
   kExplicitLevels,     // textureLod and textureGrad in a fragment shader
   kLevelQueries,       // textureQueryLod
   kInterpolants,       // interpolateAtCentroid and the like
-  kBarycentrics,       // gl_BaryCoordEXT
+  kBarycentrics,       // gl_BaryCoordEXT, gl_BaryCoordNV
+  kFullyCovered,       // gl_FragFullyCoveredNV
+  kSampleCount,        // gl_NumSamples
+  kHelperInvocation,   // gl_HelperInvocation
+  // ---- lanes of a subgroup
+  kSubgroups,
+  kSubgroupVotes,
+  kSubgroupBallots,
+  kSubgroupArithmetic,
+  kSubgroupShuffles,
+  kSubgroupQuads,
+  kSubgroupPartitions,
   // ---- types and expressions
   kUnsigned,            // uint, % << >> & | ^ ~, and int overloads of functions
   kSwitch,              // `switch`
@@ -93,6 +104,7 @@ enum class Feature : std::uint8_t {
   // ---- textures
   kTextureFunctions,  // textureLod, texelFetch, textureSize; integer samplers
   kTextureArrays,
+  kShadowArrayOffsets,  // textureOffset of sampler2DArrayShadow
   kTexture1D,
   kTexture3D,
   kCubeArrays,

@@ -119,19 +119,25 @@ bool AsksNeighbours(const Program& program, ExprId expr) {
   const auto* object = As<ObjectCall>(program, expr);
   const auto* call = As<IntrinsicCall>(program, expr);
   return (object && AsksNeighbours(object->op)) ||
-         (call && CategoryOf(call->op) == IntrinsicCategory::kNeighbours);
+         (call && (CategoryOf(call->op) == IntrinsicCategory::kNeighbours ||
+                   CategoryOf(call->op) == IntrinsicCategory::kQuad));
+}
+
+bool AsksOthers(const Program& program, ExprId expr) {
+  const auto* call = As<IntrinsicCall>(program, expr);
+  return AsksNeighbours(program, expr) ||
+         (call && CategoryOf(call->op) == IntrinsicCategory::kWave);
 }
 
 bool MayBeSkipped(const Program& program, ExprId expr) {
   return IsPure(program, expr) &&
-         (!clipc::InfoOf(program.stage).has_neighbours ||
-          !AnyExpr(program, expr, [&](ExprId part) { return AsksNeighbours(program, part); }));
+         !AnyExpr(program, expr, [&](ExprId part) { return AsksOthers(program, part); });
 }
 
 bool Effects::MayBeSkipped(ExprId expr) {
   return !AnyExpr(program_, expr, [&](ExprId part) {
     const auto* call = As<Call>(program_, part);
-    return Writes(program_, part) || AsksNeighbours(program_, part) ||
+    return Writes(program_, part) || AsksOthers(program_, part) ||
            (call && !MayBeSkipped(call->function));
   });
 }
@@ -143,7 +149,7 @@ bool Effects::MayBeSkipped(FunctionId function) {
   ForEachStmt(program_, program_.functions[function].body,
               [&](StmtId id) { must_run |= As<Discard>(program_, id) != nullptr; });
   must_run |= AnyExpr(program_, program_.functions[function].body, [&](ExprId part) {
-    bool reaches_out = IsStore(program_, part) || AsksNeighbours(program_, part);
+    bool reaches_out = IsStore(program_, part) || AsksOthers(program_, part);
     ForEachWrite(program_, part, [&](ExprId target) {
       const VarId root = RootOf(program_, target);
       const Storage storage = root ? program_.vars[root].storage : Storage::kOut;

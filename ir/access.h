@@ -102,8 +102,11 @@ bool IsPure(const Program& program, ExprId expr);
 // means something only where they run it too.
 bool AsksNeighbours(const Program& program, ExprId expr);
 
+// Whether the node itself asks other invocations: neighbours or lanes of the wave.
+bool AsksOthers(const Program& program, ExprId expr);
+
 // Whether the expression may be evaluated in some invocations only: it is pure, and asks no
-// neighbours.
+// others.
 bool MayBeSkipped(const Program& program, ExprId expr);
 
 // The answers to MayBeSkipped that look into functions too: a call may be skipped when its function

@@ -50,14 +50,21 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
-  if (category == IntrinsicCategory::kNeighbours && neighbours_) return EvalDerivative(expr, node);
-  if (category == IntrinsicCategory::kNeighbours) {
+  const bool asks_quad =
+      category == IntrinsicCategory::kNeighbours || category == IntrinsicCategory::kQuad;
+  if (asks_quad && neighbours_) {
+    return category == IntrinsicCategory::kQuad ? EvalQuad(expr, node) : EvalDerivative(expr, node);
+  }
+  if (asks_quad) {
     if (error_.empty()) error_ = std::string(NameOf(node.op)) + " needs neighbouring pixels";
     is_constant_ = false;
     return PushZeros(WordsOf(expr));
   }
-  if (category == IntrinsicCategory::kInterpolants) {
-    if (error_.empty()) error_ = std::string(NameOf(node.op)) + " needs the input's other values";
+  if (category == IntrinsicCategory::kInterpolants || category == IntrinsicCategory::kWave) {
+    const bool is_wave = category == IntrinsicCategory::kWave;
+    if (error_.empty())
+      error_ = std::string(NameOf(node.op)) +
+               (is_wave ? " needs the lanes of the wave" : " needs the input's other values");
     is_constant_ = false;
     return PushZeros(WordsOf(expr));
   }

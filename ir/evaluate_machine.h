@@ -141,6 +141,7 @@ class Machine {
 
   // evaluate_quad.cpp
   void EvalDerivative(ExprId expr, const IntrinsicCall& node);
+  void EvalQuad(ExprId expr, const IntrinsicCall& node);
   // ObjectRequest::coordinates, where the pixel's own is `own`.
   std::vector<double> CoordinatesOf(ExprId call, Scalar rep, std::span<const Word> own);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/evaluate_quad.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/evaluate_machine.h"
@@ -45,6 +46,32 @@ void Machine::EvalDerivative(ExprId expr, const IntrinsicCall& node) {
       default: stack_.push_back(y);
     }
   }
+}
+
+void Machine::EvalQuad(ExprId expr, const IntrinsicCall& node) {
+  const auto arguments = program_.expr_lists[node.arguments];
+  std::size_t source = neighbours_->pixel();
+  if (node.op == Intrinsic::kQuadReadLaneAt) {
+    Eval(arguments[1]);
+    source = UintOf(stack_.back()) % kQuadPixels;
+    stack_.pop_back();
+  }
+  const std::size_t base = stack_.size();
+  Eval(arguments[0]);
+  const auto operands = neighbours_->Ask({flow_, expr.index}, std::span(stack_).subspan(base));
+  stack_.resize(base);
+  if (!operands) return PushUndefined(program_.exprs[expr].type);
+  const auto is_true = [](const Word* words) { return words[0] != 0; };
+  switch (node.op) {
+    case Intrinsic::kQuadAll: stack_.push_back(std::ranges::all_of(*operands, is_true)); return;
+    case Intrinsic::kQuadAny: stack_.push_back(std::ranges::any_of(*operands, is_true)); return;
+    case Intrinsic::kQuadReadAcrossX: source ^= 1; break;
+    case Intrinsic::kQuadReadAcrossY: source ^= 2; break;
+    case Intrinsic::kQuadReadAcrossDiagonal: source ^= 3; break;
+    default: break;
+  }
+  const Word* words = (*operands)[source];
+  stack_.insert(stack_.end(), words, words + WordsOf(expr));
 }
 
 std::vector<double> Machine::CoordinatesOf(ExprId call, Scalar rep, std::span<const Word> own) {

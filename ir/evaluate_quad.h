@@ -40,6 +40,7 @@ class Neighbours {
   using Operands = std::array<const Word*, kQuadPixels>;
   std::optional<Operands> Ask(QuadKey key, std::span<const Word> own);
 
+  std::size_t pixel() const { return pixel_; }
   // The pixels whose difference, second - first, is the derivative of this pixel along x or y.
   std::size_t FirstAlongX() const { return pixel_ & 2; }
   std::size_t SecondAlongX() const { return pixel_ | 1; }

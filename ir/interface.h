@@ -107,6 +107,9 @@ enum class Builtin : std::uint8_t {
   kVertexIndex,    // uint, with the base vertex, as Vulkan counts
   kInstanceIndex,  // uint, with the base instance, as Vulkan counts
 
+  kLaneCount,  // uint: the lanes of the wave
+  kLaneIndex,  // uint
+
   // Outputs.
   kShadingRate,    // uint: Direct3D's log2 of the width << 2 | log2 of the height
   kLayer,          // uint
@@ -125,6 +128,9 @@ enum class Builtin : std::uint8_t {
   kShadingRateInput,           // uint, as kShadingRate
   kClipDistanceInput,          // float[n], n <= 8, as the vertex shader writes them
   kCullDistanceInput,          // float[n]
+  kFullyCovered,               // bool: the pixel lies in the primitive as a whole
+  kSampleCount,                // uint: of the render targets
+  kHelperLane,                 // bool: the pixel runs for its neighbours only
   kUntranslated,               // no target has the input; it may be declared, and is not read
 
   // Outputs of a pixel shader.

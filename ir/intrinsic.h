@@ -35,6 +35,8 @@ enum class IntrinsicCategory : std::uint8_t {
   kVectors,       // the components of an argument are combined
   kWriting,       // an argument is written
   kNeighbours,    // component i of the result is a difference of components i between pixels
+  kWave,          // the operand's values in other lanes of the wave count, too
+  kQuad,          // as kWave, of the four pixels of a quad only
   kInterpolants,  // the first argument, an input, at another place of the pixel
 };
 

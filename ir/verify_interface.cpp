@@ -124,7 +124,9 @@ class InterfaceVerifier {
       case kBarycentricsNoPerspective:
         return storage == kInput && type.kind == TypeKind::kVector && type.columns == 3 &&
                base == Scalar::kFloat;
-      case kFrontFacing: return storage == kInput && is_scalar && base == Scalar::kBool;
+      case kFrontFacing:
+      case kFullyCovered:
+      case kHelperLane: return storage == kInput && is_scalar && base == Scalar::kBool;
       case kUntranslated: return storage == kInput && type.IsScalarOrVector();
       case kCoverage:
       case kStencilRef:

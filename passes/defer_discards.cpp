@@ -90,6 +90,24 @@ class StoreGuard {
   std::vector<ExprId> values_;
 };
 
+// Makes IsHelperLane() true in a pixel whose discard waits.
+void TellHelpers(Program& program, VarId flag) {
+  const auto input = std::ranges::find(program.inputs, Builtin::kHelperLane, &IoVar::builtin);
+  if (input == program.inputs.end()) return;
+  std::vector<ExprId> reads;
+  for (const FunctionId function : program.functions.ids()) {
+    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
+      const auto* ref = As<VarRef>(program, id);
+      if (ref && ref->var == input->var) reads.push_back(id);
+    });
+  }
+  for (const ExprId id : reads) {
+    Builder b(program, program.exprs[id].span);
+    const ExprId either = b.BinaryOf(BinaryOp::kLogicalOr, b.Ref(input->var), b.Ref(flag));
+    program.exprs[id].node = program.exprs[either].node;
+  }
+}
+
 // The search for discards that must wait: it follows the program backwards, with the answer whether
 // neighbours may be asked after a place.
 class Search {
@@ -225,6 +243,7 @@ void DeferDiscards(Program& program) {
   for (const StmtId id : waiting)
     program.stmts[id].node = Evaluate{b.AssignTo(b.Ref(flag), b.Bool(true))};
   StoreGuard(program, flag).Run();
+  TellHelpers(program, flag);
   const StmtId discard = b.Stmt(Discard{});
   const StmtId last = b.Stmt(If{b.Ref(flag), b.BlockOf({&discard, 1}), {}});
   AppendToBody(program, program.main, {&last, 1});

@@ -82,6 +82,39 @@ std::string PathTo(const Code& code, TypeId id, std::uint32_t component) {
                 PathTo(code, fields[field].type, component));
 }
 
+// The word that holds a component.
+std::string WordOf(Code& code, Scalar kind, const std::string& value) {
+  switch (BaseOf(kind)) {
+    case Scalar::kFloat: code.Require(Feature::kBitCasts); return "floatBitsToUint(" + value + ")";
+    case Scalar::kUint: return value;
+    default: return "uint(" + value + ")";
+  }
+}
+
+// Stores an element that lies tighter than std430 can say, word by word.
+Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
+  const auto arguments = code[node.arguments];
+  const VarId buffer = RootOf(code.program, arguments[0]);
+  const BufferInHelper named = InHelper(code, arguments[0]);
+  const std::string helper =
+      Helper(code, named.name + "_store_at", "", [&](const std::string& function) {
+        const TypeId element = ObjectTypeOf(code, buffer).element;
+        const std::string i = Fresh(code, "i"), stored = Fresh(code, "value");
+        std::string text = fmt::format("void {}({}int {}, {} {}) {{\n", function, named.parameter,
+                                       i, TypeName(code, element), stored);
+        std::uint32_t word = 0;
+        const std::string first = Scaled(WordsOf(code, buffer), i);
+        for (const Scalar kind : KindsOf(code.types, element)) {
+          text += fmt::format("    {}[{}{}] = {};\n", named.elements, first,
+                              word > 0 ? fmt::format(" + {}", word) : "",
+                              WordOf(code, kind, stored + PathTo(code, element, word)));
+          ++word;
+        }
+        return text + "}\n";
+      });
+  return Called(helper, {named.argument + IntIndex(code, arguments[1]), value});
+}
+
 }  // namespace
 
 Text StructuredLoad(Code& code, const ObjectCall& node) {
@@ -127,7 +160,9 @@ Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
 Text BufferStore(Code& code, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
   const std::string value = Argument(code, arguments[2]);
-  if (IsStructured(ObjectTypeOf(code, RootOf(code.program, arguments[0])).object)) {
+  if (const VarId buffer = RootOf(code.program, arguments[0]);
+      IsStructured(ObjectTypeOf(code, buffer).object)) {
+    if (!HasElements(code, buffer)) return StoreWords(code, node, value);
     return {
         Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "] = ", value),
         Binding::kAssignment};

@@ -34,8 +34,11 @@ bool IsComputed(Intrinsic op) {
     default: break;
   }
   const IntrinsicInfo& info = InfoOf(op);
-  return info.category != IntrinsicCategory::kBits && info.gate == TargetGate::kNone &&
-         !WritesArguments(op);
+  const bool asks_others = info.category == IntrinsicCategory::kWave ||
+                           info.category == IntrinsicCategory::kQuad ||
+                           info.category == IntrinsicCategory::kNeighbours;
+  return !asks_others && info.category != IntrinsicCategory::kBits &&
+         info.gate == TargetGate::kNone && !WritesArguments(op);
 }
 
 }  // namespace

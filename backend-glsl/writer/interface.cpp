@@ -76,8 +76,14 @@ std::string BuiltinInput(const Context& context, Builtin builtin) {
     case Builtin::kPrimitiveId: return "gl_PrimitiveID";
     case Builtin::kLayerInput: return "gl_Layer";
     case Builtin::kViewportInput: return "gl_ViewportIndex";
-    case Builtin::kBarycentrics: return "gl_BaryCoordEXT";
-    case Builtin::kBarycentricsNoPerspective: return "gl_BaryCoordNoPerspEXT";
+    case Builtin::kBarycentrics: return is_vulkan ? "gl_BaryCoordEXT" : "gl_BaryCoordNV";
+    case Builtin::kBarycentricsNoPerspective:
+      return is_vulkan ? "gl_BaryCoordNoPerspEXT" : "gl_BaryCoordNoPerspNV";
+    case Builtin::kFullyCovered: return "gl_FragFullyCoveredNV";
+    case Builtin::kSampleCount: return "gl_NumSamples";
+    case Builtin::kHelperLane: return "gl_HelperInvocation";
+    case Builtin::kLaneCount: return "gl_SubgroupSize";
+    case Builtin::kLaneIndex: return "gl_SubgroupInvocationID";
     case Builtin::kShadingRateInput: return "gl_ShadingRateEXT";
     case Builtin::kClipDistanceInput: return "gl_ClipDistance";
     case Builtin::kCullDistanceInput: return "gl_CullDistance";
@@ -313,7 +319,8 @@ std::string InputText(const Context& context, const IoVar& input, const std::str
     return Concat(GlslName(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
   };
   if (input.builtin == Builtin::kUntranslated) return "";
-  if (input.builtin != Builtin::kNone && !IsInteger(shape.scalar))
+  const bool is_uint = input.builtin == Builtin::kLaneCount || input.builtin == Builtin::kLaneIndex;
+  if (input.builtin != Builtin::kNone && (!IsInteger(shape.scalar) || is_uint))
     return BuiltinInput(context, input.builtin);
   if (input.builtin != Builtin::kNone) return converted(BuiltinInput(context, input.builtin));
   return IsIntegerAsFloat(context, input) ? converted(attribute) : attribute;

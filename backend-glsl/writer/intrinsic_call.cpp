@@ -7,6 +7,7 @@
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/operand.h"
 #include "backend-glsl/writer/types.h"
+#include "backend-glsl/writer/wave_call.h"
 
 namespace clipc::glsl {
 
@@ -145,6 +146,9 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   const ExprId x = arguments[0];
   if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
     return WriteDerivative(code, node.op, x);
+  if (CategoryOf(node.op) == IntrinsicCategory::kWave ||
+      CategoryOf(node.op) == IntrinsicCategory::kQuad)
+    return WriteWave(code, node);
   if (CategoryOf(node.op) == IntrinsicCategory::kInterpolants)
     return WriteInterpolant(code, node.op, arguments);
   const Shape shape = code.ShapeAt(x);

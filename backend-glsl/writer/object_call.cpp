@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/object_call.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "backend-glsl/literal.h"
 #include "backend-glsl/needs.h"
@@ -10,6 +15,7 @@
 #include "backend-glsl/writer/objects.h"
 #include "backend-glsl/writer/types.h"
 #include "ir/evaluate.h"
+#include "ir/scalar.h"
 
 namespace clipc::glsl {
 
@@ -212,10 +218,34 @@ class ObjectCaller {
     code_.Require(Feature::kGatherOffsets);
     const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
     const std::string place = compares ? Concat(ArgumentAt(2), ", ", ArgumentAt(3)) : ArgumentAt(2);
-    return Narrow(fmt::format(
-        "textureGatherOffsets({}, {}, ivec2[4]({}){})", object, place,
-        ListOf(arguments_.subspan(first), [&](ExprId offset) { return Argument(code_, offset); }),
-        last));
+    return FourGathers(Concat(object, ", ", place, ", "), arguments_.subspan(first), last);
+  }
+
+  // Component i of Direct3D's result is component i of the gather with offset i: the four calls of
+  // DXC's lowering (GenerateDxilGather of its HLOperationLower.cpp). GLSL's function with four
+  // offsets reads the upper left texel at each, so the steps to the four texels are added to
+  // constants. OpenGL promises offsets up to 31.
+  Text FourGathers(const std::string& leading, std::span<const ExprId> offsets,
+                   const std::string& last) {
+    static constexpr std::int32_t kSteps[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    constexpr std::int32_t kMost = 31;
+    std::vector<std::string> constants, calls;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Append(calls.emplace_back(), "textureGatherOffset(", leading, Argument(code_, offsets[i]),
+             last, ").", std::string_view("xyzw").substr(i, 1));
+      const auto bits = ConstantBits(code_.program, offsets[i]);
+      if (!bits || bits->size() != 2) continue;
+      const std::int32_t x = IntOf((*bits)[0]) + kSteps[i][0], y = IntOf((*bits)[1]) + kSteps[i][1];
+      if (std::max(x, y) > kMost) continue;
+      constants.push_back(x == y ? fmt::format("ivec2({})", x)
+                                 : fmt::format("ivec2({}, {})", x, y));
+    }
+    if (constants.size() == 4) {
+      return {fmt::format("textureGatherOffsets({}ivec2[4]({}){})", leading,
+                          fmt::join(constants, ", "), last)};
+    }
+    const std::string type = TypeName(code_, ShapeOf(code_[type_], code_.target));
+    return {fmt::format("{}({})", type, fmt::join(calls, ", "))};
   }
 
   Text Texel() {

@@ -10,6 +10,11 @@ namespace clipc::check {
 
 void LimitTurns(Context& context, const ast::Attr& unroll) {
   constexpr std::int64_t kMost = 65536;  // fxc unrolls no loop as often
+  const auto* literal = context.GetIf<ast::Literal>(context[unroll.arguments][0]);
+  if (literal && literal->kind != LiteralKind::kInt && literal->kind != LiteralKind::kUint) {
+    context.Report(unroll.span, diag::AttributeArgument, "unroll");
+    return;
+  }
   const auto limit = ConstantInteger(context, context[unroll.arguments][0]);
   if (!limit || *limit < 1 || *limit > kMost) return;
   Program& program = context.program;

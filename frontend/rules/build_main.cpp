@@ -124,7 +124,19 @@ class MainBuilder {
     const VarId result = builder_.Local("result", entry.return_type);
     body_.push_back(builder_.Stmt(Declare{result, call}));
     pending_outputs_.push_back({leaves_.Whole(result), entry.return_type, entry.name, entry.span,
-                                CursorOf(signature_.result), signature_.result.row_major});
+                                ResultCursor(entry), signature_.result.row_major});
+  }
+
+  // The cursor of the result. A pixel's result without a semantic can only be its colour.
+  Cursor ResultCursor(const Function& entry) {
+    Cursor cursor = CursorOf(signature_.result);
+    const bool is_colour = stage_.draws_pixels && !program_.is_interface_only && !cursor.given &&
+                           program_.types[entry.return_type].IsScalarOrVector();
+    if (!is_colour) return cursor;
+    cursor.semantic = {.name = "SV_Target"};
+    cursor.given = true;
+    diagnostics_.Report(entry.span, diag::SemanticMissing, entry.name, "SV_Target");
+    return cursor;
   }
 
   // ---- inputs
@@ -137,8 +149,14 @@ class MainBuilder {
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
     if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
     if (value.use == Use::kRefused || !MayAdd(leaf, Direction::kInput, value)) return {};
-    if (value.use == Use::kBuiltin) return BuiltinInput(leaf, value);
-    const bool is_plain = value.use == Use::kPlain || program_.is_interface_only;
+    // Level 9 gives its pixels no system values, which are declared and not read.
+    const bool is_lacking =
+        InfoOf(program_.stage).draws_pixels && !program_.is_interface_only &&
+        (value.use == Use::kBuiltin
+             ? program_.profile.level9 != Level9::kNone
+             : !leaf.cursor.assumed && LacksInput(program_.profile, leaf.cursor.semantic));
+    if (value.use == Use::kBuiltin && !is_lacking) return BuiltinInput(leaf, value);
+    const bool is_plain = (value.use == Use::kPlain && !is_lacking) || program_.is_interface_only;
     if (is_plain && program_.profile.IsDirect3D9()) return Attribute(leaf);
     const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
     return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
@@ -185,6 +203,7 @@ class MainBuilder {
       Refuse(leaf, wanted);
       return {};
     }
+    if (builtin == Builtin::kFullyCovered) stored = types.Make(Scalar::kBool);
     const auto known = std::ranges::find(program_.inputs, builtin, &IoVar::builtin);
     const VarId input =
         known != program_.inputs.end() ? known->var : AddIo(program_.inputs, leaf, stored, builtin);
@@ -261,7 +280,7 @@ class MainBuilder {
 
   // Reports and returns false unless a pixel can go to the render target of the semantic's index.
   bool IsTarget(const Carrier& leaf) {
-    const std::uint32_t count = program_.profile.IsDirect3D9() ? 4 : 8;
+    const std::uint32_t count = TargetsOf(program_.profile);
     if (leaf.cursor.semantic.index >= count) {
       diagnostics_.Report(leaf.span, diag::TooManyTargets, leaf.cursor.semantic.name,
                           leaf.cursor.semantic.index, count - 1);
@@ -298,8 +317,8 @@ class MainBuilder {
 
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
     const bool is_input = &list == &program_.inputs;
-    const auto& [semantic, given, span, interpolation, centroid, sample, location, precise] =
-        leaf.cursor;
+    const auto& [semantic, given, assumed, span, interpolation, centroid, sample, location,
+                 precise] = leaf.cursor;
     std::string name(is_input ? "in" : stage_.prefix);
     name += '_';
     name += ToUpper(semantic.name);

@@ -209,7 +209,9 @@ class GradientCheck {
                    [&](ExprId operand) { value = graph_.Join(value, Value(operand, flow)); });
     if (const auto* object = As<ObjectCall>(program_, id); object && IsAtomic(object->op))
       value = Graph::kVarying;
-    if (AsksNeighbours(program_, id)) gradients_.push_back({id, Flow(flow), loop_});
+    const auto* call = As<IntrinsicCall>(program_, id);
+    const bool is_quad = call && CategoryOf(call->op) == IntrinsicCategory::kQuad;
+    if (AsksNeighbours(program_, id) && !is_quad) gradients_.push_back({id, Flow(flow), loop_});
     ForEachWrite(program_, id, [&](ExprId target) {
       if (const VarId root = RootOf(program_, target)) Assigned(root, value, flow);
     });

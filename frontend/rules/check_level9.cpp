@@ -32,6 +32,16 @@ class Level9Checker {
   Level9Checker(const Program& program, bool has_preshader, Diagnostics& diagnostics)
       : program_(program), has_preshader_(has_preshader), diagnostics_(diagnostics) {}
 
+  // Reports what a pixel shader of level 9 lacks, which runs as ps_2_0 or, at 9_3, ps_2_a: loops
+  // whose number of turns is computed, bit operations, and most ways to read a texture.
+  void RunPixel() {
+    for (const FunctionId id : program_.functions.ids()) {
+      const StmtId body = program_.functions[id].body;
+      ForEachStmt(program_, body, [&](StmtId stmt) { CheckLoop(stmt); });
+      ForEachExpr(program_, body, [&](ExprId expr) { CheckPixelExpr(expr); });
+    }
+  }
+
   // Reports a vertex shader without a position, and what Direct3D 9 lacks too: bit operations and,
   // before vs_2_a, loops whose number of turns is computed.
   void RunDirect3D9() {
@@ -41,18 +51,13 @@ class Level9Checker {
     if (program_.stage == Stage::kVertex && !program_.is_interface_only &&
         std::ranges::none_of(program_.outputs, is_position))
       diagnostics_.Report(program_.functions[program_.entry].span, diag::PositionMissing);
-    const bool has_loops = Target() != "vs_1_1" && Target() != "vs_2_0";
+    // ps_2_0 to ps_2_b have no flow control: D3DXGetPixelShaderProfile.
+    const bool has_loops = Target() != "vs_1_1" && Target() != "vs_2_0" &&
+                           (program_.stage != Stage::kPixel || program_.profile.major > 2);
     for (const FunctionId id : program_.functions.ids()) {
       if (!has_loops)
         ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) { CheckLoop(stmt); });
-      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
-        const auto* unary = As<Unary>(program_, expr);
-        if (unary && unary->op == UnaryOp::kComplement) CheckBits(expr);
-        const auto* binary = As<Binary>(program_, expr);
-        if (binary) CheckOperator(binary->op, expr);
-        const auto* assign = As<Assign>(program_, expr);
-        if (assign && assign->op) CheckOperator(*assign->op, expr);
-      });
+      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) { CheckBitUses(expr); });
     }
   }
 
@@ -132,6 +137,44 @@ class Level9Checker {
                    [&](const Index& index) { CheckIndex(index, expr.span); }, [](const auto&) {}},
         expr.node);
     ForEachOperand(program_, id, [&](ExprId operand) { CheckExpr(operand); });
+  }
+
+  void CheckPixelExpr(ExprId id) {
+    const Expr& expr = program_.exprs[id];
+    if (const auto* call = As<IntrinsicCall>(program_, id)) {
+      const IntrinsicInfo& info = InfoOf(call->op);
+      if (info.first_model >= 4)
+        diagnostics_.Report(expr.span, diag::Level9Intrinsic, NameOf(call->op), Target());
+    } else if (const auto* object = As<ObjectCall>(program_, id)) {
+      if (!MayRead(object->op)) diagnostics_.Report(expr.span, diag::Level9Sample, Target());
+    } else {
+      CheckBitUses(id);
+    }
+  }
+
+  bool MayRead(ObjectOp op) const {
+    using enum ObjectOp;
+    switch (op) {
+      case kSample:
+      case kSampleBias:
+      case kSampleCmp:
+      case kSampleCmpLevelZero:
+      case kD3d9Sample:
+      case kD3d9SampleBias:
+      case kD3d9SampleProjected: return true;
+      case kSampleGrad:
+      case kD3d9SampleGrad: return program_.profile.level9 == Level9::k9_3;
+      default: return false;
+    }
+  }
+
+  void CheckBitUses(ExprId id) {
+    const auto* unary = As<Unary>(program_, id);
+    if (unary && unary->op == UnaryOp::kComplement) CheckBits(id);
+    const auto* binary = As<Binary>(program_, id);
+    if (binary) CheckOperator(binary->op, id);
+    const auto* assign = As<Assign>(program_, id);
+    if (assign && assign->op) CheckOperator(*assign->op, id);
   }
 
   void CheckLoop(StmtId id) {
@@ -256,7 +299,9 @@ void CheckLevel9(const Program& program, bool has_preshader, Diagnostics& diagno
   Level9Checker checker(program, has_preshader, diagnostics);
   if (program.profile.IsDirect3D9()) return checker.RunDirect3D9();
   const bool is_level9 = program.profile.level9 != Level9::kNone;
-  if (is_level9 && program.stage == Stage::kVertex) checker.Run();
+  if (!is_level9) return;
+  if (program.stage == Stage::kVertex) return checker.Run();
+  checker.RunPixel();
 }
 
 }  // namespace clipc::rules

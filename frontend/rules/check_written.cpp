@@ -484,8 +484,11 @@ void WrittenWalk::CheckOutput(const Assign& node) {
   const std::string how = output->is_unwritten ? "is never written" : "is not written completely";
   Diagnostics& diagnostics = shared_.diagnostics;
   if ((written.may & place->mask) == place->mask) {
-    if (output->builtin == Builtin::kPosition && (written.must & place->mask) != place->mask)
+    if ((written.must & place->mask) == place->mask) return;
+    if (output->builtin == Builtin::kPosition)
       diagnostics.Report(span, diag::PositionNotAlwaysWritten, path);
+    else
+      diagnostics.Report(span, diag::OutputNotAlwaysWritten, path);
   } else if (output->builtin == Builtin::kPosition) {
     diagnostics.Report(span, diag::PositionNotWritten, path, how);
   } else {

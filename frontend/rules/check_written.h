@@ -11,7 +11,7 @@ namespace clipc::rules {
 // validator: "Not all elements of SV_Position were written").
 //
 // A component counts as never written when no path to the place writes it, so that a variable that
-// one branch writes is not reported; of the position alone every path is asked. What an index that
+// one branch writes is not reported; of outputs every path is asked. What an index that
 // is not constant may choose, an argument of an inout parameter, and a part of a variable with more
 // than 64 parts, which is taken for the whole, count as written. A loop may have run before, and
 // runs at least once. Outputs that are never written are marked. Requires a program without errors;

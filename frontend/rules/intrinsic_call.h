@@ -119,6 +119,13 @@ ExprId StandInFor(const IntrinsicCheck& call, const Staged& staged);
 // atomic_call.cpp: checks InterlockedAdd and its kin, or the methods of an RWByteAddressBuffer,
 // `object`, of that name.
 ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object = {});
+// invocation_call.cpp: checks IsHelperLane() and its kin, which are inputs of the shader.
+ExprId CheckFact(const IntrinsicCheck& call);
+ExprId CheckFirstLane(const IntrinsicCheck& call);
+// Checks GetRenderTargetSamplePosition(sample).
+ExprId CheckTargetSamplePosition(const IntrinsicCheck& call);
+// Checks the place of the call's sample, one of `count`, in a pixel.
+ExprId CheckSamplePosition(const IntrinsicCheck& call, ExprId count);
 // direct3d9_call.cpp: checks tex2Dlod, tex2D and the like.
 ExprId CheckTexLod(const IntrinsicCheck& call);
 ExprId CheckTex(const IntrinsicCheck& call);

@@ -29,6 +29,9 @@ enum class Rule : std::uint8_t {
   kTexBias,
   kTexGrad,
   kTexProj,
+  kInvocation,
+  kFirstLane,
+  kSamplePosition,
   kDebug,  // warned of and dropped
   kRefused,
 };
@@ -109,23 +112,32 @@ ExprId NeedsNeighbours(const IntrinsicCheck& call, ExprId (&check)(const Intrins
   return call.ThisStage().has_neighbours ? check(call) : Report(call, diag::IntrinsicImplicitLevel);
 }
 
+// Reports and returns false if the profile has no gradients. D3DXGetPixelShaderProfile: of the
+// profiles 2_x, ps_2_a alone has GradientInstructions; level 9_1 runs as ps_2_0.
+bool HasGradients(const IntrinsicCheck& call) {
+  const Profile& profile = call.program.profile;
+  const bool is_level9 = profile.level9 == Level9::k9_0 || profile.level9 == Level9::k9_1;
+  if (!is_level9 && profile.name != "ps_2_0" && profile.name != "ps_2_b") return true;
+  const std::string_view needed = is_level9 ? "ps_4_0_level_9_3" : "ps_2_a or ps_3_0";
+  call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed, profile.name);
+  return false;
+}
+
 ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   const IntrinsicInfo& info = InfoOf(op);
-  if (!call.program.profile.IsAtLeast(info.first_model, 0)) {
+  if (!call.program.profile.IsAtLeast(info.first_model, 0) && !call.program.is_interface_only) {
     const std::string needed = fmt::format("{}_{}_0", call.ThisStage().prefix, info.first_model);
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed,
                      call.program.profile.name);
   }
   if (info.category == IntrinsicCategory::kNeighbours) {
     if (!call.ThisStage().has_neighbours) return Report(call, diag::IntrinsicDerivative);
-    // D3DXGetPixelShaderProfile: of the profiles 2_x, ps_2_a alone has GradientInstructions.
-    const std::string& profile = call.program.profile.name;
-    if (profile == "ps_2_0" || profile == "ps_2_b")
-      return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, "ps_2_a or ps_3_0",
-                       profile);
+    if (!HasGradients(call)) return call.Error();
   }
   if (info.category == IntrinsicCategory::kInterpolants && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicInterpolation);
+  if (info.category == IntrinsicCategory::kQuad && !call.ThisStage().has_neighbours)
+    return Report(call, diag::IntrinsicDerivative);
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicDiscard);
   if (!info.signature.is_special) return CheckBySignature(call, op);
@@ -157,8 +169,12 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kTexLod: return CheckTexLod(call);
     case Rule::kTex: return NeedsNeighbours(call, CheckTex);
     case Rule::kTexBias: return NeedsNeighbours(call, CheckTexBias);
-    case Rule::kTexGrad: return NeedsNeighbours(call, CheckTexGrad);
+    case Rule::kTexGrad:
+      return HasGradients(call) ? NeedsNeighbours(call, CheckTexGrad) : call.Error();
     case Rule::kTexProj: return NeedsNeighbours(call, CheckTexProj);
+    case Rule::kInvocation: return CheckFact(call);
+    case Rule::kFirstLane: return CheckFirstLane(call);
+    case Rule::kSamplePosition: return CheckTargetSamplePosition(call);
     case Rule::kDebug:
       call.diagnostics.Report(call.name_span, diag::IntrinsicDebug, call.name);
       return call.Make().Int(0);  // a value that nobody uses

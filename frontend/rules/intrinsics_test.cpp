@@ -254,9 +254,6 @@ TEST(IntrinsicsTest, RefusedFamilies) {
   EXPECT_EQ(suffix("NoSuchIntrinsic"), "[intrinsic-unsupported]");
   EXPECT_EQ(Call("abort", {}),
             "`abort` stops the shader; no target of clipc can do that [intrinsic-abort]");
-  EXPECT_EQ(Call("WaveActiveSum", {"float"}),
-            "`WaveActiveSum` works across the lanes of a wave; clipc does not translate wave "
-            "operations [intrinsic-wave]");
   EXPECT_EQ(Call("printf", {}), "int: 0 [-Wintrinsic-debug]");
 }
 

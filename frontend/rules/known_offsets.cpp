@@ -187,14 +187,31 @@ class OffsetFinder {
     const ObjectOp op = call->op;
     for (std::uint32_t i = FirstOffset(op); i < arguments.size; ++i) {
       const ExprId offset = program_.expr_lists[arguments][i];
-      if (!IsLiteralOffset(offset))
+      if (IsLiteralOffset(offset)) continue;
+      if (op == ObjectOp::kTextureLoad && !ConstantBits(program_, offset)) {
+        AddToLocation(expr, arguments, offset);
+      } else {
         program_.expr_lists[arguments][i] = Known(offset, op, MayVary(op, arguments.size));
+      }
     }
+  }
+
+  // Makes the offset of a Load a part of its location. From 6.7 on it may be any value
+  // ("Programmable Offsets" of the shader model's specification).
+  void AddToLocation(ExprId expr, List<ExprId> arguments, ExprId offset) {
+    const Span span = program_.exprs[offset].span;
+    if (!program_.profile.IsAtLeast(6, 7))
+      diagnostics_.Report(span, diag::TextureOffsetVaries, MethodOf(ObjectOp::kTextureLoad));
+    const auto given = program_.expr_lists[arguments];
+    const ExprId texture = given[0], location = given[1], level = given[2];
+    const ExprId moved = Moved(Builder(program_, span), program_, location, offset);
+    program_.exprs[expr].node =
+        ObjectCall{ObjectOp::kTextureLoad, program_.expr_lists.Add({texture, moved, level})};
   }
 
   // Whether Direct3D 11 takes the offset as a number like any other, with gather4_po.
   bool MayVary(ObjectOp op, std::uint32_t arguments) const {
-    return IsGather(op) && arguments == FirstOffset(op) + 1 && program_.profile.IsAtLeast(5, 0);
+    return IsGather(op) && arguments > FirstOffset(op) && program_.profile.IsAtLeast(5, 0);
   }
 
   ExprId Known(ExprId offset, ObjectOp op, bool may_vary) {

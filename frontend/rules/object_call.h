@@ -32,6 +32,9 @@ inline OffsetRange OffsetsOf(bool is_gather, const Profile& profile) {
   return is_gather && profile.IsAtLeast(5, 0) ? OffsetRange{-32, 31} : OffsetRange{};
 }
 
+// The location of a texel moved by an offset, which does not choose the layer of an array.
+ExprId Moved(Builder builder, Program& program, ExprId location, ExprId offset);
+
 ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,
                       std::span<const ExprId> arguments);
 

@@ -7,6 +7,7 @@
 
 #include "frontend/rules/constant.h"
 #include "frontend/rules/object_call.h"
+#include "ir/access.h"
 
 namespace clipc::rules {
 namespace {
@@ -146,6 +147,12 @@ class MethodCheck : IntrinsicCheck {
 
   ExprId GetDimensions(int) { return CheckGetDimensions(*this, object_); }
 
+  ExprId SamplePosition(int) {
+    if (!traits_.is_multisampled) return Unknown();
+    const ExprId count = Finish(ObjectOp::kTextureSamples, program.types.Make(Scalar::kInt));
+    return CheckSamplePosition(*this, Convert(count, program.types.Make(Scalar::kUint)));
+  }
+
   ExprId SubpassLoad(int) {
     const std::size_t count = InfoOf(kind_).is_multisampled ? 1 : 0;
     if (!ThisStage().draws_pixels) return Unusable(0);
@@ -179,20 +186,25 @@ class MethodCheck : IntrinsicCheck {
     if ((!has_four && !CheckCount(least)) || !TakeSampler(sampler) ||
         !TakeFloats(1, traits_.coordinates) || (least == 3 && !TakeFloats(2, 1)))
       return Error();
+    // The place may be written four times.
+    std::vector<ExprId> steps;
+    for (std::size_t i = 2; has_four && i < arguments_.size(); ++i) {
+      if (IsPure(program, arguments_[i])) continue;
+      const auto place = temporaries.Make(arguments_[i]);
+      steps.push_back(place.prologue);
+      arguments_[i] = Make().Ref(place.var);
+    }
     for (std::size_t i = least; i < given; ++i) {
       if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
     }
-    return Finish(op, program.types.Vector(kind, 4));
+    return After(*this, steps, Finish(op, program.types.Vector(kind, 4)));
   }
   // Adds the offset, the last argument, to the texel's location: GLSL has no texelFetchOffset of
-  // multisampled textures. The offset does not choose the layer of an array.
+  // multisampled textures.
   void AddOffset() {
-    Builder builder = Make();
-    ExprId offset = arguments_.back();
+    const ExprId offset = arguments_.back();
     arguments_.pop_back();
-    if (traits_.texel > traits_.offset)
-      offset = builder.ConstructOf(TypeIdOf(arguments_[1]), {offset, builder.Int(0)});
-    arguments_[1] = builder.BinaryOf(BinaryOp::kAdd, arguments_[1], offset);
+    arguments_[1] = Moved(Make(), program, arguments_[1], offset);
   }
   // Reports and returns false unless the profile has the method.
   bool IsAtLeast(int major, int minor) const {
@@ -357,7 +369,7 @@ constexpr auto kTextureMethods = [] {
       unsupported("GatherCmpGreen", StandIn::kFloat4),
       unsupported("GatherCmpBlue", StandIn::kFloat4),
       unsupported("GatherCmpAlpha", StandIn::kFloat4),
-      unsupported("GetSamplePosition", StandIn::kFloat2),
+      {"GetSamplePosition", kReading, &MethodCheck::SamplePosition},
       {"GatherRaw", kReading, &MethodCheck::Unsupported},
   });
 }();
@@ -421,6 +433,13 @@ TextureTraits TraitsOf(ObjectKind kind) {
 
 TypeId ElementOf(TypeTable& types, const Type& object) {
   return object.element ? object.element : types.Vector(Scalar::kFloat, 4);
+}
+
+ExprId Moved(Builder builder, Program& program, ExprId location, ExprId offset) {
+  const TypeId type = rules::TypeIdOf(program, location);
+  if (TypeOf(program, offset).Components() < program.types[type].Components())
+    offset = builder.ConstructOf(type, {offset, builder.Int(0)});
+  return builder.BinaryOf(BinaryOp::kAdd, location, offset);
 }
 
 ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,

@@ -70,7 +70,7 @@ constexpr Semantic kSemantics[] = {
     {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}},
     {"SV_SampleIndex", kNowhere, {Is(Builtin::kSampleIndex, 4, 1), kRefused}},
     {"SV_Coverage", kNowhere, {Is(Builtin::kCoverageInput, 5), Is(Builtin::kCoverage, 4, 1)}},
-    {"SV_InnerCoverage", kNowhere, kOnlyMade},
+    {"SV_InnerCoverage", kNowhere, {Is(Builtin::kFullyCovered, 5), kRefused}},
     {"SV_Barycentrics", kNowhere, {Is(Builtin::kBarycentrics, 6, 1), kRefused}},
     {"SV_Target", kNowhere, {kRefused, kTarget}},
     {"SV_Depth", kNowhere, {kRefused, Is(Builtin::kDepth)}},
@@ -137,6 +137,19 @@ SemanticName SplitSemantic(std::string_view written) {
   std::uint32_t index = 0;
   for (char c : written.substr(end)) index = index * 10 + static_cast<std::uint32_t>(c - '0');
   return {std::string(written.substr(0, end)), index, end < written.size()};
+}
+
+bool LacksInput(const Profile& profile, const SemanticName& semantic) {
+  if (profile.major != 2) return false;
+  const std::uint32_t count = EqualIgnoringCase(semantic.name, "COLOR")      ? 2
+                              : EqualIgnoringCase(semantic.name, "TEXCOORD") ? 8
+                                                                             : 0;
+  return semantic.index >= count;
+}
+
+std::uint32_t TargetsOf(const Profile& profile) {
+  if (profile.level9 == Level9::k9_0 || profile.level9 == Level9::k9_1) return 1;
+  return profile.IsDirect3D9() || profile.level9 == Level9::k9_3 ? 4 : 8;
 }
 
 const IoVar* FindPlainPosition(const Program& program) {

@@ -60,6 +60,14 @@ struct SemanticName {
 };
 SemanticName SplitSemantic(std::string_view written);
 
+// Whether a pixel shader of ps_2_0 to ps_2_b lacks the input: it reads v0 and v1, which are
+// colours, and t0 to t7 ("ps_2_0 registers" of the Direct3D 9 reference; fxc X4502, "invalid ps_2_0
+// input semantic").
+bool LacksInput(const Profile& profile, const SemanticName& semantic);
+// The number of render targets of a pixel shader: "Overview of feature levels" of the Direct3D 11
+// reference.
+std::uint32_t TargetsOf(const Profile& profile);
+
 // The output POSITION if it is not the position; otherwise null.
 const IoVar* FindPlainPosition(const Program& program);
 

@@ -38,7 +38,7 @@ TEST(Semantics, EachSystemValueOnEachSideOfEachStage) {
       {"SV_StartInstanceLocation", kBuiltin, kRefused, kRefused, kRefused},
       {"SV_IsFrontFace", kRefused, kRefused, kBuiltin, kRefused},
       {"SV_SampleIndex", kRefused, kRefused, kBuiltin, kRefused},
-      {"SV_InnerCoverage", kRefused, kRefused, kMade, kRefused},
+      {"SV_InnerCoverage", kRefused, kRefused, kBuiltin, kRefused},
       {"SV_Barycentrics", kRefused, kRefused, kBuiltin, kRefused},
       {"SV_Coverage", kRefused, kRefused, kBuiltin, kBuiltin},
       {"SV_Target", kRefused, kRefused, kRefused, kTarget},

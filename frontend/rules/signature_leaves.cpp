@@ -133,7 +133,7 @@ void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
   // nothing wrong can come of it.
   if (!cursor.given) {
     cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
-    cursor.given = true;
+    cursor.given = cursor.assumed = true;
     diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name, Spelled(cursor.semantic));
   }
   // Direct3D 9's `TEXCOORD3_centroid` is TEXCOORD3 at the centroid ("Semantics" of Microsoft's HLSL

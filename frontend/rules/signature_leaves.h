@@ -29,6 +29,7 @@ struct Part {
 struct Cursor {
   SemanticName semantic;
   bool given = false;
+  bool assumed = false;  // made of the name, since none is written
   Span span;
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
@@ -42,6 +43,7 @@ template <typename Declared>
 Cursor CursorOf(const Declared& declared) {
   return {SplitSemantic(declared.semantic),
           !declared.semantic.empty(),
+          false,
           declared.semantic_span,
           declared.interpolation,
           declared.centroid,

@@ -12,9 +12,9 @@ float4 main(float4 p : POSITION) : SV_Position {
   return p;
 }
 #else
-RWStructuredBuffer<float3> tight;
+RWStructuredBuffer<double3> tight;
 float4 main(float4 p : POSITION) : SV_Position {
-// CHECK: fail_writable_buffers.hlsl:[[#@LINE+3]]:3: error: a `float3` is written into a structured buffer; target `glsl450` lays it out differently from Direct3D [target-structured-store]
+// CHECK: fail_writable_buffers.hlsl:[[#@LINE+3]]:3: error: a `double3` is written into a structured buffer; target `glsl450` lays it out differently from Direct3D [target-structured-store]
 // CHECK-NEXT:    [[#@LINE+2]] |   tight[1] = p.xyz;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~
   tight[1] = p.xyz;

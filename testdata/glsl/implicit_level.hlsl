@@ -31,7 +31,7 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // CHECK-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
 // CHECK-NEXT:     r += textureLodOffset(map_smooth, in_TEXCOORD0, 1.5, ivec2(1, -1));
 // CHECK-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
-// CHECK-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
+// CHECK-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0, 1), ivec2(1, 2), ivec2(2, 0), ivec2(-8, 7)), 1);
 // CHECK-NEXT: }
 
 // ES: #version 310 es
@@ -46,7 +46,7 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // ES-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
 // ES-NEXT:     r += textureLodOffset(map_smooth, in_TEXCOORD0, 1.5, ivec2(1, -1));
 // ES-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
-// ES-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
+// ES-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0, 1), ivec2(1, 2), ivec2(2, 0), ivec2(-8, 7)), 1);
 // ES-NEXT: }
 
 // ES32: #version 320 es
@@ -60,5 +60,5 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // ES32-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
 // ES32-NEXT:     r += textureLodOffset(map_smooth, in_TEXCOORD0, 1.5, ivec2(1, -1));
 // ES32-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
-// ES32-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
+// ES32-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0, 1), ivec2(1, 2), ivec2(2, 0), ivec2(-8, 7)), 1);
 // ES32-NEXT: }

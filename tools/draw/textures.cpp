@@ -280,15 +280,15 @@ class Reader {
     return level && Copy(TexelAt(*level, 0, {}, coordinates_ + between), result);
   }
 
-  // Reads the four texels that a linear filter would mix, counterclockwise from the lower left; if
-  // each has an offset, the upper left texel of each footprint.
+  // Reads the four texels that a linear filter would mix, counterclockwise from the lower left,
+  // each with its own offset if there are four.
   bool Gather(std::span<std::uint64_t> result) const {
     static constexpr std::array<int, 3> kSteps[] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     const int component = static_cast<int>(request_.op) - static_cast<int>(ObjectOp::kGather);
     const bool has_four = request_.arguments.size() == coordinates_ + 8;
     for (std::size_t i = 0; i < 4; ++i) {
       const std::uint32_t* texel =
-          TexelAt(0, -0.5, kSteps[has_four ? 3 : i], coordinates_ + (has_four ? 2 * i : 0));
+          TexelAt(0, -0.5, kSteps[i], coordinates_ + (has_four ? 2 * i : 0));
       if (!texel) return false;
       result[i] = texel[component];
     }

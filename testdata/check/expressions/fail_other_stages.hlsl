@@ -66,10 +66,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   Process2DQuadTessFactorsAvg(p, p.xy, p, p.xy, edges);
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~
   Process2DQuadTessFactorsAvg(p, p.xy, p, p.xy, edges);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:8: error: `WaveActiveSum` works across the lanes of a wave; clipc does not translate wave operations [intrinsic-wave]
-// CHECK-NEXT:    [[#@LINE+2]] |   p += WaveActiveSum(p);
-// CHECK-NEXT:       |        ^~~~~~~~~~~~~
-  p += WaveActiveSum(p);
 // CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: warning: `Sample` gets the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 here, fxc reports an error; call `SampleLevel` instead [-Wmethod-level-zero]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += map.Sample(linear_clamp, p.xy);
 // CHECK-NEXT:       |            ^~~~~~

@@ -20,7 +20,7 @@ float4 main(float4 p : P) : SV_Target {
 }
 // CHECK: textureGather(map, vs_P0.xy, vs_P0.z)
 // CHECK: textureGatherOffset(map, vs_P0.xy, vs_P0.z, ivec2(1, -1))
-// CHECK: textureGatherOffsets(map, vs_P0.xy, vs_P0.z, ivec2[4](ivec2(0, 1), ivec2(1), ivec2(2, 1), ivec2(3, 1)))
+// CHECK: textureGatherOffsets(map, vs_P0.xy, vs_P0.z, ivec2[4](ivec2(0, 2), ivec2(2), ivec2(3, 1), ivec2(3, 1)))
 // CHECK: textureGather(skies, vs_P0, 0.5)
 // CHECK: textureLod(map, vec3(vs_P0.xy, vs_P0.z), 2.0)
 // CHECK: textureLodOffset(map, vec3(vs_P0.xy, vs_P0.z), 2.0, ivec2(1))

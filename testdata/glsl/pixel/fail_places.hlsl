@@ -2,12 +2,12 @@
 // RUN: not %clipc -T ps_6_4 --target=glsl330 %s -o - 2>&1 | FileCheck %s
 // RUN: not %clipc -T ps_6_4 --target=vulkan -E changed %s -o - 2>&1 | FileCheck %s --check-prefix=CHANGED
 // RUN: not %clipc -T ps_6_4 --target=vulkan -E subpass %s -o - 2>&1 | FileCheck %s --check-prefix=SUBPASS
-// RUN: not %clipc -T ps_6_4 -E inner %s -o - 2>&1 | FileCheck %s --check-prefix=INNER
+// RUN: not %clipc -T ps_6_4 --target=essl320 -E inner %s -o - 2>&1 | FileCheck %s --check-prefix=INNER
 float4 main(float4 a : A, float3 weights : SV_Barycentrics, uint s : SV_SampleIndex) : SV_Target {
   return EvaluateAttributeCentroid(a) + weights.x + s;
 }
 // CHECK: error: `SV_Barycentrics` is an input or output that target `glsl330` lacks [target-pixel-value]
-// CHECK: note: target `vulkan` can
+// CHECK: note: target `glsl450` can
 // CHECK: error: `SV_SampleIndex` is an input or output that target `glsl330` lacks [target-pixel-value]
 // CHECK: note: target `glsl400` can
 // CHECK: [[#@LINE-6]]:10: error: `EvaluateAttributeCentroid` reads an input at another place of the pixel; target `glsl330` has no function for that [target-interpolant]
@@ -21,4 +21,5 @@ float4 subpass() : SV_Target { return colors.SubpassLoad(); }
 // SUBPASS: error: `colors` has no `vk::input_attachment_index`; target `vulkan` knows a subpass input by that number [target-subpass-input]
 
 float4 inner(uint c : SV_InnerCoverage) : SV_Target { return c; }
-// INNER: error: `SV_InnerCoverage` is read; clipc does not translate this input of a pixel shader for target `glsl450` [target-pixel-input]
+// INNER: error: `SV_InnerCoverage` is an input or output that target `essl320` lacks [target-pixel-value]
+// INNER: note: target `glsl450` can

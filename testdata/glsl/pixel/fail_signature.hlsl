@@ -3,7 +3,6 @@
 // RUN: not %clipc -T ps_5_0 -E twice %s -o - 2>&1 | FileCheck %s --check-prefix=TWICE
 // RUN: not %clipc -T ps_3_0 -E position %s -o - 2>&1 | FileCheck %s --check-prefix=POSITION
 // RUN: not %clipc -T ps_5_0 -E planes %s -o - 2>&1 | FileCheck %s --check-prefix=PLANES
-// RUN: not %clipc -T ps_5_0 -E wave %s -o - 2>&1 | FileCheck %s --check-prefix=WAVE
 // RUN: not %clipc -T ps_5_0 -E dual %s -o - 2>&1 | FileCheck %s --check-prefix=DUAL
 // RUN: not %clipc -T ps_5_0 -E indexed --target=essl100 %s -o - 2>&1 | FileCheck %s --check-prefix=INDEXED
 // RUN: not %clipc -T ps_5_0 -E good --lower=discard --plane-space=xyw1 --invariant --pixel-shader=%s %s -o - 2>&1 | FileCheck %s --check-prefix=OPTIONS
@@ -18,13 +17,10 @@ void twice(out float4 a : SV_Target1, out float4 b : COLOR1) { a = b = 0; }
 // TWICE: error: semantic `SV_TARGET1` is used twice among the outputs
 
 float4 position(float4 p : POSITION) : COLOR { return p; }
-// POSITION: [[#@LINE-1]]:28: error: `POSITION` is read; clipc does not translate this input of a pixel shader for target `glsl450` [target-pixel-input]
+// POSITION: [[#@LINE-1]]:28: error: `POSITION` is read; profile `ps_3_0` has no such input of a pixel shader [profile-input, X4502]
 
 [clipplanes(plane)] float4 planes(float4 c : COLOR) : SV_Target { return c; }
 // PLANES: [[#@LINE-1]]:1: error: `clipplanes` is used under profile `ps_5_0`; it needs a vertex shader profile of 4.0 or later [clip-planes-profile]
-
-float4 wave(float4 c : COLOR) : SV_Target { return WaveActiveSum(c); }
-// WAVE: [[#@LINE-1]]:52: error: `WaveActiveSum` is not supported by clipc [intrinsic-unsupported]
 
 struct Dual {
   [[vk::location(0)]] float4 a : SV_Target0;

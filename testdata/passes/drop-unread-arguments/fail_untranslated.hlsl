@@ -3,4 +3,4 @@
 struct Vertex { float4 Pos : POSITION; float4 Diffuse : COLOR; };
 float4 Depth(Vertex v) { return v.Pos.z; }
 float4 main(Vertex v) : COLOR { return v.Diffuse + Depth(v); }
-// CHECK: error: `POSITION` is read; clipc does not translate this input of a pixel shader for target `glsl450` [target-pixel-input]
+// CHECK: error: `POSITION` is read; profile `ps_3_0` has no such input of a pixel shader [profile-input, X4502]
