@@ -2,6 +2,7 @@
 #include "frontend/check/assign.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frontend/check/bit_field.h"
 #include "frontend/check/cast_target.h"
@@ -32,20 +33,27 @@ ExprId StoreElement(Context& context, ExprId object, ExprId place, ExprId value,
 
 // The assignment to an element of an object, or to a part of one. object[place] = value is a store;
 // object[place].x = value and object[place] += value change a copy, which is then stored.
+// `is_used`: the assignment is a part of an expression, and has the value that was stored.
 ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId element,
-                     ExprId value, Span span) {
-  if (target == element && !expr.op) {
-    const ExprId converted = Implicit(context, value, context.TypeIdOf(target));
-    if (context.IsError(converted)) return converted;
-    const auto load = context[context.Get<ObjectCall>(element).arguments];
-    return StoreElement(context, load[0], load[1], converted, span);
-  }
+                     ExprId value, bool is_used, Span span) {
   Exprs steps;
+  if (target == element && !expr.op) {
+    ExprId converted = Implicit(context, value, context.TypeIdOf(target));
+    if (context.IsError(converted)) return converted;
+    if (is_used) converted = Hoist(context, converted, steps);
+    const auto load = context[context.Get<ObjectCall>(element).arguments];
+    const ExprId store = StoreElement(context, load[0], load[1], converted, span);
+    if (!is_used) return store;
+    steps.push_back(store);
+    return WithPrologue(context, steps, Clone(context.program, converted));
+  }
   const ExprId store = ChangeElement(context, element, steps);
   const ExprId change = AssignValue(context, expr, target, value, span);
   if (context.IsError(change)) return change;
   steps.push_back(change);
-  return WithPrologue(context, steps, store);
+  if (!is_used) return WithPrologue(context, steps, store);
+  steps.push_back(store);
+  return WithPrologue(context, steps, Clone(context.program, target));
 }
 
 // Whether the expression is a temporary of the statement in progress.
@@ -86,7 +94,8 @@ ExprId AssignChosen(Context& context, const ast::AssignExpr& expr, ExprId target
 }
 
 // The assignment to `target`, of whichever kind it is.
-ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Span span) {
+ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, bool is_used,
+                Span span) {
   const bool is_list = context.Is<ast::InitListExpr>(expr.right);
   if (is_list && !expr.op && !context.IsError(target)) {
     const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
@@ -102,7 +111,7 @@ ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Sp
                             : CheckEnumClasses(context, value, target, context[value].span);
   if (!fits) return context.ErrorExpr(span);
   if (const ExprId element = ElementIn(context, target))
-    return AssignElement(context, expr, target, element, value, span);
+    return AssignElement(context, expr, target, element, value, is_used, span);
   if (IsChosenComponent(context, target)) return AssignChosen(context, expr, target, value, span);
   return AssignValue(context, expr, target, value, span);
 }
@@ -242,6 +251,7 @@ ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue) {
 }
 
 ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
+  const bool is_used = !std::exchange(context.drops_value, false);
   Exprs steps;
   const ExprId left = CheckExpr(context, expr.left);
   if (const ast::ExprId operand = CastOperand(context, left))
@@ -252,7 +262,7 @@ ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
     return AssignToBits(context, expr.op, left, value, span);
   }
   const ExprId target = TakeSteps(context, left, steps);
-  return WithPrologue(context, steps, AssignTo(context, expr, target, span));
+  return WithPrologue(context, steps, AssignTo(context, expr, target, is_used, span));
 }
 
 ExprId AssignCompound(Context& context, BinaryOp op, ExprId target, ExprId value, Span span) {

@@ -239,6 +239,12 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
   if (const ast::ExprId operand = CastOperand(context, argument))
     return BindCast(context, parameter, context.TypeIdOf(argument), operand, before, after);
   argument = TakeSteps(context, argument, before);
+  if (const ExprId element = ElementIn(context, argument)) {
+    const ExprId store = ChangeElement(context, element, before);
+    const ExprId bound = BindArgument(context, parameter, argument, before, after);
+    after.push_back(store);
+    return bound;
+  }
   if (IsChosenComponent(context, argument)) {
     const ExprId store = ChangeChosen(context, argument, before);
     if (context.IsError(store)) return store;

@@ -112,6 +112,7 @@ struct Context final : TemporaryMaker {
   std::unordered_map<std::uint32_t, BitAccess> bits;
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
+  bool drops_value = false;           // whether the assignment checked next is a statement
   int depth = 0;                      // the weights of the RecursionGuards that are open
   bool is_too_large = false;          // whether RecursionGuard has reported that it is
 

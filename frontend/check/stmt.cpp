@@ -147,6 +147,7 @@ void CheckNode(Context& context, const ast::BlockStmt& stmt, Span) {
 }
 
 void CheckNode(Context& context, const ast::ExprStmt& stmt, Span) {
+  context.drops_value = context.Is<ast::AssignExpr>(stmt.expr);
   const ExprId value = CheckExpr(context, stmt.expr);
   if (context.IsError(value)) return;
   // The name of a texture alone does nothing, and is not a value in GLSL.
