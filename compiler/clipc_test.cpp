@@ -170,6 +170,16 @@ TEST_F(CInterface, CompilesThePairOfOneText) {
   EXPECT_THAT(Get(CLIPC_PART_REFLECTION), HasSubstr("\"pixelShader\""));
 }
 
+TEST_F(CInterface, CompilesAPixelShaderAlone) {
+  ASSERT_EQ(Compile({"-T", "ps_5_0", "-E", "ps", "-spirv"}, kHalves), CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), HasSubstr("out vec4 SV_Target0;"));
+  EXPECT_THAT(Get(CLIPC_PART_SPIRV), StartsWith("\x03\x02\x23\x07"));
+  EXPECT_THAT(Get(CLIPC_PART_REFLECTION), HasSubstr("\"stage\": \"pixel\""));
+  EXPECT_THAT(Get(CLIPC_PART_TABLE_JSON), HasSubstr("\"planes\": []"));
+  EXPECT_EQ(Compile({"-T", "ps_5_0", "-E", "vs"}, kHalves), CLIPC_HAS_ERRORS);
+}
+
 TEST_F(CInterface, TakesThePixelShaderFromMemory) {
   includes_["half.hlsl"] = "float4 main(float2 uv : UV) : SV_Target { return uv.yxyx; }\n";
   const std::vector<const char*> fits = {"-E", "vs", "--pixel-shader=half.hlsl"};

@@ -10,6 +10,7 @@
 #include "compiler/show_messages.h"
 #include "frontend/lex/source.h"
 #include "frontend/lex/source_text.h"
+#include "ir/profile.h"
 
 namespace clipc {
 
@@ -131,6 +132,9 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   const glsl::Target& target = request.target;
   report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),
          "--separable", "it is for targets `glsl410` to `glsl460`");
+  const auto profile = ir::ParseProfile(request.language.profile);
+  const bool has_planes = !profile || !profile->stage || InfoOf(*profile->stage).has_stage_after;
+  report(!has_planes && !command.table.empty(), "--table", "only a vertex shader has clip planes");
   report(request.debug.changes_result() && !command.table.empty(), "--table",
          "a dump takes its place");
   report(request.debug.changes_result() && !command.reflection.empty(), "--reflect",

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "colors.shader.h"
 #include "cut.shader.h"
 #include "level9.clip.h"
 #include "level9.shader.h"
@@ -43,6 +44,10 @@ int main() {
   if (vulkan_spv[0] != 0x07230203 || !std::ifstream(SHADER_FOLDER "/vulkan.spv")) return 1;
   if (!std::strstr(pair_vert[1], "void main") || !std::strstr(pair_frag[1], "SV_Target0") ||
       !std::strstr(pair_of_two_frag, "SV_Target0") || pair_of_two_spv_pixel[0] != 0x07230203)
+    return 1;
+  // The pixel shader alone has a reflection and no clip table.
+  if (std::strstr(colors_frag, "SV_Target0") == nullptr ||
+      !std::ifstream(SHADER_FOLDER "/colors.reflect.json"))
     return 1;
   // SPIR-V's decoration BuiltIn ClipDistance, of the compiler that clipc_add_hlsl_pass() calls.
   const std::uint32_t clip_distance[] = {11, 3};

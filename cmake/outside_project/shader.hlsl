@@ -8,3 +8,5 @@
 [clipplanes(first, second)]
 float4 main(float4 position : POSITION) : SV_Position { return SCALE * position; }
 float4 pixel() : SV_Target { return 1; }
+
+float4 ps(float4 position : SV_Position) : SV_Target { return position.xyxy * SCALE; }
