@@ -10,6 +10,7 @@
 #include "base/span.h"
 #include "ir/ids.h"
 #include "ir/type.h"
+#include "ir/variable.h"
 
 // The interface of a shader to the application and to the next stage: constant buffers, objects,
 // inputs, outputs and clip planes.
@@ -89,57 +90,27 @@ struct Resource {
 // The meaning of an input or output to the pipeline.
 enum class Builtin : std::uint8_t {
   kNone,
-
-  // Outputs.
-  kPosition,      // float4, in Direct3D's clip space until AdjustClipSpace
-  kClipVertex,    // float4: gl_ClipVertex
-  kClipDistance,  // float[n], n <= 8
-  kCullDistance,  // float[n]
-  kPointSize,     // float
-
-  // Inputs.
-  kVertexId,       // uint, without the base vertex
-  kInstanceId,     // uint, without the base instance
-  kBaseVertex,     // int: SV_StartVertexLocation
-  kBaseInstance,   // uint: SV_StartInstanceLocation
-  kDrawIndex,      // uint
-  kViewId,         // uint
-  kVertexIndex,    // uint, with the base vertex, as Vulkan counts
-  kInstanceIndex,  // uint, with the base instance, as Vulkan counts
-
-  kLaneCount,  // uint: the lanes of the wave
-  kLaneIndex,  // uint
-
-  // Outputs.
-  kShadingRate,    // uint: Direct3D's log2 of the width << 2 | log2 of the height
-  kLayer,          // uint
-  kViewportIndex,  // uint
-
-  // Inputs of a pixel shader.
-  kPixelPosition,              // float4: SV_Position, with Direct3D's y and w
-  kFrontFacing,                // bool
-  kSampleIndex,                // uint
-  kCoverageInput,              // uint
-  kPrimitiveId,                // uint
-  kLayerInput,                 // uint
-  kViewportInput,              // uint
-  kBarycentrics,               // float3
-  kBarycentricsNoPerspective,  // float3
-  kShadingRateInput,           // uint, as kShadingRate
-  kClipDistanceInput,          // float[n], n <= 8, as the vertex shader writes them
-  kCullDistanceInput,          // float[n]
-  kFullyCovered,               // bool: the pixel lies in the primitive as a whole
-  kSampleCount,                // uint: of the render targets
-  kHelperLane,                 // bool: the pixel runs for its neighbours only
-  kUntranslated,               // no target has the input; it may be declared, and is not read
-
-  // Outputs of a pixel shader.
-  kDepth,              // float
-  kDepthGreaterEqual,  // float
-  kDepthLessEqual,     // float
-  kCoverage,           // uint
-  kStencilRef,         // uint
+  kUntranslated,  // an input that no target has; it may be declared, of any type, and is not read
+#define BUILTIN(Enumerator, Name, Direction, Scalar, Components) k##Enumerator,
+#include "ir/builtins.def"
 };
+
+struct BuiltinInfo {
+  std::string_view name;
+  Storage storage;  // kInput or kOutput
+  Scalar scalar;
+  int components;  // 0: an array of distances
+};
+inline constexpr BuiltinInfo kBuiltinInfos[] = {
+    {"none", Storage::kLocal, Scalar::kFloat, 1},
+    {"untranslated", Storage::kInput, Scalar::kFloat, 1},
+#define BUILTIN(Enumerator, Name, Direction, Kind, Components) \
+  {Name, Storage::k##Direction, Scalar::k##Kind, Components},
+#include "ir/builtins.def"
+};
+constexpr const BuiltinInfo& InfoOf(Builtin builtin) {
+  return kBuiltinInfos[static_cast<std::size_t>(builtin)];
+}
 
 // A block that inputs of the next stage are members of, `in Varyings { vec2 uv; } v`, or an input
 // that is a struct. A shader declares it alike, with the members that it does not write.

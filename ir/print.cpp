@@ -13,48 +13,6 @@
 namespace clipc::ir {
 namespace {
 
-constexpr Named<Builtin> kBuiltins[] = {
-    {Builtin::kNone, "none"},
-    {Builtin::kPosition, "position"},
-    {Builtin::kClipVertex, "clip_vertex"},
-    {Builtin::kClipDistance, "clip_distance"},
-    {Builtin::kCullDistance, "cull_distance"},
-    {Builtin::kPointSize, "point_size"},
-    {Builtin::kVertexId, "vertex_id"},
-    {Builtin::kInstanceId, "instance_id"},
-    {Builtin::kBaseVertex, "base_vertex"},
-    {Builtin::kBaseInstance, "base_instance"},
-    {Builtin::kDrawIndex, "draw_index"},
-    {Builtin::kViewId, "view_id"},
-    {Builtin::kVertexIndex, "vertex_index"},
-    {Builtin::kInstanceIndex, "instance_index"},
-    {Builtin::kLaneCount, "lane_count"},
-    {Builtin::kLaneIndex, "lane_index"},
-    {Builtin::kShadingRate, "shading_rate"},
-    {Builtin::kLayer, "layer"},
-    {Builtin::kViewportIndex, "viewport_index"},
-    {Builtin::kPixelPosition, "pixel_position"},
-    {Builtin::kFrontFacing, "front_facing"},
-    {Builtin::kSampleIndex, "sample_index"},
-    {Builtin::kCoverageInput, "coverage_input"},
-    {Builtin::kPrimitiveId, "primitive_id"},
-    {Builtin::kLayerInput, "layer_input"},
-    {Builtin::kViewportInput, "viewport_input"},
-    {Builtin::kBarycentrics, "barycentrics"},
-    {Builtin::kBarycentricsNoPerspective, "barycentrics_no_perspective"},
-    {Builtin::kShadingRateInput, "shading_rate_input"},
-    {Builtin::kClipDistanceInput, "clip_distance_input"},
-    {Builtin::kCullDistanceInput, "cull_distance_input"},
-    {Builtin::kFullyCovered, "fully_covered"},
-    {Builtin::kSampleCount, "sample_count"},
-    {Builtin::kHelperLane, "helper_lane"},
-    {Builtin::kUntranslated, "untranslated"},
-    {Builtin::kDepth, "depth"},
-    {Builtin::kDepthGreaterEqual, "depth_greater_equal"},
-    {Builtin::kDepthLessEqual, "depth_less_equal"},
-    {Builtin::kCoverage, "coverage"},
-    {Builtin::kStencilRef, "stencil_ref"}};
-static_assert(std::size(kBuiltins) == static_cast<std::size_t>(Builtin::kStencilRef) + 1);
 constexpr Named<Form> kForms[] = {{Form::kTyped, "typed"},
                                   {Form::kNoClipPlanes, "no-clip-planes"},
                                   {Form::kTargetClipSpace, "target-clip-space"},
@@ -144,7 +102,7 @@ class ProgramPrinter {
         io.semantic.empty() ? "" : fmt::format(" : {}{}", io.semantic, io.index);
     const std::string place = io.builtin == Builtin::kNone
                                   ? fmt::format("location {}", io.location)
-                                  : fmt::format("builtin {}", NameIn<kBuiltins>(io.builtin));
+                                  : fmt::format("builtin {}", InfoOf(io.builtin).name);
     Line("{}{}{} {}{}", direction, printer_.Declaration(io.var), semantic, place,
          InterpolationText(io));
   }

@@ -94,47 +94,19 @@ class InterfaceVerifier {
   }
 
   bool FitsBuiltin(Builtin builtin, TypeId id, Storage storage) const {
-    using enum Storage;
-    using enum Builtin;
+    if (builtin == Builtin::kNone) return true;
     const Type& type = program_.types[id];
-    const bool is_scalar = type.kind == TypeKind::kScalar;
-    const Scalar base = BaseOf(type.scalar);
-    switch (builtin) {
-      case kNone: return true;
-      case kPosition:
-      case kClipVertex:
-        return storage == kOutput && type.kind == TypeKind::kVector && type.columns == 4 &&
-               base == Scalar::kFloat;
-      case kClipDistance:
-      case kCullDistance:
-      case kClipDistanceInput:
-      case kCullDistanceInput:
-        return storage ==
-                   (builtin == kClipDistance || builtin == kCullDistance ? kOutput : kInput) &&
-               type.kind == TypeKind::kArray && type.count >= 1 &&
-               type.count <= kMaxClipDistances && program_.types.Name(type.element) == "float";
-      case kPointSize:
-      case kDepth:
-      case kDepthGreaterEqual:
-      case kDepthLessEqual: return storage == kOutput && is_scalar && base == Scalar::kFloat;
-      case kPixelPosition:
-        return storage == kInput && type.kind == TypeKind::kVector && type.columns == 4 &&
-               base == Scalar::kFloat;
-      case kBarycentrics:
-      case kBarycentricsNoPerspective:
-        return storage == kInput && type.kind == TypeKind::kVector && type.columns == 3 &&
-               base == Scalar::kFloat;
-      case kFrontFacing:
-      case kFullyCovered:
-      case kHelperLane: return storage == kInput && is_scalar && base == Scalar::kBool;
-      case kUntranslated: return storage == kInput && type.IsScalarOrVector();
-      case kCoverage:
-      case kStencilRef:
-      case kLayer:
-      case kViewportIndex:
-      case kShadingRate: return storage == kOutput && is_scalar && IsInteger(base);
-      default: return storage == kInput && is_scalar && IsInteger(base);
+    const BuiltinInfo& info = InfoOf(builtin);
+    if (storage != info.storage) return false;
+    if (builtin == Builtin::kUntranslated) return type.IsScalarOrVector();
+    if (info.components == 0) {
+      return type.kind == TypeKind::kArray && type.count >= 1 && type.count <= kMaxClipDistances &&
+             program_.types.Name(type.element) == "float";
     }
+    const Scalar base = BaseOf(type.scalar);
+    return type.kind == (info.components == 1 ? TypeKind::kScalar : TypeKind::kVector) &&
+           type.columns == info.components &&
+           (IsInteger(info.scalar) ? IsInteger(base) : base == info.scalar);
   }
 
   // ---- cbuffers

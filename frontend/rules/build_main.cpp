@@ -174,9 +174,6 @@ class MainBuilder {
   ExprId BuiltinInput(const Carrier& leaf, const SystemValue& value) {
     const Type type = program_.types[leaf.type];
     const Scalar kind = BaseOf(type.scalar);
-    TypeTable& types = program_.types;
-    TypeId stored =
-        types.Make(value.builtin == Builtin::kBaseVertex ? Scalar::kInt : Scalar::kUint);
     std::string_view wanted = "a `uint`";
     bool fits = IsInteger(kind) && type.Components() == 1;
     Builtin builtin = value.builtin;
@@ -185,16 +182,13 @@ class MainBuilder {
     if (builtin == Builtin::kBarycentrics) {
       if (leaf.cursor.interpolation == Interpolation::kNoPerspective)
         builtin = Builtin::kBarycentricsNoPerspective;
-      stored = types.Vector(Scalar::kFloat, 3);
       wanted = "a `float3`";
       fits = kind == Scalar::kFloat && type.Components() == 3;
     } else if (value.builtin == Builtin::kPixelPosition) {
-      stored = types.Vector(Scalar::kFloat, 4);
       wanted = "a `float4`";
       fits = kind == Scalar::kFloat;
     } else if (value.builtin == Builtin::kFrontFacing) {
       const bool is_sign = value.form == SystemValue::Form::kSign;
-      stored = types.Make(Scalar::kBool);
       wanted = is_sign ? "a `float`" : "a `bool`";
       fits = type.Components() == 1 &&
              (is_sign ? kind == Scalar::kFloat : kind == Scalar::kBool || IsInteger(kind));
@@ -203,10 +197,10 @@ class MainBuilder {
       Refuse(leaf, wanted);
       return {};
     }
-    if (builtin == Builtin::kFullyCovered) stored = types.Make(Scalar::kBool);
     const auto known = std::ranges::find(program_.inputs, builtin, &IoVar::builtin);
-    const VarId input =
-        known != program_.inputs.end() ? known->var : AddIo(program_.inputs, leaf, stored, builtin);
+    const VarId input = known != program_.inputs.end()
+                            ? known->var
+                            : AddIo(program_.inputs, leaf, TypeOf(builtin), builtin);
     if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
     if (value.builtin == Builtin::kFrontFacing) return FrontFacing(input, leaf);
     return Fit(builder_.Ref(input), leaf.type);
@@ -267,11 +261,11 @@ class MainBuilder {
     if (value.use == SystemValue::Use::kTarget && !IsTarget(leaf)) return;
     switch (value.builtin) {
       case Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
-      case Builtin::kPosition: WriteFloats(leaf, 4, "a `float4`", value.builtin); return;
+      case Builtin::kPosition: WriteFloats(leaf, "a `float4`", value.builtin); return;
       case Builtin::kPointSize:
       case Builtin::kDepth:
       case Builtin::kDepthGreaterEqual:
-      case Builtin::kDepthLessEqual: WriteFloats(leaf, 1, "a `float`", value.builtin); return;
+      case Builtin::kDepthLessEqual: WriteFloats(leaf, "a `float`", value.builtin); return;
       case Builtin::kClipDistance:
       case Builtin::kCullDistance: AddDistance(leaf, value.builtin); return;
       default: WriteIndex(leaf, value.builtin); return;
@@ -291,20 +285,18 @@ class MainBuilder {
     return false;
   }
 
-  void WriteFloats(const Carrier& leaf, std::uint32_t components, std::string_view wanted,
-                   Builtin builtin) {
+  void WriteFloats(const Carrier& leaf, std::string_view wanted, Builtin builtin) {
     const Type type = program_.types[leaf.type];
-    if (type.Components() != components || BaseOf(type.scalar) != Scalar::kFloat)
+    if (static_cast<int>(type.Components()) != InfoOf(builtin).components ||
+        BaseOf(type.scalar) != Scalar::kFloat)
       return Refuse(leaf, wanted);
-    const TypeId stored = components == 1 ? program_.types.Make(Scalar::kFloat)
-                                          : program_.types.Vector(Scalar::kFloat, 4);
-    WriteOutput(leaf, stored, builtin);
+    WriteOutput(leaf, TypeOf(builtin), builtin);
   }
 
   void WriteIndex(const Carrier& leaf, Builtin builtin) {
     const Type type = program_.types[leaf.type];
     if (type.Components() != 1 || !IsInteger(type.scalar)) return Refuse(leaf, "a `uint`");
-    WriteOutput(leaf, program_.types.Make(Scalar::kUint), builtin);
+    WriteOutput(leaf, TypeOf(builtin), builtin);
   }
 
   void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
@@ -313,6 +305,13 @@ class MainBuilder {
     if (IsClampedOutput(program_, leaf.cursor.semantic.name, program_.types[stored]))
       value = builder_.IntrinsicOf(Intrinsic::kSaturate, stored, {value});
     body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), value)));
+  }
+
+  // The type of the variable of a built-in input or output, which is not an array.
+  TypeId TypeOf(Builtin builtin) {
+    const BuiltinInfo& info = InfoOf(builtin);
+    return info.components == 1 ? program_.types.Make(info.scalar)
+                                : program_.types.Vector(info.scalar, info.components);
   }
 
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
