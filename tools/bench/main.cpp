@@ -133,7 +133,7 @@ void BenchRewrite() {
 
 // Measures an effect against its different shaders, each compiled once, in one process too.
 void BenchEffect(const std::string& clipc, const std::string& folder) {
-  const std::string effect = folder + "/fifty.fx", manifest = folder + "/fifty.json";
+  const std::string effect = folder + "/fifty.fx", manifest = folder + "/shaders.json";
   Write(effect, FiftyPasses());
   const auto shaders = [&](const std::string& name, const std::string& profile, int count) {
     std::string entries;
