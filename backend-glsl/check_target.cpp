@@ -472,13 +472,11 @@ class TargetCheck {
     }
   }
 
-  // Reports a sampler in an array, which OpenGL cannot combine with a texture unless a literal says
-  // which one it is.
+  // Reports an element of an array of samplers, unless a literal names it: OpenGL has none.
   void ObjectArgument(ExprId object) {
     const auto* index = As<Index>(object);
-    const bool is_sampler = InfoOf(TypeOf(object).object).category == ObjectCategory::kSampler;
-    if (!index || !is_sampler || target_.IsVulkan() || SamplerElementAt(program_, object).array)
-      return;
+    if (!index || target_.IsVulkan() || SamplerElementAt(program_, object).array) return;
+    if (InfoOf(TypeOf(object).object).category != ObjectCategory::kSampler) return;
     const auto* var = As<VarRef>(index->base);
     Report(program_.exprs[object].span, diag::TargetSamplerArray,
            var ? program_.vars[var->var].name : "sampler");
