@@ -149,18 +149,24 @@ class MainBuilder {
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
     if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
     if (value.use == Use::kRefused || !MayAdd(leaf, Direction::kInput, value)) return {};
-    // Level 9 gives its pixels no system values, which are declared and not read.
-    const bool is_lacking =
-        InfoOf(program_.stage).draws_pixels && !program_.is_interface_only &&
-        (value.use == Use::kBuiltin
-             ? program_.profile.level9 != Level9::kNone
-             : !leaf.cursor.assumed && LacksInput(program_.profile, leaf.cursor.semantic));
+    const bool is_lacking = InfoOf(program_.stage).draws_pixels && !program_.is_interface_only &&
+                            Lacks(leaf.cursor, value);
     if (value.use == Use::kBuiltin && !is_lacking) return BuiltinInput(leaf, value);
     const bool is_plain = (value.use == Use::kPlain && !is_lacking) || program_.is_interface_only;
     if (is_plain && program_.profile.IsDirect3D9()) return Attribute(leaf);
     const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
     return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
                leaf.type);
+  }
+
+  // Whether the profile lacks the input of a pixel shader, which may be declared and is not read.
+  // Level 9 has no system values, and ps_2_0 to ps_2_b neither VPOS nor VFACE.
+  bool Lacks(const Cursor& cursor, const SystemValue& value) const {
+    const Profile& profile = program_.profile;
+    const bool is_old_name = value.form != SystemValue::Form::kItself;
+    if (value.use == SystemValue::Use::kBuiltin)
+      return profile.level9 != Level9::kNone || (profile.major == 2 && is_old_name);
+    return !cursor.assumed && LacksInput(profile, cursor.semantic);
   }
 
   // The part that this input has of the register that all inputs of its semantic read.

@@ -3,6 +3,8 @@
 // flow control; fxc X4502, "invalid ps_2_0 input semantic"; X3511; X4567.
 // RUN: not %clipc -T ps_2_0 -E normal %s -o - 2>&1 | FileCheck %s --check-prefix=NORMAL
 // RUN: %clipc -T ps_3_0 -E normal %s -o %t
+// RUN: not %clipc -T ps_2_a -E corner %s -o - 2>&1 | FileCheck %s --check-prefix=CORNER
+// RUN: not %clipc -T ps_2_0 -E side %s -o - 2>&1 | FileCheck %s --check-prefix=SIDE
 // RUN: not %clipc -T ps_2_a -E ninth %s -o - 2>&1 | FileCheck %s --check-prefix=NINTH
 // RUN: not %clipc -T ps_2_b -E third %s -o - 2>&1 | FileCheck %s --check-prefix=THIRD
 // RUN: %clipc -T ps_2_0 -E carried %s -o - 2>&1 | FileCheck %s --check-prefix=CARRIED
@@ -21,6 +23,10 @@ int count;
 float4 plane;
 // NORMAL: error: `NORMAL` is read; profile `ps_2_0` has no such input of a pixel shader [profile-input, X4502]
 float4 normal(float3 n : NORMAL) : COLOR { return n.xyzx; }
+// CORNER: error: `VPOS` is read; profile `ps_2_a` has no such input of a pixel shader [profile-input, X4502]
+float4 corner(float2 p : VPOS) : COLOR { return p.xyxy; }
+// SIDE: error: `VFACE` is read; profile `ps_2_0` has no such input
+float4 side(float f : VFACE) : COLOR { return f; }
 // NINTH: error: `TEXCOORD` is read; profile `ps_2_a` has no such input
 float4 ninth(float4 t : TEXCOORD8) : COLOR { return t; }
 // THIRD: error: `COLOR` is read; profile `ps_2_b` has no such input
