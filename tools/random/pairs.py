@@ -8,7 +8,7 @@ The pair is hard to match: the pixel shader reads some of the outputs, in anothe
 interpolation modifiers; constant buffers, uniforms and textures of one name or register are alike in both shaders, or are not; both
 shaders are in one file or in two. The same program in two runs is easy to match: all names differ, and both shaders have one
 struct. Under GLSL 3.30, 4.50 and ES 3.00 both draw the same image on Mesa. For Vulkan the pair becomes a pipeline of which the
-validation layers have nothing to say, and both shaders of one block, texture or sampler agree about its place. Prints a line for each pair that does not, with its
+validation layers have nothing to say. Prints a line for each pair that does not, with its
 seed; exit 1 then.
 """
 
