@@ -24,7 +24,7 @@ float early() { return depth; }
 float later(float x);
 float4 main(float4 position : POSITION) : SV_Position {
   float sum = outer::own() + outer::inner::own() + outer::again() + user::used();
-  sum += outer::kTwo + outer::Plain::kThree + int(Strict::kHigh) + later(sum) + early() + shadow(1);
+  sum += outer::kTwo + outer::Plain::kThree + uint(Strict::kHigh) + later(sum) + early() + shadow(1);
   return position * sum;
 }
 float later(float x) { return x * 2; }
