@@ -176,11 +176,8 @@ class Applier {
     value = builder.ConvertTo(kind, value);
     const Type from = program_.types[builder.TypeOf(value)];
     const std::uint32_t size = from.Components();
-    if (size > components) {
-      constexpr std::uint8_t kAll[] = {0, 1, 2, 3};
-      return builder.Swizzled(value, std::span(kAll).first(components));
-    }
     if (size == components && from.kind == program_.types[type].kind) return value;
+    if (size >= components) return builder.SwizzledRun(value, 0, components);
     std::vector<ExprId> parts{value};
     for (std::uint32_t i = size; i < components; ++i) parts.push_back(builder.LiteralOf(kind, 0));
     return builder.ConstructOf(type, parts);
