@@ -111,6 +111,12 @@ inline constexpr BuiltinInfo kBuiltinInfos[] = {
 constexpr const BuiltinInfo& InfoOf(Builtin builtin) {
   return kBuiltinInfos[static_cast<std::size_t>(builtin)];
 }
+// Whether the input is what a function of HLSL gives, like WaveGetLaneIndex(): every function of
+// the program may read it, and not `main` alone.
+constexpr bool IsReadAnywhere(Builtin builtin) {
+  return builtin == Builtin::kLaneCount || builtin == Builtin::kLaneIndex ||
+         builtin == Builtin::kSampleCount || builtin == Builtin::kHelperLane;
+}
 
 // A block that inputs of the next stage are members of, `in Varyings { vec2 uv; } v`, or an input
 // that is a struct. A shader declares it alike, with the members that it does not write.

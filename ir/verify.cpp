@@ -30,6 +30,9 @@ class ProgramVerifier {
       for (const CbufferMember& member : program_.cbuffers[id].members) Show(member.var);
     }
     for (const Resource& resource : program_.resources) Show(resource.var);
+    for (const IoVar& io : program_.inputs) {
+      if (IsReadAnywhere(io.builtin)) Show(io.var);
+    }
     CheckGlobals();
     CheckClipPlanes();
     for (FunctionId id : program_.functions.ids()) CheckFunction(id);
@@ -113,7 +116,9 @@ class ProgramVerifier {
   }
 
   void ShowInterface(Scope scope) {
-    for (const IoVar& io : program_.inputs) exprs_.scope[io.var.index] = scope;
+    for (const IoVar& io : program_.inputs) {
+      if (!IsReadAnywhere(io.builtin)) exprs_.scope[io.var.index] = scope;
+    }
     for (const IoVar& io : program_.outputs) exprs_.scope[io.var.index] = scope;
   }
 

@@ -373,6 +373,13 @@ TEST_F(Verifier, ParameterOfAnotherFunction) {
 TEST_F(Verifier, InputsAreForMainOnly) {
   ExpectProblemIn(build.Ref(shader.position), "not declared here");
 }
+TEST_F(Verifier, ValuesOfFunctionsAreForAll) {
+  const VarId lane = shader.AddVar("lane", shader.types.Make(Scalar::kUint), Storage::kInput);
+  shader.inputs.push_back(
+      {.var = lane, .semantic = "WaveGetLaneIndex", .builtin = Builtin::kLaneIndex});
+  shader.AddFunction("f", shader.types.Make(Scalar::kUint), {}, {shader.Return(build.Ref(lane))});
+  EXPECT_EQ(Verify(shader, Form::kTyped), std::nullopt);
+}
 TEST_F(Verifier, GlobalsAreListed) {
   shader.globals.pop_back();
   ExpectProblemIn(build.Ref(shader.table), "not declared here");

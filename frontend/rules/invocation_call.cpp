@@ -18,23 +18,22 @@ namespace {
 constexpr struct {
   std::string_view name;
   Builtin builtin;
-  Scalar kind;
   int major;  // the first shader model
   bool is_of_pixel;
 } kFacts[] = {
-    {"GetRenderTargetSampleCount", Builtin::kSampleCount, Scalar::kUint, 4, true},
-    {"IsHelperLane", Builtin::kHelperLane, Scalar::kBool, 6, true},
-    {"WaveGetLaneCount", Builtin::kLaneCount, Scalar::kUint, 6, false},
-    {"WaveGetLaneIndex", Builtin::kLaneIndex, Scalar::kUint, 6, false},
+    {"GetRenderTargetSampleCount", Builtin::kSampleCount, 4, true},
+    {"IsHelperLane", Builtin::kHelperLane, 6, true},
+    {"WaveGetLaneCount", Builtin::kLaneCount, 6, false},
+    {"WaveGetLaneIndex", Builtin::kLaneIndex, 6, false},
 };
 
 // The input that has the value; its name is that of the function.
-ExprId InputOf(const IntrinsicCheck& call, Builtin builtin, Scalar kind, std::string_view name) {
+ExprId InputOf(const IntrinsicCheck& call, Builtin builtin, std::string_view name) {
   std::vector<IoVar>& inputs = call.program.inputs;
   const auto known = std::ranges::find(inputs, builtin, &IoVar::builtin);
   if (known != inputs.end()) return call.Make().Ref(known->var);
   const VarId var = call.program.vars.Add({.name = std::string(name),
-                                           .type = call.program.types.Make(kind),
+                                           .type = call.program.types.Make(InfoOf(builtin).scalar),
                                            .storage = Storage::kInput,
                                            .span = call.name_span});
   inputs.push_back({.var = var, .semantic = std::string(name), .builtin = builtin});
@@ -83,11 +82,12 @@ ExprId CheckFact(const IntrinsicCheck& call) {
     return call.Fail(call.name_span, diag::IntrinsicRenderTarget, call.name, stage.name);
   if (!call.HasCount(0, 0)) return call.Error();
   Program& program = call.program;
-  if (program.is_interface_only) return call.Make().ZeroOf(program.types.Make(fact.kind));
+  if (program.is_interface_only)
+    return call.Make().ZeroOf(program.types.Make(InfoOf(fact.builtin).scalar));
   if (!program.profile.IsAtLeast(fact.major, 0))
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name,
                      fmt::format("{}_{}_0", stage.prefix, fact.major), program.profile.name);
-  return InputOf(call, fact.builtin, fact.kind, fact.name);
+  return InputOf(call, fact.builtin, fact.name);
 }
 
 // Checks WaveIsFirstLane(): the first active lane is the one that WaveReadLaneFirst reads.

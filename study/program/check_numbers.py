@@ -189,6 +189,10 @@ SPOKEN = [
     ),
     ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
     ("`--target=hlsl`, to GLSL of the same shader", "--target=hlsl, to GLSL of the same shader"),
+    (
+        "an effect of 50 passes, to its 15 different shaders in one process",
+        "an effect with 50 passes, to its 15 shaders",
+    ),
     ("validation of each in a batch, milliseconds", "validation of one shader in a batch"),
     ("cost a byte at 10 MB, to that at 100 kB", "cost a byte at 10 MB, to that at 100 kB"),
     ("cost a byte at 10 MB, to that at 1 MB", "cost a byte at 10 MB, to that at 1 MB"),
