@@ -97,6 +97,8 @@ SamplerElement SamplerElementAt(const ir::Program& program, ir::ExprId expr) {
   const bool is_sampler = type.kind == ir::TypeKind::kObject &&
                           ir::InfoOf(type.object).category == ir::ObjectCategory::kSampler;
   if (!array || !number || !is_sampler) return {};
+  // A parameter stands in functions that are called with objects of the shader in its place.
+  if (program.vars[array->var].storage != ir::Storage::kResource) return {};
   return {array->var, static_cast<std::uint32_t>(number->bits)};
 }
 

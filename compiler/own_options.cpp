@@ -10,6 +10,7 @@
 
 #include "base/spelling.h"
 #include "compiler/binding_options.h"
+#include "compiler/check_lowering.h"
 #include "compiler/explain.h"
 #include "compiler/option_actions.h"
 #include "compiler/suggest.h"

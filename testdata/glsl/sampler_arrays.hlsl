@@ -15,6 +15,7 @@
 Texture2D maps[2] : register(t0);
 Texture2D map : register(t4);
 SamplerState samplers[3] : register(s2);
+float4 read(SamplerState all[3], float2 uv) { return map.Sample(all[2], uv); }
 float4 main(float2 uv : UV) : SV_Target {
-  return maps[1].Sample(samplers[0], uv) + map.Sample(samplers[2], uv) + map.Sample(samplers[0], uv.yx);
+  return read(samplers, uv.yy) + maps[1].Sample(samplers[0], uv) + map.Sample(samplers[2], uv) + map.Sample(samplers[0], uv.yx);
 }
