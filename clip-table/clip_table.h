@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip-table/vocabulary.h"
+#include "vocabulary.h"
 
 /// The clip table: what an application must know about a shader's clip planes to draw with it. It
 /// says which constants hold the planes, where these constants lie, and what to enable. A plane

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "clip-table/clip_table.h"
-#include "clip-table/static_table.h"
+#include "clip_table.h"
+#include "static_table.h"
 
 namespace clipc::clip_table {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "clip-table/clip_table.h"
+#include "clip_table.h"
 
 namespace clipc::clip_table {
 

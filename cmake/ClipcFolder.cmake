@@ -58,7 +58,7 @@ function(clipc_folder name)
     target_sources(clipc_${name} PRIVATE ${CLIPC_EMPTY_SOURCE})
   endif()
   clipc_unite(clipc_${name})
-  target_include_directories(clipc_${name} PUBLIC $<BUILD_INTERFACE:${clipc_SOURCE_DIR}> $<INSTALL_INTERFACE:include/clipc>)
+  target_include_directories(clipc_${name} PUBLIC $<BUILD_INTERFACE:${clipc_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
   target_link_libraries(clipc_${name} PUBLIC ${folder_PUBLIC} PRIVATE ${folder_PRIVATE})
 
   if(BUILD_TESTING AND tests AND (NOT CLIPC_UNIT_TESTS OR name IN_LIST CLIPC_UNIT_TESTS))

@@ -22,8 +22,21 @@ foreach(folder runtime clip-table)
   install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc COMPONENT development FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE PATTERN effect_gl.h EXCLUDE
     PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN test_tables.h EXCLUDE PATTERN json.h EXCLUDE)
 endforeach()
-install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc/compiler
+install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc
   COMPONENT development)
+
+# Programs of this build, like the examples, write <clipc/runtime/table.h> as others do: links stand where an installation has copies.
+set(headers ${clipc_BINARY_DIR}/include/clipc)
+file(MAKE_DIRECTORY ${headers})
+foreach(header runtime clip-table compiler/clipc.h compiler/clipc.hpp)
+  cmake_path(GET header FILENAME name)
+  file(CREATE_LINK ${clipc_SOURCE_DIR}/${header} ${headers}/${name} COPY_ON_ERROR SYMBOLIC)
+endforeach()
+foreach(library IN LISTS targets)
+  if(NOT library STREQUAL clipc)
+    target_include_directories(${library} INTERFACE $<BUILD_INTERFACE:${clipc_BINARY_DIR}/include>)
+  endif()
+endforeach()
 
 set(package lib/cmake/clipc)
 install(EXPORT clipc NAMESPACE clipc:: FILE clipc-targets.cmake DESTINATION ${package} COMPONENT development)
@@ -63,7 +76,7 @@ function(clipc_pkg_config name description libraries)
 Name: @name@
 Description: @description@
 Version: @clipc_VERSION@
-Cflags: -I${prefix}/include/clipc
+Cflags: -I${prefix}/include
 Libs: -L${prefix}/lib @libraries@
 Libs.private: -lstdc++ -lm
 ]])

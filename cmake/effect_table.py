@@ -345,7 +345,7 @@ class Table:
 
     def render(self, name):
         out = ["/* Made by clipc's effect_table.py. */", "#ifndef CLIPC_EFFECT_" + name.upper(), "#define CLIPC_EFFECT_" + name.upper() + " 1", "",
-               '#include "runtime/gl/effect.h"', ""]  # fmt: skip
+               '#include <clipc/runtime/gl/effect.h>', ""]  # fmt: skip
         parameters, places = [], []
         for parameter in self.places:
             shape = self.shape(parameter)

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/clipc.h"
+#include "clipc.h"
 
 /// compiler/clipc.h for C++17: a few inline functions over the C functions, so an application and
 /// the library need not be built by the same compiler.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/matrix.h"
+#include "matrix.h"
 
 /// Finds the clip planes that an object needs: most objects need none, and many are clipped away
 /// whole. The plans are safe to the pixel: whatever order and fusing a shader uses for its dot

@@ -3,9 +3,9 @@
 
 #include <initializer_list>
 
-#include "runtime/clipc_runtime.h"
-#include "runtime/status.h"
-#include "runtime/table.h"
+#include "clipc_runtime.h"
+#include "status.h"
+#include "table.h"
 
 // The declarations that the source files of the C interface share. Not installed.
 

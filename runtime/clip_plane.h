@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "runtime/matrix.h"
-#include "runtime/status.h"
+#include "matrix.h"
+#include "status.h"
 
 /// Planes for shaders and devices: from the space in which an application knows a plane to the
 /// constants that a vertex shader dots with its position. Computed in double, rounded to float

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "runtime/matrix.h"
-#include "runtime/plane_space.h"
+#include "matrix.h"
+#include "plane_space.h"
 
 /// The rounding errors of a vertex shader's float arithmetic, followed from the vertex to the cut.
 /// Not part of the public interface.

@@ -5,7 +5,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "runtime/matrix.h"
+#include "matrix.h"
 
 /// Questions about several numbers at once. Not part of the public interface.
 namespace clipc::runtime {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/clip_device.h"
-#include "runtime/status.h"
-#include "runtime/table.h"
+#include "clip_device.h"
+#include "status.h"
+#include "table.h"
 
 namespace clipc::runtime {
 

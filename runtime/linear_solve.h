@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "runtime/double_double.h"
+#include "double_double.h"
 
 /// A linear solver for four unknowns. Not part of the public interface.
 namespace clipc::runtime {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "runtime/matrix.h"
-#include "runtime/status.h"
+#include "matrix.h"
+#include "status.h"
 
 namespace clipc::runtime {
 

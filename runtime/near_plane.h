@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "runtime/matrix.h"
-#include "runtime/projection_shape.h"
-#include "runtime/status.h"
+#include "matrix.h"
+#include "projection_shape.h"
+#include "status.h"
 
 /// One clip plane without any clip plane hardware: the projection's z column is replaced so that
 /// the near plane *is* the clip plane. Sources: NVIDIA's white paper WP-01386-001, "Custom Clip

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "runtime/clip_plane.h"
-#include "runtime/double_double.h"
-#include "runtime/matrix.h"
-#include "runtime/projection_shape.h"
-#include "runtime/status.h"
+#include "clip_plane.h"
+#include "double_double.h"
+#include "matrix.h"
+#include "projection_shape.h"
+#include "status.h"
 
 /// A plane on its way through several spaces: nothing is rounded to double in between, so that what
 /// two matrices cancel is not lost. Not part of the public interface.

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/clip_plane.h"
-#include "runtime/matrix.h"
-#include "runtime/status.h"
-#include "runtime/table.h"
+#include "clip_plane.h"
+#include "matrix.h"
+#include "status.h"
+#include "table.h"
 
 /// One call turns a plane as the application knows it into the constant that a shader's clip table
 /// asks for; another predicts what the choice of the plane space costs in pixels. Pure functions:

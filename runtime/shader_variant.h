@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "runtime/box_planner.h"
-#include "runtime/matrix.h"
+#include "box_planner.h"
+#include "matrix.h"
 
 /// From a plan to a draw: `clipc --variants` writes a shader for every plane count from 0 to n,
 /// with its planes numbered from 0; these functions choose the one with exactly the planes that an

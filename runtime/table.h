@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "clip-table/static_table.h"
-#include "clip-table/vocabulary.h"
-#include "runtime/status.h"
+#include "../clip-table/static_table.h"
+#include "../clip-table/vocabulary.h"
+#include "status.h"
 
 /// The clip table of a shader as an application reads it: the constants that hold its clip planes,
 /// and the mask to enable. Reading a table allocates, so it is for the time when a shader is

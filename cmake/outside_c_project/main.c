@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Compiles a shader from memory, and reads from its clip table where the plane goes. */
+#include <clipc/clipc.h>
+#include <clipc/runtime/clipc_runtime.h>
 #include <stdio.h>
 #include <string.h>
-
-#include "compiler/clipc.h"
-#include "runtime/clipc_runtime.h"
 
 static const char kShader[] =
     "#include \"planes.hlsli\"\n"

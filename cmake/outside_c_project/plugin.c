@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "runtime/gl/clipc_runtime_gl.h"
+#include <clipc/runtime/gl/clipc_runtime_gl.h>
 
 __attribute__((visibility("default"))) int plugin_start(clipc_gl_loader loader);
 

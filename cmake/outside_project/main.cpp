@@ -9,13 +9,14 @@
 #include <iterator>
 #include <string>
 
+#include <clipc/runtime/level9_binder.h>
+
 #include "colors.shader.h"
 #include "cut.shader.h"
 #include "level9.clip.h"
 #include "level9.shader.h"
 #include "pair.shader.h"
 #include "pair_of_two.shader.h"
-#include "runtime/level9_binder.h"
 #include "shader.h"
 #include "variants.shader.h"
 #include "vulkan.shader.h"

@@ -75,7 +75,7 @@ def main():
                 ROOT / "cmake/outside_c_project/main.c",
                 "-o",
                 scratch / "use.exe",
-                f"-I{folder / 'include/clipc'}",
+                f"-I{folder / 'include'}",
                 f"-L{folder / 'lib'}",
                 folder / "lib" / import_library,
                 "-lclipc_runtime",

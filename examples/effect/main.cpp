@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "runtime/clip_plane.h"
-#include "runtime/gl/effect.h"
-#include "runtime/mirror.h"
+#include <clipc/runtime/clip_plane.h>
+#include <clipc/runtime/gl/effect.h>
+#include <clipc/runtime/mirror.h>
+
 #include "tools/harness/camera.h"
 #include "tools/harness/check.h"
 #include "tools/harness/drawing.h"

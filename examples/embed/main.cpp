@@ -15,10 +15,11 @@
 #include <thread>
 #include <vector>
 
-#include "compiler/clipc.hpp"
-#include "runtime/clip_plane.h"
-#include "runtime/gl/clip_switches.h"
-#include "runtime/table.h"
+#include <clipc/clipc.hpp>
+#include <clipc/runtime/clip_plane.h>
+#include <clipc/runtime/gl/clip_switches.h>
+#include <clipc/runtime/table.h>
+
 #include "tools/harness/camera.h"
 #include "tools/harness/check.h"
 #include "tools/harness/drawing.h"

@@ -10,10 +10,10 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/glcorearb.h>
+#include <clipc/runtime/gl/clip_switches.h>
+#include <clipc/runtime/plane_space.h>
+#include <clipc/runtime/table.h>
 
-#include "runtime/gl/clip_switches.h"
-#include "runtime/plane_space.h"
-#include "runtime/table.h"
 #include "water.clip.h"
 #include "water.shader.h"
 

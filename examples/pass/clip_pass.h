@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "compiler/clipc.hpp"
+#include <clipc/clipc.hpp>
 
 // The pass in front of a compiler of HLSL that an application calls: docs/pass.md.
 namespace clip_pass {

@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
+#include <clipc/runtime/clip_plane.h>
+#include <clipc/runtime/gl/clip_plane_device.h>
+#include <clipc/runtime/level9_binder.h>
+
 #include "fragment.shader.h"
-#include "runtime/clip_plane.h"
-#include "runtime/gl/clip_plane_device.h"
-#include "runtime/level9_binder.h"
 #include "teapots.clip.h"
 #include "teapots.shader.h"
 #include "tools/harness/camera.h"

@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
+#include <clipc/runtime/clip_plane.h>
+#include <clipc/runtime/gl/clip_plane_device.h>
+#include <clipc/runtime/gl/clip_switches.h>
+#include <clipc/runtime/level9_binder.h>
+#include <clipc/runtime/mirror.h>
+#include <clipc/runtime/near_plane.h>
+
 #include "fragments.shader.h"
-#include "runtime/clip_plane.h"
-#include "runtime/gl/clip_plane_device.h"
-#include "runtime/gl/clip_switches.h"
-#include "runtime/level9_binder.h"
-#include "runtime/mirror.h"
-#include "runtime/near_plane.h"
 #include "tools/harness/camera.h"
 #include "tools/harness/check.h"
 #include "tools/harness/drawing.h"

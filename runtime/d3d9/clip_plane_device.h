@@ -6,7 +6,7 @@
 #include <d3d9.h>
 #include <windows.h>
 
-#include "runtime/clip_device.h"
+#include "../clip_device.h"
 
 namespace clipc::runtime::d3d9 {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "runtime/clip_device.h"
-#include "runtime/gl/clip_switches.h"
-#include "runtime/gl/functions.h"
+#include "../clip_device.h"
+#include "clip_switches.h"
+#include "functions.h"
 
 namespace clipc::runtime::gl {
 

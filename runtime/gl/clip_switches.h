@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "runtime/gl/functions.h"
-#include "runtime/shader_variant.h"
-#include "runtime/status.h"
-#include "runtime/table.h"
+#include "../shader_variant.h"
+#include "../status.h"
+#include "../table.h"
+#include "functions.h"
 
 namespace clipc::runtime::gl {
 

@@ -2,7 +2,7 @@
 #ifndef CLIPC_RUNTIME_GL_H
 #define CLIPC_RUNTIME_GL_H 1
 
-#include "runtime/clipc_runtime.h"
+#include "../clipc_runtime.h"
 
 /** clipc::runtime_gl for C99: clip planes on OpenGL. The rules of clipc_runtime.h hold. The context
  * must be current in every call, those that free included. */

@@ -2,7 +2,7 @@
 #ifndef CLIPC_RUNTIME_GL_EFFECT_H
 #define CLIPC_RUNTIME_GL_EFFECT_H 1
 
-#include "runtime/gl/clipc_runtime_gl.h"
+#include "clipc_runtime_gl.h"
 
 /** Effects on OpenGL 3.3 and OpenGL ES 3.0, for C99 and C++17: the programs, states, samplers and
  * parameters of an effect that `clipc --effect` compiled. The effect is a table of constants, which

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "runtime/status.h"
+#include "../status.h"
 
 /// The OpenGL functions that clip planes need, declared without an OpenGL header and called without
 /// linking an OpenGL library.

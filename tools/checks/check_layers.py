@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Fails when a lower room includes a higher one, or a room includes a library that is not its business."""
 
+import os
 import pathlib
 import re
 import sys
@@ -10,6 +11,9 @@ import tempfile
 # these. From the bottom to the top, as in the top-level CMakeLists.txt.
 VOCABULARY = "clip-table/vocabulary.h"
 LIBRARY = "compiler/clipc.hpp"  # what an application sees of the compiler
+# Their headers are installed below include/clipc, and include each other by the way from one to the other: an application's own
+# runtime/status.h cannot stand for clipc's.
+INSTALLED = re.compile(r"(runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc\.hpp")
 ROOMS = {
     VOCABULARY: set(),
     LIBRARY: {"compiler"},
@@ -119,13 +123,21 @@ def room_of(path):
 
 def problem(path, quote, target):
     """The problem of the file at `path`, relative to the root, including `target`; or None."""
+    room, included = room_of(path.as_posix()), None
+    if quote == "<" and target.startswith("clipc/"):
+        included = LIBRARY if "/" not in target[6:] else room_of(target[6:])
     if quote == '"':
         if GENERATED.fullmatch(target):
             return None
-        if "/" not in target or target.startswith("../"):
+        if INSTALLED.fullmatch(path.as_posix()):
+            if room_of(target):
+                return "is not written from this file's folder"
+            target = os.path.normpath(path.parent / target)
+        elif "/" not in target or target.startswith("../"):
             return "is not written from the repository's root"
-        room, included = room_of(path.as_posix()), room_of(target)
-        if included and included != room and included not in ROOMS[room]:
+        included = room_of(target)
+    if included:
+        if included != room and included not in ROOMS[room]:
             allowed = ", ".join(sorted(ROOMS[room])) or "no other room"
             return f"points up; {room}/ includes {allowed}"
     for headers, users in LIBRARIES.items():
@@ -159,7 +171,9 @@ def self_test():
         "backend-glsl/a.cpp": '#include "writer.h"\n',
         "clip-table/a.h": "#include <nlohmann/json.hpp>\n",
         "clip-table/a.cpp": "#include <nlohmann/json.hpp>\n",
-        "clip-table/vocabulary.h": '#include <string_view>\n#include "clip-table/a.h"\n',
+        "clip-table/vocabulary.h": '#include <string_view>\n#include "a.h"\n',
+        "runtime/gl/b.h": '#include "../../clip-table/a.h"\n#include "../../base/id.h"\n#include "runtime/gl/c.h"\n',
+        "examples/b.cpp": "#include <clipc/runtime/gl/b.h>\n#include <clipc/clip-table/a.h>\n",
         "backend-glsl/b.cpp": '#include "clip-table/vocabulary.h"\n',
         "runtime/gl/a.cpp": '#include <fmt/format.h>\n#include "base/id.h"\n#include "clip-table/table.h"\n',
     }
@@ -180,6 +194,9 @@ def self_test():
         "backend-glsl/b.cpp:1",
         "runtime/gl/a.cpp:1",
         "runtime/gl/a.cpp:2",
+        "runtime/gl/b.h:2",
+        "runtime/gl/b.h:3",
+        "examples/b.cpp:2",
         "examples/a.cpp:3",
         "examples/a.cpp:4",
     }

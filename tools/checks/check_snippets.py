@@ -161,7 +161,7 @@ def check_code(run, page, number, language, text, folder):
             standard,
             "-fsyntax-only",
             "-I",
-            run.installed / "include/clipc",
+            run.installed / "include",
             "-I",
             folder,
             file,

@@ -2,7 +2,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "runtime/table.h"
+#include <clipc/runtime/table.h>
+
 #include "water.clip.h"
 #include "water.shader.h"
 
