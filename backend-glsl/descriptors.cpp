@@ -12,7 +12,8 @@ namespace clipc::glsl {
 Descriptors::Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
                          const OtherStage* other)
     : target_(target),
-      pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0) {
+      pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0),
+      pixel_base_(InfoOf(program.stage).draws_pixels ? target.PixelBase() : 0) {
   if (!target.IsVulkan()) return;
   std::vector<const ir::Register*> all;
   for (const ir::CbufferId id : program.cbuffers.ids()) {
@@ -121,14 +122,15 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
     if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||
         rule.space.value_or(reg.space) != reg.space)
       continue;
-    return {rule.binding + (rule.number ? 0 : reg.number),
+    return {rule.binding + (rule.number ? 0 : reg.number + pixel_base_),
             rule.set ? *rule.set + pixel_sets_ : space};
   }
+  const std::uint32_t number = reg.number + pixel_base_;
   switch (reg.letter) {
-    case 'b': return {reg.number + kVulkanShiftB, space};
-    case 's': return {reg.number + kVulkanShiftS, space};
-    case 'u': return {reg.number + kVulkanShiftU, space};
-    default: return {reg.number + kVulkanShiftT, space};
+    case 'b': return {number + kVulkanShiftB, space};
+    case 's': return {number + kVulkanShiftS, space};
+    case 'u': return {number + kVulkanShiftU, space};
+    default: return {number + kVulkanShiftT, space};
   }
 }
 

@@ -18,6 +18,8 @@
 // the set. A space above the highest set becomes the lowest set that no other space has, unless the
 // user says how registers are bound. [[vk::binding]] comes before all of that. An object that has
 // neither it nor a written register moves to the next free binding if its own is taken, as in DXC.
+// A pixel shader that is compiled alone has all bindings that follow from registers higher by
+// Target::PixelBase().
 // Of a pair, the stage that is written second has the other's bindings for what both share, and
 // moves what is in their way.
 namespace clipc::glsl {
@@ -50,7 +52,7 @@ class Descriptors {
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;
-  const std::uint32_t pixel_sets_;
+  const std::uint32_t pixel_sets_, pixel_base_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;
   std::map<std::uint32_t, std::uint32_t> renumbered_;  // the sets of spaces that are too high

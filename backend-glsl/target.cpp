@@ -190,6 +190,14 @@ std::optional<Target> Target::Parse(std::string_view name) {
 
 std::span<const std::string_view> Target::Names() { return kNames; }
 
+std::uint32_t Target::PixelBase() const {
+  constexpr std::uint32_t kVulkan = 256;   // u0 to u95 of a vertex shader come before
+  constexpr std::uint32_t kTextures = 16;  // t0 to t15: a vertex shader has 16 units
+  if (bindings.pixel_base) return *bindings.pixel_base;
+  if (!IsVulkan()) return kTextures;
+  return bindings.rules.empty() ? kVulkan : 0;  // by rules, the host says where all is bound
+}
+
 std::string_view Target::NearestWith(Feature feature) const {
   const auto has = [&](const Profile& profile) {
     return Target(profile.name, profile.api, profile.version).Has(feature);

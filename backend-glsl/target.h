@@ -141,6 +141,7 @@ struct BindingRules {
   // A texture and a sampler may have one binding, where the host has a combined image sampler.
   bool combines_samplers = false;
   std::uint32_t pixel_sets = 0;  // what is added to the sets of the rules in a pixel shader
+  std::optional<std::uint32_t> pixel_base;  // Target::PixelBase(); none: the target's own
 };
 
 class Target {
@@ -166,6 +167,10 @@ class Target {
   // The number of textures that every OpenGL 4 and OpenGL ES 3.1 can bind at once, the least that
   // their GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang takes no binding from 80 on.
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
+
+  // What is added to the numbers of registers in a pixel shader: to all bindings of Vulkan, and to
+  // the units of OpenGL's textures. A vertex shader that is compiled alone then binds other numbers.
+  std::uint32_t PixelBase() const;
 
   BindingRules bindings;  // the rules of a Vulkan target
   bool flips_y = false;   // the picture is upside down, as textures are

@@ -97,6 +97,10 @@ bool SetUnplaced(glsl::BindingRules& rules, std::string_view value) {
   return Read(value, rules.unplaced_set.emplace());
 }
 
+bool SetPixelBase(glsl::BindingRules& rules, std::string_view value) {
+  return Read(value, rules.pixel_base.emplace());
+}
+
 bool AddPreset(glsl::BindingRules& rules, std::string_view value) {
   const auto* found = std::ranges::find(kPresets, value, &Preset::name);
   if (found == std::end(kPresets)) return false;

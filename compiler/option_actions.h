@@ -93,9 +93,9 @@ inline void SetVulkanVersion(Reading& reading, const std::string& value) {
 inline constexpr std::string_view kSpirvEntry = "main";
 
 // Reads a rule for bindings. The advice of the option says what it takes.
-template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
+template <bool (*kRead)(glsl::BindingRules&, std::string_view), bool kIsForVulkan = true>
 void Bind(Reading& reading, const std::string& value) {
-  reading.vulkan_option = reading.option;
+  if (kIsForVulkan) reading.vulkan_option = reading.option;
   if (!kRead(reading.bindings, value))
     reading.error = fmt::format("`{} {}`: it takes {}", reading.option, value, reading.advice);
 }

@@ -175,6 +175,7 @@ CompileRequest PixelRequest(const CompileRequest& request) {
   // What only the vertex shader has.
   pixel.link = {};
   pixel.planes = {};
+  pixel.target.bindings.pixel_base = 0;  // it is numbered together with the vertex shader
   pixel.style.invariant = false;
   pixel.debug = {};
   pixel.debug.dump_after = request.debug.dump_after;

@@ -91,6 +91,11 @@ void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
 // Reports options about planes and the next stage, which a shader without one cannot have.
 void CheckStage(const CompileRequest& request, const ir::Profile& profile,
                 Diagnostics& diagnostics) {
+  if (request.target.bindings.pixel_base && profile.stage && !InfoOf(*profile.stage).draws_pixels) {
+    diagnostics.Report({}, diag::OptionWithoutEffect, "--pixel-bindings",
+                       request.link.is_pair ? "the shaders of a pair are numbered together"
+                                            : "this is not a pixel shader");
+  }
   if (!profile.stage || InfoOf(*profile.stage).has_stage_after) return;
   const auto refuse = [&](bool is_given, std::string_view option) {
     if (is_given)

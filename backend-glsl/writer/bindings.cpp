@@ -22,10 +22,10 @@ std::optional<std::uint32_t> FreeBinding(Bindings& bindings, const ir::Register&
     return has_room(first) && is_free_of(bindings.taken, first) &&
            is_free_of(bindings.reserved, first);
   };
-  std::uint32_t first = reg.descriptor ? reg.descriptor->binding : reg.number;
+  std::uint32_t first = reg.descriptor ? reg.descriptor->binding : bindings.base + reg.number;
   const bool is_its_own = reg.descriptor && has_room(first) && is_free_of(bindings.taken, first);
   if (!is_its_own && !is_free(first)) {
-    for (first = 0; !is_free(first); ++first) {
+    for (first = bindings.base; !is_free(first); ++first) {
       if (!has_room(first)) return {};
     }
   }

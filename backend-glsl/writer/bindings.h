@@ -21,6 +21,7 @@ std::string RegisterText(const ir::Register& reg);
 // The bindings of one kind in OpenGL.
 struct Bindings {
   std::uint32_t end = UINT32_MAX;  // one more than the highest binding
+  std::uint32_t base = 0;          // the binding of register 0
   std::set<std::uint32_t> taken = {};
   std::set<std::uint32_t> reserved = {};  // bindings that a [[vk::binding]] asks for
   void Reserve(const ir::Register& reg, std::uint32_t count);

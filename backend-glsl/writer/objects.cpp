@@ -204,7 +204,10 @@ class ObjectWriter {
   Context& context_;
   Objects objects_;
   std::string& text_ = objects_.text;
-  Bindings textures_{.end = context_.target.TextureUnits()}, buffers_, images_;
+  Bindings textures_{
+      .end = context_.target.TextureUnits(),
+      .base = InfoOf(context_.program.stage).draws_pixels ? context_.target.PixelBase() : 0};
+  Bindings buffers_, images_;
 };
 
 }  // namespace

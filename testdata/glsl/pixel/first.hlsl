@@ -42,7 +42,7 @@ Targets ps(Varyings input) {
   return o;
 }
 // CHECK: #version 450
-// CHECK: layout(binding = 0) uniform sampler2D albedo;
+// CHECK: layout(binding = 16) uniform sampler2D albedo;
 // CHECK: layout(location = 0) in vec2 vs_TEXCOORD0;
 // CHECK-NEXT: layout(location = 1) flat in uint vs_ID0;
 // CHECK-NEXT: layout(location = 2) centroid in vec3 vs_NORMAL0;

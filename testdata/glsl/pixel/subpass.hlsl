@@ -14,7 +14,7 @@ float4 main(float4 p : SV_Position) : SV_Target {
 #endif
 }
 // VULKAN-DAG: layout(input_attachment_index = 2, set = 1, binding = 4) uniform subpassInput normals;
-// VULKAN-DAG: layout(input_attachment_index = 0, set = 0, binding = 35) uniform usubpassInputMS ids;
+// VULKAN-DAG: layout(input_attachment_index = 0, set = 0, binding = 291) uniform usubpassInputMS ids;
 // VULKAN-DAG: layout(input_attachment_index = 1, set = 0, binding = {{[0-9]+}}) uniform subpassInput colors;
 // VULKAN: subpassLoad(normals).xy, float(subpassLoad(ids, 3).x)
 // VULKAN: subpassLoad(colors)
