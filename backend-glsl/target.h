@@ -169,7 +169,7 @@ class Target {
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
 
   // What is added to the numbers of registers in a pixel shader: to all bindings of Vulkan, and to
-  // the units of OpenGL's textures. A vertex shader that is compiled alone then binds other numbers.
+  // the units of OpenGL's textures. A vertex shader that is compiled alone then binds others.
   std::uint32_t PixelBase() const;
 
   BindingRules bindings;  // the rules of a Vulkan target

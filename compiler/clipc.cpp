@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,8 @@
 #include "compiler/compile.h"
 #include "compiler/message.h"
 #include "compiler/options.h"
+#include "compiler/result_structs.h"
+#include "compiler/token_digest.h"
 
 // NOLINTBEGIN(readability-identifier-naming): names of the C interface.
 struct clipc_compiler {
@@ -22,7 +27,12 @@ struct clipc_compiler {
 };
 
 struct clipc_result {
-  std::array<std::string, CLIPC_PART_HLSL + 1> parts;
+  std::array<std::string, CLIPC_PART_STRUCTS + 1> parts;
+  std::vector<clipc::Message> messages;
+  std::vector<std::unique_ptr<clipc_result>> variants;
+  // Made when they are first asked for.
+  mutable std::optional<std::vector<clipc_diagnostic>> diagnostics;
+  mutable std::unique_ptr<clipc::ReflectionStructs> reflection;
 };
 
 namespace {
@@ -54,10 +64,10 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (!command.inputs.empty()) return command.inputs[0];
   if (named(command.output)) return "-o";
   if (named(command.table)) return "--table";
-  if (named(command.reflection)) return "--reflect";
+  if (named(command.reflection) && command.reflection != ".h") return "--reflect";
   if (named(command.header)) return "-Fh";
   if (named(command.listing)) return "-Fc";
-  if (named(command.preprocessed)) return "-P";
+  if (named(command.preprocessed) && command.preprocessed != ".i") return "-P";
   if (named(command.fragment)) return "--fragment";
   if (named(command.pixel_output) && command.pixel_output != ".frag") return "--pixel-output";
   if (command.write_dependencies || named(command.dependency_file)) return "-MD";
@@ -69,12 +79,39 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (command.watch) return "--watch";
   if (command.show_includes) return "-H";
   if (command.syntax_only) return "-fsyntax-only";
-  if (command.request.planes.variants) return "--variants";
   if (command.request.debug.changes_result()) return "--dump";
   if (command.action == clipc::CommandLine::Action::kHelp) return "--help";
   if (command.action == clipc::CommandLine::Action::kExplain) return "--explain";
   if (command.action == clipc::CommandLine::Action::kVersion) return "--version";
   return {};
+}
+
+std::string Hex(const clipc::TokenDigest& digest) {
+  return fmt::format("{:016x}{:016x}", digest[0], digest[1]);
+}
+
+// The options that decide a result beside the text: without macros, which are in the text, and
+// folders of includes. Empty if a file has more options.
+std::vector<std::string> DecisiveOptions(const clipc_request& from,
+                                         const clipc::CompileRequest& request) {
+  std::vector<std::string> options = {CLIPC_VERSION};
+  for (std::size_t i = 0; i < from.option_count; ++i) {
+    const std::string_view option = from.options[i];
+    if (option.starts_with('@')) return {};
+    const auto is_that = [&](const std::string& value) {
+      if (option.substr(2) == value) return true;
+      const bool is_next = option.size() == 2 && i + 1 < from.option_count;
+      return is_next && from.options[i + 1] == value && ++i > 0;
+    };
+    const auto is_one_of = [&](const std::vector<std::string>& values) {
+      return std::ranges::any_of(values, is_that);
+    };
+    const std::string_view name = option.substr(1, 1);
+    if (name == "D" && is_one_of(request.defines)) continue;
+    if (name == "I" && is_one_of(request.includes.dirs)) continue;
+    options.emplace_back(option);
+  }
+  return options;
 }
 
 // Returns the first mistake in the options; empty if there is none.
@@ -93,6 +130,8 @@ std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
   if (!from.text && !from.path) return "there is no shader";
   if (from.pixel_text) to.link.pixel_shader.text.emplace(from.pixel_text, from.pixel_text_size);
   to.outputs.reflection = true;
+  to.outputs.structs = parsed.command.reflection == ".h";
+  to.outputs.preprocess = !parsed.command.preprocessed.empty();
   to.planes.given_to_device = true;
   if (from.read_include) {
     to.includes.read = [=](const std::string& path) -> std::optional<std::string> {
@@ -103,7 +142,20 @@ std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
   }
   if (from.is_cancelled)
     to.limits.is_cancelled = [=] { return from.is_cancelled(from.is_cancelled_context) != 0; };
+  std::vector<std::string> options = DecisiveOptions(from, to);
+  if (from.is_known && !options.empty()) {
+    to.is_known = [=](const clipc::TokenDigest& text) {
+      std::vector<std::string> all = options;
+      all.push_back(Hex(text));
+      return from.is_known(from.is_known_context, Hex(clipc::DigestOf(all)).c_str()) != 0;
+    };
+  }
   return {};
+}
+
+void Fill(clipc::Shaders shaders, clipc_result& to) {
+  to.parts[CLIPC_PART_GLSL] = std::move(shaders.vertex);
+  to.parts[CLIPC_PART_DISCARD] = std::move(shaders.fragment);
 }
 
 void Fill(clipc::CompileResult compiled, clipc_result& to) {
@@ -111,14 +163,18 @@ void Fill(clipc::CompileResult compiled, clipc_result& to) {
   to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(compiled.messages);
   for (const std::string& file : compiled.dependencies)
     to.parts[CLIPC_PART_DEPENDENCIES] += file + '\n';
-  to.parts[CLIPC_PART_GLSL] = std::move(compiled.shaders.vertex);
+  Fill(std::move(compiled.shaders), to);
+  for (clipc::Shaders& variant : compiled.variants)
+    Fill(std::move(variant), *to.variants.emplace_back(std::make_unique<clipc_result>()));
   if (compiled.hlsl) to.parts[CLIPC_PART_HLSL] = std::move(*compiled.hlsl);
-  to.parts[CLIPC_PART_DISCARD] = std::move(compiled.shaders.fragment);
   to.parts[CLIPC_PART_SPIRV].assign(reinterpret_cast<const char*>(compiled.spirv.data()),
                                     4 * compiled.spirv.size());
   to.parts[CLIPC_PART_PIXEL_SPIRV].assign(
       reinterpret_cast<const char*>(compiled.pixel_spirv.data()), 4 * compiled.pixel_spirv.size());
   to.parts[CLIPC_PART_REFLECTION] = std::move(compiled.reflection);
+  to.parts[CLIPC_PART_PREPROCESSED] = std::move(compiled.preprocessed);
+  to.parts[CLIPC_PART_STRUCTS] = std::move(compiled.structs);
+  to.messages = std::move(compiled.messages);
   if (!compiled.table) return;
   const std::pair<int, Format> forms[] = {{CLIPC_PART_TABLE_JSON, Format::kJson},
                                           {CLIPC_PART_TABLE_BINARY, Format::kBinary},
@@ -132,11 +188,12 @@ clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc
   clipc::CompileRequest request;
   if (const std::string problem = ReadRequest(from, request); !problem.empty()) {
     to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + problem + "\n";
-    to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson({clipc::UsageMessage(problem)});
+    to.messages = {clipc::UsageMessage(problem)};
+    to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(to.messages);
     return CLIPC_BAD_REQUEST;
   }
   clipc::CompileResult compiled = compiler.Compile(request);
-  const clipc_status status = StatusOf(compiled.status);
+  const clipc_status status = compiled.is_repeated ? CLIPC_KNOWN : StatusOf(compiled.status);
   Fill(std::move(compiled), to);
   return status;
 }
@@ -176,6 +233,31 @@ clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part) {
   const auto index = static_cast<std::size_t>(part);
   if (index >= result->parts.size()) return {"", 0};
   return {result->parts[index].data(), result->parts[index].size()};
+}
+
+const clipc_result* clipc_result_variant(const clipc_result* result, size_t planes) {
+  return planes < result->variants.size() ? result->variants[planes].get() : nullptr;
+}
+
+const clipc_diagnostic* clipc_result_diagnostic(const clipc_result* result, size_t index) {
+  try {
+    auto& diagnostics = result->diagnostics;
+    if (!diagnostics) diagnostics = clipc::ToDiagnostics(result->messages);
+    return index < diagnostics->size() ? &(*diagnostics)[index] : nullptr;
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+const clipc_reflection* clipc_result_reflection(const clipc_result* result) {
+  const std::string& json = result->parts[CLIPC_PART_REFLECTION];
+  if (json.empty()) return nullptr;
+  try {
+    if (!result->reflection) result->reflection = std::make_unique<clipc::ReflectionStructs>(json);
+    return &result->reflection->shader();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
 }
 
 }  // extern "C"

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /** clipc as a library for C99 and for other languages: one HLSL shader in; GLSL, SPIR-V, HLSL, the
- * clip table and the reflection out, all of it in memory. compiler/clipc.hpp is the same for C++.
+ * clip table and the reflection out, all of it in memory. clipc.hpp is the same for C++.
  *
  * ABI: what this header declares is never changed or removed while CLIPC_ABI stays. New members of
  * clipc_request come at its end, and `size` says which of them the caller knows; new parts get new
@@ -75,6 +75,13 @@ typedef struct clipc_request {
    * without that function, for the file. */
   const char* pixel_text;
   size_t pixel_text_size;
+  /** If not NULL, asked after the preprocessor has run, with the key of a cache: 32 letters that
+   * stand for the text without comments, the options but for macros and folders, and the version.
+   * Requests with one key have the same result but for the dependencies. When it returns other than
+   * 0 the compile ends with CLIPC_KNOWN. It is not asked where more decides: for a pair, for HLSL,
+   * with -Zi, `#pragma` or options from a file, and where there are messages. */
+  int (*is_known)(void* context, const char* key);
+  void* is_known_context;
 } clipc_request;
 
 /** The last member of each enumeration fixes its size, and makes every number a value of it: the
@@ -85,6 +92,7 @@ typedef enum clipc_status {
   CLIPC_BAD_REQUEST, /**< an option is wrong, or the shader cannot be read */
   CLIPC_NO_MEMORY,   /**< *result is NULL */
   CLIPC_CANCELLED,   /**< clipc_request::is_cancelled */
+  CLIPC_KNOWN,       /**< clipc_request::is_known */
   CLIPC_STATUS_MAX = 0x7fffffff
 } clipc_status;
 
@@ -105,6 +113,8 @@ typedef enum clipc_part {
   CLIPC_PART_TABLE_HEADER, /**< a C++ header with `clip_table` */
   CLIPC_PART_PIXEL_SPIRV,  /**< with -spirv and --pixel-output: of the pixel shader */
   CLIPC_PART_HLSL,         /**< with --target=hlsl: the same HLSL with clip distances */
+  CLIPC_PART_PREPROCESSED, /**< with -P: the text after the preprocessor, and nothing else */
+  CLIPC_PART_STRUCTS,      /**< with --reflect=.h: the buffers as structs of C and C++ */
   CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 
@@ -117,6 +127,96 @@ CLIPC_API void clipc_result_free(clipc_result* result); /**< NULL is allowed */
 /** One part of a result. The bytes live as long as the result. They are empty, not NULL, where the
  * result does not have the part. */
 CLIPC_API clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
+
+/** With --variants: the result of the variant with the first `planes` planes, which has the parts
+ * that differ, CLIPC_PART_GLSL and CLIPC_PART_DISCARD; NULL past the last. It lives as long as
+ * `result`. */
+CLIPC_API const clipc_result* clipc_result_variant(const clipc_result* result, size_t planes);
+
+/* Structs below have more members at their end in newer versions, so they are read by the pointers
+ * that the library gives, and live as long as the result. Text is never NULL; it is empty where
+ * there is none. */
+
+typedef enum clipc_severity {
+  CLIPC_ERROR = 0,
+  CLIPC_WARNING,
+  CLIPC_NOTE, /**< of the message before it */
+  CLIPC_SEVERITY_MAX = 0x7fffffff
+} clipc_severity;
+
+typedef struct clipc_diagnostic {
+  clipc_severity severity;
+  const char* name; /**< "clip-plane-not-float4", as in -Wno-NAME and --explain */
+  const char* code; /**< fxc's: "X3084" */
+  const char* text;
+  const char* file;                            /**< empty: of no place in particular */
+  uint32_t line, column, end_line, end_column; /**< from 1, in bytes; the end is one past */
+} clipc_diagnostic;
+/** The messages in the order of CLIPC_PART_MESSAGES_JSON, each before its notes; NULL past the
+ * last, or if there is no memory. */
+CLIPC_API const clipc_diagnostic* clipc_result_diagnostic(const clipc_result* result, size_t index);
+
+/** An input or an output. */
+typedef struct clipc_variable {
+  const char* semantic; /**< "TEXCOORD" */
+  uint32_t index;
+  const char* type; /**< "float2" */
+  const char* name; /**< in the GLSL */
+  int32_t location; /**< -1: none */
+  int is_builtin;   /**< a variable of GLSL's own */
+  int is_used;      /**< of an input: the shader reads it; of an output: 1 */
+} clipc_variable;
+
+/** A member of a constant buffer. */
+typedef struct clipc_member {
+  const char* name;
+  const char* type;
+  uint32_t offset, size; /**< in bytes of the HLSL's buffer */
+  const char* glsl; /**< the name to query, "PerFrame.view"; empty: the shader does not have it */
+} clipc_member;
+
+/** A constant buffer of the file. */
+typedef struct clipc_buffer {
+  const char* name;
+  const char* hlsl_register; /**< "b0" */
+  uint32_t space;
+  uint32_t size;        /**< in bytes */
+  int is_used;          /**< the rest is empty or -1 if not */
+  const char* block;    /**< of the GLSL */
+  int32_t set, binding; /**< -1: none */
+  const clipc_member* const* members;
+  size_t member_count;
+} clipc_buffer;
+
+/** A texture, a sampler, both in one, or a buffer with a view. */
+typedef struct clipc_resource {
+  const char* glsl;
+  int32_t set, binding;         /**< -1: none */
+  const char* texture;          /**< its name in the HLSL, also of a buffer */
+  const char* texture_type;     /**< "Texture2D<float4>" */
+  const char* texture_register; /**< "t0" */
+  const char* sampler;
+  const char* sampler_type;
+  const char* sampler_register;
+} clipc_resource;
+
+/** CLIPC_PART_REFLECTION as structs: what binds a shader. The JSON says more. */
+typedef struct clipc_reflection clipc_reflection;
+struct clipc_reflection {
+  const char* entry;
+  const char* profile;
+  const clipc_variable* const* inputs;
+  size_t input_count;
+  const clipc_variable* const* outputs;
+  size_t output_count;
+  const clipc_buffer* const* buffers;
+  size_t buffer_count;
+  const clipc_resource* const* resources;
+  size_t resource_count;
+  const clipc_reflection* pixel_shader; /**< of a pair; else NULL */
+};
+/** NULL where the result has no reflection, or if there is no memory. */
+CLIPC_API const clipc_reflection* clipc_result_reflection(const clipc_result* result);
 
 #ifdef __cplusplus
 }

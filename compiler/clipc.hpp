@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <new>
@@ -12,7 +13,7 @@
 
 #include "clipc.h"
 
-/// compiler/clipc.h for C++17: a few inline functions over the C functions, so an application and
+/// clipc.h for C++17: a few inline functions over the C functions, so an application and
 /// the library need not be built by the same compiler.
 namespace clipc::library {
 
@@ -42,6 +43,14 @@ class Result {
     if (!result_) return {};
     const clipc_bytes bytes = clipc_result_get(result_.get(), part);
     return {bytes.data, bytes.size};
+  }
+  /// The reflection as structs; null where there is none.
+  const clipc_reflection* reflection() const {
+    return result_ ? clipc_result_reflection(result_.get()) : nullptr;
+  }
+  /// The message of this number, each before its notes; null past the last.
+  const clipc_diagnostic* diagnostic(std::size_t index) const {
+    return result_ ? clipc_result_diagnostic(result_.get(), index) : nullptr;
   }
   std::string_view messages() const { return Get(CLIPC_PART_MESSAGES); }
   std::string_view glsl() const { return Get(CLIPC_PART_GLSL); }

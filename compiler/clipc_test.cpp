@@ -136,7 +136,7 @@ TEST_F(CInterface, RefusesOptionsThatItDoesNotKnowOrThatNameFiles) {
             "clipc: error: unknown option `--tabel=x`; did you mean `--table=x`?\n");
   for (const char* option : {"x.hlsl", "-ox.vert", "--table=x.json", "-MD", "--help", "-Px.i",
                              "--batch=x.json", "--index=x.json", "--shard=1/2", "-k", "--watch",
-                             "--variants", "-fsyntax-only", "--dump=ir"}) {
+                             "--reflect=x.h", "-fsyntax-only", "--dump=ir"}) {
     EXPECT_EQ(Compile({option}), CLIPC_BAD_REQUEST) << option;
     EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("` is for the program; the library compiles"));
     EXPECT_THAT(Get(CLIPC_PART_MESSAGES_JSON), HasSubstr("\"name\": \"command-line\""));
@@ -283,6 +283,111 @@ TEST_F(CInterface, TakesTheRequestOfAnOlderCaller) {
   request.text = nullptr;
   EXPECT_EQ(Run(request), CLIPC_BAD_REQUEST);
   EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("cannot read"));
+}
+
+TEST_F(CInterface, GivesTheMessagesAsStructs) {
+  EXPECT_EQ(Compile({"-Ilib"},
+                    "float4 main(float4 p : POSITION) : SV_Position { return -p; }\n"
+                    "float4 main(float4 p : POSITION) : SV_Position { return p; }\n"),
+            CLIPC_HAS_ERRORS);
+  const clipc_diagnostic* first = clipc_result_diagnostic(result_.get(), 0);
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(first->severity, CLIPC_ERROR);
+  EXPECT_STREQ(first->file, path_);
+  EXPECT_GT(first->line, 0U);
+  std::size_t count = 0, notes = 0;
+  while (const clipc_diagnostic* each = clipc_result_diagnostic(result_.get(), count)) {
+    EXPECT_NE(*each->text, '\0');
+    notes += each->severity == CLIPC_NOTE ? 1 : 0;
+    ++count;
+  }
+  EXPECT_EQ(notes, 2U) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_EQ(Compile({"--tabel=x"}), CLIPC_BAD_REQUEST);
+  EXPECT_STREQ(clipc_result_diagnostic(result_.get(), 0)->name, "command-line");
+}
+
+TEST_F(CInterface, GivesTheReflectionAsStructs) {
+  constexpr std::string_view kPair =
+      "cbuffer Frame : register(b1) { float4 tint, shift; };\n"
+      "Texture2D map : register(t2); SamplerState near : register(s0);\n"
+      "float4 vs(float4 p : POSITION, float2 uv : TEXCOORD3, out float2 to : UV) : SV_Position {\n"
+      "  to = uv; return p + shift; }\n"
+      "float4 ps(float2 uv : UV) : SV_Target { return map.Sample(near, uv) * tint; }\n";
+  ASSERT_EQ(Compile({"-E", "vs", "--pixel-entry=ps", "--pixel-output=.frag"}, kPair),
+            CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  EXPECT_EQ(clipc_result_diagnostic(result_.get(), 0), nullptr);
+  const clipc_reflection* shader = clipc_result_reflection(result_.get());
+  ASSERT_NE(shader, nullptr);
+  EXPECT_EQ(clipc_result_reflection(result_.get()), shader);
+  EXPECT_STREQ(shader->entry, "vs");
+  ASSERT_EQ(shader->input_count, 2U);
+  EXPECT_STREQ(shader->inputs[1]->semantic, "TEXCOORD");
+  EXPECT_EQ(shader->inputs[1]->index, 3U);
+  EXPECT_STREQ(shader->inputs[1]->type, "float2");
+  EXPECT_EQ(shader->inputs[1]->location, 1);
+  ASSERT_EQ(shader->buffer_count, 1U);
+  EXPECT_STREQ(shader->buffers[0]->hlsl_register, "b1");
+  EXPECT_EQ(shader->buffers[0]->binding, 1);
+  ASSERT_EQ(shader->buffers[0]->member_count, 2U);
+  EXPECT_EQ(shader->buffers[0]->members[1]->offset, 16U);
+  EXPECT_STREQ(shader->buffers[0]->members[1]->glsl, "Frame.shift");
+  ASSERT_NE(shader->pixel_shader, nullptr);
+  ASSERT_EQ(shader->pixel_shader->resource_count, 1U);
+  const clipc_resource* map = shader->pixel_shader->resources[0];
+  EXPECT_STREQ(map->texture_register, "t2");
+  EXPECT_STREQ(map->sampler, "near");
+  EXPECT_EQ(map->binding, 2);
+  EXPECT_EQ(Compile({"--target=450"}), CLIPC_BAD_REQUEST);
+  EXPECT_EQ(clipc_result_reflection(result_.get()), nullptr);
+}
+
+TEST_F(CInterface, GivesTheVariantsOfOneCompile) {
+  ASSERT_EQ(Compile({"-Ilib", "--variants"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  const auto glsl_of = [&](std::size_t planes) -> std::string_view {
+    return clipc_result_get(clipc_result_variant(result_.get(), planes), CLIPC_PART_GLSL).data;
+  };
+  EXPECT_THAT(glsl_of(0), Not(HasSubstr("gl_ClipDistance")));
+  EXPECT_THAT(glsl_of(1), HasSubstr("gl_ClipDistance[0] ="));
+  EXPECT_EQ(clipc_result_variant(result_.get(), 2), nullptr);
+}
+
+TEST_F(CInterface, GivesThePreprocessedTextAndStructs) {
+  ASSERT_EQ(Compile({"-Ilib", "-P"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_PREPROCESSED), HasSubstr("float4 water;"));
+  EXPECT_EQ(Get(CLIPC_PART_GLSL), "");
+  ASSERT_EQ(Compile({"-Ilib", "--reflect=.h"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_STRUCTS), HasSubstr("struct Clip {"));
+}
+
+TEST_F(CInterface, HasAKeyForACache) {
+  std::set<std::string> keys;
+  const auto compile = [&](std::vector<const char*> options, const char* text) {
+    clipc_request request{};
+    request.size = sizeof request;
+    request.path = path_;
+    request.text = text;
+    request.text_size = std::strlen(text);
+    request.options = options.data();
+    request.option_count = options.size();
+    request.is_known_context = &keys;
+    request.is_known = [](void* context, const char* key) {
+      EXPECT_EQ(std::strlen(key), 32U);
+      return static_cast<std::set<std::string>*>(context)->insert(key).second ? 0 : 1;
+    };
+    return Run(request);
+  };
+  const char* const text =
+      "#ifdef FOG\n#define SHIFT 1\n#else\n#define SHIFT 0\n#endif\n"
+      "float4 main(float4 p : POSITION) : SV_Position { return p + SHIFT; }\n";
+  EXPECT_EQ(compile({"-D", "FOG"}, text), CLIPC_COMPILED);
+  EXPECT_EQ(compile({}, text), CLIPC_COMPILED);
+  EXPECT_EQ(compile({"-DNO_SUCH=2"}, text), CLIPC_KNOWN);  // the same text
+  EXPECT_EQ(Get(CLIPC_PART_GLSL), "");
+  EXPECT_EQ(compile({"-DFOG=3", "-I", "lib"}, text), CLIPC_KNOWN);
+  EXPECT_EQ(compile({"--target=essl300"}, text), CLIPC_COMPILED);  // another option
+  EXPECT_EQ(compile({"-Zi"}, text), CLIPC_COMPILED);  // is not asked: lines are a part of it
+  EXPECT_EQ(keys.size(), 3U);
 }
 
 TEST(CInterfaceVersion, IsThatOfTheHeader) {

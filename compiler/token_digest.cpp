@@ -46,4 +46,10 @@ TokenDigest DigestOf(const Tokens& tokens) {
   return hash.Value();
 }
 
+TokenDigest DigestOf(std::span<const std::string> texts) {
+  Hash hash;
+  for (const std::string& text : texts) hash.Add(text);
+  return hash.Value();
+}
+
 }  // namespace clipc

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string>
 
 #include "frontend/lex/token.h"
 
@@ -14,5 +16,8 @@ namespace clipc {
 using TokenDigest = std::array<std::uint64_t, 2>;
 
 TokenDigest DigestOf(const Tokens& tokens);
+
+// The digest of a list of texts.
+TokenDigest DigestOf(std::span<const std::string> texts);
 
 }  // namespace clipc

@@ -47,6 +47,7 @@ int main(void) {
   clipc_compiler* compiler = clipc_compiler_create();
   clipc_result* result = NULL;
   clipc_request request = {0};
+  const clipc_reflection* shader;
   int status;
   if (clipc_abi() != CLIPC_ABI || compiler == NULL) return Fail("clipc", "another ABI");
   request.size = sizeof request;
@@ -61,6 +62,10 @@ int main(void) {
   if (strstr(clipc_result_get(result, CLIPC_PART_GLSL).data, "gl_ClipDistance[0] =") == NULL)
     return Fail("GLSL", "without the plane");
   if (clipc_result_get(result, CLIPC_PART_SPIRV).size < 20) return Fail("SPIR-V", "too short");
+  shader = clipc_result_reflection(result);
+  if (shader == NULL || shader->buffer_count != 1 || shader->buffers[0]->binding != 3)
+    return Fail("reflection", "without the buffer");
+  if (clipc_result_diagnostic(result, 0) != NULL) return Fail("messages", "there is one");
   status = ShowPlane(clipc_result_get(result, CLIPC_PART_TABLE_JSON));
   clipc_result_free(result);
 
