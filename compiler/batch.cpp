@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <unordered_map>
@@ -14,6 +15,7 @@
 
 #include "base/path.h"
 #include "compiler/batch_index.h"
+#include "compiler/batch_journal.h"
 #include "compiler/collect_outputs.h"
 #include "compiler/depfile.h"
 #include "compiler/driver.h"
@@ -23,12 +25,14 @@
 #include "compiler/output_files.h"
 #include "compiler/place_outputs.h"
 #include "compiler/show_messages.h"
+#include "compiler/token_digest.h"
 #include "compiler/usage.h"
+#include "frontend/lex/source_text.h"
 
 namespace clipc {
 namespace {
 
-// The settings of one group that were compiled, and the jobs that have their results.
+// The permutations of one group that were compiled, and the jobs that have their results.
 struct GroupMemory {
   // The key says which of the axes' macros are defined: "101".
   std::map<std::string, MacroMemo> by_macros;
@@ -55,8 +59,12 @@ class Batch {
   CompileResult Work(std::size_t at, Compiler& compiler);
   bool Finish(std::size_t at, CompileResult result);
   std::string WriteFiles(std::size_t at, CompileResult& result);
+  void Keep(std::string key, std::string file);
+  void Resume();
+  bool HasFiles(const BatchJournal::Done& done);
   std::string WriteIndex();
   std::string IndexPath() const;
+  std::string JournalPath() const;
   void Summarise() const;
 
   MacroMemo& MemoOf(const Job& job, std::vector<std::string_view>& values);
@@ -64,7 +72,7 @@ class Batch {
   void Remember(std::size_t at, const CompileResult& result, std::size_t alike);
 
   const ShaderGroup& GroupOf(const Job& job) const { return groups_[job.group]; }
-  void AddDependencies(const CompileResult& result);
+  void AddDependencies(const std::vector<std::string>& files);
 
   CommandLine command_;
   std::vector<ShaderGroup> groups_;
@@ -81,11 +89,32 @@ class Batch {
   std::unordered_map<std::string, std::string> files_by_contents_;
   std::size_t kept_bytes_ = 0;
   std::function<std::string(const std::vector<BatchEntry>&)> render_;
+  std::vector<std::vector<std::string>> read_by_;  // the files that each finished job has read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
+  std::unique_ptr<BatchJournal> journal_;                  // null: nothing can be resumed
+  std::map<std::size_t, BatchJournal::Done> done_before_;  // by job
   MessagePrinter printer_;
   Progress progress_;
 };
+
+// By which outputs with the same contents are one file: the extension and the contents.
+std::string ContentsKey(const std::string& file, const std::string& contents) {
+  return file.substr(std::min(file.rfind('.'), file.size())) + '\n' + contents;
+}
+
+// What stands for a request: the options but for those that change no output, and the manifest.
+std::string IdentityOf(std::span<const char* const> arguments, const std::string& manifest) {
+  std::vector<std::string> words = {CLIPC_VERSION};
+  for (const std::string_view argument : arguments) {
+    const bool changes_nothing =
+        argument == "--resume" || argument == "-k" || argument.starts_with("-j");
+    if (!changes_nothing) words.emplace_back(argument);
+  }
+  if (!manifest.empty()) ReadText(manifest, words.emplace_back());
+  const TokenDigest digest = DigestOf(words);
+  return fmt::format("clipc {:016x}{:016x}", digest[0], digest[1]);
+}
 
 bool IsOnlyExtension(const std::string& value) {
   return value.empty() || (value.starts_with('.') && !HasSlash(value));
@@ -100,7 +129,8 @@ std::string Batch::CheckUsage() const {
     const CommandLine& command = group.command;
     if (const std::string problem = CheckCommand(command); !problem.empty()) return problem;
     if (command.request.debug.changes_result() || command.only_dependencies)
-      return "--dump, --stop-after and -M are for one setting of a shader, and there are several";
+      return "--dump, --stop-after and -M are for one permutation of a shader, and there are "
+             "several";
     const std::pair<const char*, const std::string&> files[] = {
         {"--table", command.table},
         {"--reflect", command.reflection},
@@ -120,7 +150,7 @@ std::string Batch::CheckUsage() const {
   return {};
 }
 
-// Names the files of every setting, those of the other shards too, and chooses the jobs of this
+// Names the files of every permutation, those of the other shards too, and chooses the jobs of this
 // shard.
 std::string Batch::Plan() {
   for (const ShaderGroup& group : groups_) {
@@ -145,7 +175,7 @@ std::string Batch::Plan() {
   return {};
 }
 
-// ---- settings that are like others
+// ---- permutations that are like others
 
 MacroMemo& Batch::MemoOf(const Job& job, std::vector<std::string_view>& values) {
   const ShaderGroup& group = GroupOf(job);
@@ -188,7 +218,7 @@ void Batch::Remember(std::size_t at, const CompileResult& result, std::size_t al
 
 // Compiles a job, on any thread. Returns an empty result for a job that is like another.
 CompileResult Batch::Work(std::size_t at, Compiler& compiler) {
-  if (FindAlike(at, nullptr)) return {};
+  if (done_before_.contains(at) || FindAlike(at, nullptr)) return {};
   const Job& job = jobs_[at];
   const ShaderGroup& group = GroupOf(job);
   CompileRequest request = group.command.request;
@@ -210,11 +240,17 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
   const std::string title = TitleOf(GroupOf(jobs_[at]), jobs_[at].number);
   progress_.Say(++finished_, jobs_.size(), title);
   int code = kExitOk;
-  if (const auto alike = FindAlike(at, &result)) {
+  BatchJournal::Done done;
+  if (const auto before = done_before_.find(at); before != done_before_.end()) {
+    done = std::move(before->second);
+    entry.status = BatchStatus::kCompiled;
+    entry.files = done.files;
+  } else if (const auto alike = FindAlike(at, &result)) {
     entry.status = entries_[*alike].status;
     entry.files = entries_[*alike].files;
     entry.exit_code = code = entries_[*alike].exit_code;
     if (!result.macros_used.empty() || result.digest) Remember(at, result, *alike);
+    done.dependencies = read_by_[*alike];
   } else {
     Remember(at, result, at);
     if (!result.messages.empty()) {
@@ -222,7 +258,7 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
       printer_.Say(title);
       printer_.Show(result);
     }
-    AddDependencies(result);
+    done.dependencies = result.dependencies;
     code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
     if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
       progress_.Clear();
@@ -233,21 +269,33 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
     entry.exit_code = code;
   }
+  AddDependencies(done.dependencies);
+  done.files = entry.files;
+  std::string problem;
+  if (journal_ && code == kExitOk) problem = journal_->Add(entry.name, done);
+  if (!problem.empty()) exit_code_ = printer_.Fail(problem);
+  read_by_.push_back(std::move(done.dependencies));
   failed_ += code == kExitOk ? 0 : 1;
   exit_code_ = std::max(exit_code_, code);
-  return code == kExitOk || command_.keep_going;
+  return problem.empty() && (code == kExitOk || command_.keep_going);
 }
 
-void Batch::AddDependencies(const CompileResult& result) {
-  for (const std::string& file : result.dependencies) {
+void Batch::AddDependencies(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
     if (dependency_set_.insert(file).second) dependencies_.push_back(file);
   }
 }
 
-// Writes the files of a job. Contents that an earlier file has are not written again. As many
-// contents are compared as a bound on memory allows.
-std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
+// Remembers the contents of a file, as many as a bound on memory allows.
+void Batch::Keep(std::string key, std::string file) {
   constexpr std::size_t kMostKept = std::size_t{256} << 20;
+  if (kept_bytes_ + key.size() > kMostKept) return;
+  kept_bytes_ += key.size();
+  files_by_contents_.emplace(std::move(key), std::move(file));
+}
+
+// Writes the files of a job. Contents that an earlier file has are not written again.
+std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   BatchEntry& entry = entries_[at];
   CommandLine command = GroupOf(jobs_[at]).command;
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
@@ -259,22 +307,43 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
     return problem;
   OutputFiles files(OutputFiles::Unchanged::kKept);
-  std::unordered_set<std::string> paths = {IndexPath()};
+  std::unordered_set<std::string> paths = {IndexPath(), JournalPath()};
   for (OutputPiece& piece : pieces) {
     if (!paths.insert(piece.path).second)
       return fmt::format("two outputs would go to `{}`", piece.path);
     std::string file = piece.path.substr(NameBegin(piece.path));
-    std::string key = file.substr(std::min(file.rfind('.'), file.size())) + '\n' + piece.contents;
+    std::string key = ContentsKey(file, piece.contents);
     const auto known = files_by_contents_.find(key);
     entry.files.push_back({piece.kind, known == files_by_contents_.end() ? file : known->second});
     if (known != files_by_contents_.end()) continue;
-    if (kept_bytes_ + key.size() <= kMostKept) {
-      kept_bytes_ += key.size();
-      files_by_contents_.emplace(std::move(key), std::move(file));
-    }
+    Keep(std::move(key), std::move(file));
     files.Add(std::move(piece.path), std::move(piece.contents));
   }
   return files.Commit();
+}
+
+// ---- what an earlier run did
+
+// Whether the outputs are still there. If so, their contents are known to the jobs that follow.
+bool Batch::HasFiles(const BatchJournal::Done& done) {
+  const char* slash = EndsWithSlash(command_.output) ? "" : "/";
+  std::vector<std::pair<std::string, std::string>> contents;
+  for (const auto& [kind, file] : done.files) {
+    std::string text;
+    if (!ReadText(fmt::format("{}{}{}", command_.output, slash, file), text).empty()) return false;
+    contents.emplace_back(ContentsKey(file, text), file);
+  }
+  for (auto& [key, file] : contents) Keep(std::move(key), std::move(file));
+  return true;
+}
+
+void Batch::Resume() {
+  std::map<std::string, BatchJournal::Done> before = journal_->Read();
+  for (std::size_t at = 0; at < jobs_.size(); ++at) {
+    const auto found = before.find(entries_[at].name);
+    if (found != before.end() && HasFiles(found->second))
+      done_before_.emplace(at, std::move(found->second));
+  }
 }
 
 // ---- the end
@@ -287,6 +356,8 @@ std::string Batch::IndexPath() const {
                                 : fmt::format(".{}-of-{}", command_.shard, command_.shards);
   return fmt::format("{}{}index{}.json", command_.output, slash, shard);
 }
+
+std::string Batch::JournalPath() const { return IndexPath() + ".part"; }
 
 std::string Batch::WriteIndex() {
   const std::string path = IndexPath();
@@ -335,8 +406,16 @@ RunResult Batch::Run(BatchOfGroups batch) {
   if (const std::string problem = Prepare(); !problem.empty())
     return {Fail(problem, command_.format)};
   if (const std::string problem = Plan(); !problem.empty()) return {Fail(problem, command_.format)};
-  AddDependencies(batch.first);
+  AddDependencies(batch.first.dependencies);
   printer_.Show(batch.first);
+  if (command_.resume && batch.identity.empty())
+    return {printer_.Fail("--resume is for permutations and manifests, and this is an effect")};
+  if (!batch.identity.empty()) {
+    journal_ = std::make_unique<BatchJournal>(JournalPath(), std::move(batch.identity));
+    if (command_.resume) Resume();
+    if (const std::string problem = journal_->Begin(); !problem.empty())
+      return {printer_.Fail(problem)};
+  }
   CompileInOrder(
       jobs_.size(), command_.jobs,
       [this](std::size_t at, Compiler& compiler) { return Work(at, compiler); },
@@ -346,6 +425,7 @@ RunResult Batch::Run(BatchOfGroups batch) {
     if (const std::string problem = WriteIndex(); !problem.empty())
       exit_code_ = printer_.Fail(problem);
   }
+  if (journal_ && exit_code_ == kExitOk) journal_->Remove();
   printer_.End();
   Summarise();
   return {exit_code_, {std::move(dependencies_)}};
@@ -376,7 +456,12 @@ RunResult RunBatch(std::span<const char* const> arguments, CommandLine command) 
     group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(NameBegin(input)));
     manifest.groups.push_back(std::move(group));
   }
-  return RunBatch(std::move(command), {std::move(manifest.groups), {}, RenderIndex});
+  std::string identity = IdentityOf(arguments, command.batch);
+  const ShardOfIndex shard{command.shard, command.shards};
+  return RunBatch(std::move(command),
+                  {std::move(manifest.groups), {}, std::move(identity), [=](const auto& entries) {
+                     return RenderIndex(entries, shard);
+                   }});
 }
 
 RunResult RunBatch(CommandLine command, BatchOfGroups batch) {

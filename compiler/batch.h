@@ -12,7 +12,7 @@
 #include "compiler/permutations.h"
 #include "compiler/run_result.h"
 
-// The compilation of many settings of a few shaders in one run: docs/permutations.md.
+// The compilation of many permutations of a few shaders in one run: docs/permutations.md.
 namespace clipc {
 
 // Whether the command line asks for a batch, by a manifest or a macro with several values.
@@ -25,6 +25,8 @@ RunResult RunBatch(std::span<const char* const> arguments, CommandLine command);
 struct BatchOfGroups {
   std::vector<ShaderGroup> groups;
   CompileResult first;  // what was read to know them: its messages and dependencies
+  // What stands for the request, so that --resume goes on with the same one; empty: nothing does.
+  std::string identity;
   // Returns the text of the index; `entries` are those of the groups, in their order.
   std::function<std::string(const std::vector<BatchEntry>& entries)> render;
 };

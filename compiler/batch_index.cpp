@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/batch_index.h"
 
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/path.h"
 #include "clip-table/vocabulary.h"
+#include "frontend/lex/source_text.h"
 
 namespace clipc {
 namespace {
@@ -13,6 +19,20 @@ using Json = nlohmann::ordered_json;
 constexpr Named<BatchStatus> kStatusNames[] = {{BatchStatus::kNotCompiled, "not-compiled"},
                                                {BatchStatus::kCompiled, "compiled"},
                                                {BatchStatus::kFailed, "failed"}};
+
+// An index has a line for each permutation.
+std::string Render(const std::vector<Json>& shaders, ShardOfIndex shard) {
+  std::string text = "{\"version\": 1, ";
+  if (shard.parts != 1)
+    text += fmt::format("\"part\": {}, \"parts\": {}, ", shard.part, shard.parts);
+  text += "\"shaders\": [";
+  const char* separator = "\n";
+  for (const Json& json : shaders) {
+    text += separator + json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    separator = ",\n";
+  }
+  return text + "\n]}\n";
+}
 
 }  // namespace
 
@@ -27,10 +47,8 @@ void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
     entry.defines.emplace_back(group.axes[i].macro, group.axes[i].values[choices[i]]);
 }
 
-std::string RenderIndex(const std::vector<BatchEntry>& entries) {
-  // The index has a line for each setting.
-  std::string text = "{\"version\": 1, \"shaders\": [";
-  const char* separator = "\n";
+std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex shard) {
+  std::vector<Json> shaders;
   for (const BatchEntry& entry : entries) {
     Json json = {{"name", entry.name},
                  {"source", entry.source},
@@ -43,10 +61,50 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries) {
     for (const auto& [macro, value] : entry.defines)
       json["defines"][macro] = value ? Json(*value) : Json();
     for (const auto& [kind, file] : entry.files) json["files"][kind] = file;
-    text += separator + json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    separator = ",\n";
+    shaders.push_back(std::move(json));
   }
-  return text + "\n]}\n";
+  return Render(shaders, shard);
+}
+
+MergedIndex MergeIndexes(const std::vector<std::string>& paths) {
+  std::map<unsigned, Json> by_part;
+  unsigned parts = 0;
+  for (const std::string& path : paths) {
+    std::string text;
+    if (std::string problem = ReadText(path, text); !problem.empty()) return {{}, problem};
+    Json json = Json::parse(text, nullptr, false);
+    const bool is_part = json.is_object() && json.value("version", 0) == 1 &&
+                         json.contains("part") && json["part"].is_number_unsigned() &&
+                         json.contains("parts") && json["parts"].is_number_unsigned() &&
+                         json.contains("shaders") && json["shaders"].is_array();
+    if (!is_part) {
+      return {{}, fmt::format("`{}` is not the index of a part, which `--shard=1/4` writes", path)};
+    }
+    const unsigned part = json["part"], of = json["parts"];
+    if (parts != 0 && of != parts) {
+      return {{}, fmt::format("`{}` is of {} parts, and `{}` of {}", path, of, paths[0], parts)};
+    }
+    parts = of;
+    if (path.substr(0, NameBegin(path)) != paths[0].substr(0, NameBegin(paths[0]))) {
+      return {{},
+              fmt::format("`{}` and `{}` lie in two folders; an index names files beside it, so "
+                          "copy all outputs into one folder first",
+                          paths[0], path)};
+    }
+    if (!by_part.emplace(part, std::move(json["shaders"])).second)
+      return {{}, fmt::format("part {} of {} is given twice", part, parts)};
+  }
+  for (unsigned part = 1; part <= parts; ++part) {
+    if (!by_part.contains(part))
+      return {{}, fmt::format("the index of part {} of {} is missing", part, parts)};
+  }
+  // The parts take the permutations in turn.
+  std::vector<Json> shaders;
+  for (std::size_t row = 0; row < by_part[1].size(); ++row) {
+    for (unsigned part = 1; part <= parts && row < by_part[part].size(); ++part)
+      shaders.push_back(std::move(by_part[part][row]));
+  }
+  return {Render(shaders, {}), {}};
 }
 
 }  // namespace clipc

@@ -14,7 +14,7 @@ namespace clipc {
 
 enum class BatchStatus : std::uint8_t { kNotCompiled, kCompiled, kFailed };
 
-// A setting, and the files that hold its outputs. Settings may share files.
+// A permutation, and the files that hold its outputs. Permutations may share files.
 struct BatchEntry {
   std::string name;  // of the files that it would have alone
   std::string source, entry, profile, target;
@@ -25,10 +25,22 @@ struct BatchEntry {
   std::map<std::string, std::string> initial_values;       // CompileResult::initial_values
 };
 
-// Fills in the source, entry, profile, target and defines of the group's setting `number`.
+// Fills in the source, entry, profile, target and defines of the group's permutation `number`.
 void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry);
 
+// Which part of a batch an index is of: part 2 of 4 has the second of each four permutations.
+struct ShardOfIndex {
+  unsigned part = 1, parts = 1;
+};
+
 // The index as JSON: docs/permutations.md.
-std::string RenderIndex(const std::vector<BatchEntry>& entries);
+std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex shard);
+
+// The index of a batch, of the indexes at `paths` of all its parts.
+struct MergedIndex {
+  std::string text;
+  std::string error;  // not empty: why there is none
+};
+MergedIndex MergeIndexes(const std::vector<std::string>& paths);
 
 }  // namespace clipc

@@ -74,7 +74,8 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (command.only_dependencies) return "-M";
   if (named(command.batch)) return "--batch";
   if (named(command.index)) return "--index";
-  if (command.shards != 1) return "--shard";
+  if (command.shards != 1 || command.merge_shards) return "--shard";
+  if (command.resume) return "--resume";
   if (command.keep_going) return "-k";
   if (command.watch) return "--watch";
   if (command.show_includes) return "-H";

@@ -134,9 +134,10 @@ TEST_F(CInterface, RefusesOptionsThatItDoesNotKnowOrThatNameFiles) {
   EXPECT_EQ(Compile({"--tabel=x"}), CLIPC_BAD_REQUEST);
   EXPECT_EQ(Get(CLIPC_PART_MESSAGES),
             "clipc: error: unknown option `--tabel=x`; did you mean `--table=x`?\n");
-  for (const char* option : {"x.hlsl", "-ox.vert", "--table=x.json", "-MD", "--help", "-Px.i",
-                             "--batch=x.json", "--index=x.json", "--shard=1/2", "-k", "--watch",
-                             "--reflect=x.h", "-fsyntax-only", "--dump=ir"}) {
+  for (const char* option :
+       {"x.hlsl", "-ox.vert", "--table=x.json", "-MD", "--help", "-Px.i", "--batch=x.json",
+        "--index=x.json", "--shard=1/2", "-k", "--watch", "--resume", "--shard=merge",
+        "--reflect=x.h", "-fsyntax-only", "--dump=ir"}) {
     EXPECT_EQ(Compile({option}), CLIPC_BAD_REQUEST) << option;
     EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("` is for the program; the library compiles"));
     EXPECT_THAT(Get(CLIPC_PART_MESSAGES_JSON), HasSubstr("\"name\": \"command-line\""));

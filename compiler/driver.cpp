@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/path.h"
 #include "compiler/batch.h"
+#include "compiler/batch_index.h"
 #include "compiler/collect_outputs.h"
 #include "compiler/compile.h"
 #include "compiler/effect.h"
@@ -149,6 +151,20 @@ std::string Driver::Write(CompileResult& result, const Outputs& outputs) const {
   return files.Commit();
 }
 
+// Writes one index of those of all parts of a batch.
+int MergeShards(const CommandLine& command) {
+  if (command.inputs.empty())
+    return Fail("--shard=merge needs the indexes of all parts, index.1-of-4.json and so on",
+                command.format);
+  MergedIndex index = MergeIndexes(command.inputs);
+  if (!index.error.empty()) return Fail(index.error, command.format);
+  const std::string folder = command.inputs[0].substr(0, NameBegin(command.inputs[0]));
+  OutputFiles files;
+  files.Add(command.index.empty() ? folder + "index.json" : command.index, std::move(index.text));
+  const std::string problem = files.Commit();
+  return problem.empty() ? kExitOk : Fail(problem, command.format);
+}
+
 std::string VersionText(std::string_view commit) {
   const std::string part = commit.empty() ? "" : fmt::format("commit {}, ", commit);
   return fmt::format("clipc {}\n{}{}, {}\n", CLIPC_VERSION, part, LlvmName(), ValidatorName());
@@ -160,6 +176,7 @@ int RunCommandLine(std::span<const char* const> arguments, std::string_view comm
   ParsedCommandLine parsed = ParseCommandLine(arguments);
   if (!parsed.error.empty()) return Fail(parsed.error, parsed.command.format);
   const auto run = [arguments](CommandLine command) {
+    if (command.merge_shards) return RunResult{MergeShards(command)};
     if (command.effect) return RunEffect(std::move(command));
     if (WantsBatch(command)) return RunBatch(arguments, std::move(command));
     return Driver(std::move(command)).Run();

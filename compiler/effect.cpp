@@ -105,7 +105,7 @@ RunResult RunEffect(CommandLine command) {
   if (command.index.empty())
     command.index = fmt::format("{}{}{}.json", command.output, slash, stem);
   command.keep_going = true;
-  BatchOfGroups batch{loaded.programs.groups, std::move(loaded.messages), {}};
+  BatchOfGroups batch{loaded.programs.groups, std::move(loaded.messages), {}, {}};
   const CommandLine& options = command;
   batch.render = [&, options](const std::vector<BatchEntry>& entries) {
     return RenderEffect(loaded.effect, loaded.programs, options, entries);

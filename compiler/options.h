@@ -50,6 +50,8 @@ struct CommandLine {
   std::string technique, pass;     // of the effect; empty: all
   std::string index;               // the index of permutations: see docs/permutations.md
   bool keep_going = false;         // go on after a permutation with errors
+  bool resume = false;             // leave out what an earlier run of the batch did
+  bool merge_shards = false;       // the inputs are indexes of parts, to be one index
   unsigned shard = 1, shards = 1;  // only each `shards`-th permutation, from number `shard` on
   bool watch = false;              // compile again what changes, until an interrupt
   std::optional<bool> asks_to_validate;  // --validate, --no-validate

@@ -32,16 +32,19 @@ void SetTarget(Reading& reading, const std::string& value) {
   reading.error = fmt::format("unknown target `{}`{}", value, Suggest(value, names));
 }
 
-// Reads "2/4", the number of a shard and the number of shards.
+// Reads "2/4", the number of a shard and the number of shards, or "merge".
 void SetShard(Reading& reading, const std::string& value) {
   CommandLine& command = reading.command;
+  command.merge_shards = value == "merge";
+  if (command.merge_shards) return;
   const std::size_t slash = value.find('/');
   if (slash != value.npos && ReadNumber(value.substr(0, slash), command.shard) &&
       ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
       command.shard <= command.shards)
     return;
-  reading.error = fmt::format("`{} {}`: it needs a part and the number of parts, as `2/4`",
-                              reading.option, value);
+  reading.error =
+      fmt::format("`{} {}`: it needs a part and the number of parts, as `2/4`, or `merge`",
+                  reading.option, value);
 }
 
 void SetPreprocess(Reading& reading, const std::string& value) {
@@ -192,8 +195,8 @@ constexpr Option kOwnOptions[] = {
      "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
     {"--plane-space", kEquals, Choose<&PlaneOptions::space, kPlaneSpaceNames>, "<SPACE>",
      "the planes' space: clip (the default, fxc's), xyw1 or object, which lose less precision"},
-    {"--position-input", kEquals, Set<&PlaneOptions::position_input>, "<SEMANTIC>",
-     "the input that --plane-space=object clips by (POSITION0)"},
+    {"--position-input", kEquals, Set<&PlaneOptions::position_input>, "<SEM>",
+     "the semantic of the input that --plane-space=object clips by (POSITION0)"},
     {"--fragment", kEquals, Set<&CommandLine::fragment>, "<FILE>",
      "with --lower=discard: add the discard to this GLSL; written as .frag"},
     {"--variants", kFlag, SetTo<&PlaneOptions::variants, kMaxClipPlanes>, "",
@@ -262,7 +265,10 @@ constexpr Option kOwnOptions[] = {
      "compile the other shaders after one that has errors"},
     {"--index", kEquals, Set<&CommandLine::index>, "<FILE>",
      "the index of the outputs, as JSON (index.json beside them)"},
-    {"--shard", kEquals, SetShard, "<I/N>", "compile the I-th of N parts of the shaders"},
+    {"--resume", kFlag, Set<&CommandLine::resume>, "",
+     "compile only the shaders that a run which was interrupted or failed did not"},
+    {"--shard", kEquals, SetShard, "<I/N>",
+     "compile the I-th of N parts of the shaders; =merge: make one index of those of all parts"},
     {"--watch", kFlag, Set<&CommandLine::watch>, "",
      "compile again what changes, or reads what changes, until an interrupt"},
     Topic("limits", "shaders that nobody trusts"),

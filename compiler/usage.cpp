@@ -125,6 +125,7 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   constexpr const char* kForMany = "it is for permutations and manifests";
   report(!command.index.empty(), "--index", kForMany);
   report(command.keep_going, "-k", kForMany);
+  report(command.resume, "--resume", kForMany);
   constexpr const char* kForEffects = "it is for --effect";
   report(!command.technique.empty(), "--technique", kForEffects);
   report(!command.pass.empty(), "--pass", kForEffects);
