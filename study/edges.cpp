@@ -40,8 +40,6 @@ EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
   };
   errors.median = at(0.5), errors.p99 = at(0.99), errors.largest = pixels.back();
   errors.not_finite = static_cast<long>(std::ranges::count(pixels, INFINITY));
-  const auto over = pixels.end() - std::ranges::upper_bound(pixels, 0.5);
-  errors.over_half = static_cast<double>(over) / static_cast<double>(pixels.size());
   return errors;
 }
 
@@ -75,7 +73,6 @@ Config Nearby(const Config& config, Random& random) {
   for (int tries = 0; !point && tries < 1000; ++tries) point = RandomCut(setup, random);
   if (!point) return config;
   Config near = config;
-
   near.view_plane =
       PlaneThroughPoint(NormalOf(config.view_plane) + 1e-3 * random.Direction(), *point);
   near.camera.yaw += random.Between(-0.01, 0.01);
@@ -83,6 +80,33 @@ Config Nearby(const Config& config, Random& random) {
   near.world_offset *= random.Between(0.99, 1.01);
   near.mesh_offset *= random.Between(0.99, 1.01);
   return near;
+}
+
+// The displacements of `count` edges in each view for each method; none for a method that does not
+// apply in all of them.
+std::vector<std::optional<std::vector<double>>> OverViews(const Config& config,
+                                                          const std::vector<Method>& methods,
+                                                          long count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<std::optional<std::vector<double>>> all(methods.size(), std::vector<double>());
+  for (int view = 0; view < kViews; ++view) {
+    const auto pixels = PixelsOf(Prepare(Nearby(config, random)), methods, count, seed + 1 + view);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      if (!pixels[i]) all[i].reset();
+      if (all[i]) all[i]->insert(all[i]->end(), pixels[i]->begin(), pixels[i]->end());
+    }
+  }
+  return all;
+}
+
+std::vector<EdgeErrors> Summaries(const std::vector<Method>& methods,
+                                  std::vector<std::optional<std::vector<double>>> pixels) {
+  std::vector<EdgeErrors> errors;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    errors.push_back(pixels[i] ? Summary(methods[i].name, std::move(*pixels[i]))
+                               : EdgeErrors{.method = methods[i].name});
+  }
+  return errors;
 }
 
 }  // namespace
@@ -94,26 +118,17 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
 
 std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed) {
-  auto pixels = PixelsOf(setup, methods, count, seed);
-  std::vector<EdgeErrors> errors;
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    errors.push_back(pixels[i] ? Summary(methods[i].name, std::move(*pixels[i]))
-                               : EdgeErrors{.method = methods[i].name});
-  }
-  return errors;
+  return Summaries(methods, PixelsOf(setup, methods, count, seed));
 }
 
-std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
-                                            long count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<double> all;
-  for (int i = 0; i < planes; ++i) {
-    const auto pixels =
-        PixelsOf(Prepare(Nearby(config, random)), {method}, count, seed + 1 + i).front();
-    if (!pixels) return {};
-    all.insert(all.end(), pixels->begin(), pixels->end());
-  }
-  return all;
+std::vector<double> DisplacementsOverViews(const Config& config, const Method& method, long count,
+                                           std::uint64_t seed) {
+  return OverViews(config, {method}, count, seed).front().value_or(std::vector<double>());
+}
+
+std::vector<EdgeErrors> MeasureViews(const Config& config, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed) {
+  return Summaries(methods, OverViews(config, methods, count, seed));
 }
 
 EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,

@@ -17,8 +17,7 @@ struct EdgeErrors {
   bool applies = false;  // the method can be used here
   long edges = 0;
   double median = 0, p99 = 0, largest = 0;  // pixels
-  double over_half = 0;  // the share of edges that are more than half a pixel off
-  long not_finite = 0;   // edges with a distance that is NaN or infinite; over_half counts them too
+  long not_finite = 0;                      // edges with a distance that is NaN or infinite
 };
 
 // Cuts `count` random edges that cross the plane inside the picture. The true sign and place follow
@@ -31,11 +30,19 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
 std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
 
-// The displacements of `count` edges of each of `planes` planes, cameras and offsets that differ by
-// a hundredth at most: each rounds in a way of its own, luckily or not, and together they show the
-// error of such a draw. Pixels; none where the method does not apply.
-std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
-                                            long count, std::uint64_t seed);
+// The views of a draw that are measured together: their planes, cameras and offsets differ by a
+// hundredth at most, as while the camera moves. All vertices of a view share the rounding of its
+// matrices and its constant, so that a single view may be lucky; together the views show the error
+// of the draw.
+inline constexpr int kViews = 20;
+
+// The displacements in pixels of `count` edges in each view; none where the method does not apply.
+std::vector<double> DisplacementsOverViews(const Config& config, const Method& method, long count,
+                                           std::uint64_t seed);
+
+// As MeasureEdges, over `count` edges in each view.
+std::vector<EdgeErrors> MeasureViews(const Config& config, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed);
 
 // Measures over planes of random directions, `ratio` near distances from the eye, each with a
 // camera and an object of its own; standard depth, 60 degrees.

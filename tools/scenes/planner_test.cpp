@@ -154,7 +154,7 @@ class Planner : public ::testing::Test {
   }
 
   // Expects that no pixel differs, and that `planes` planes are handed to the device:
-  // docs/runtime.md has these numbers.
+  // Teapots, tori and cubes, instead of the boxes of docs/runtime.md.
   void ExpectSavings(const Scene& scene, int planes) const {
     const Drawing all = Draw(scene, Plan::kAll, 320, 180),
                   planned = Draw(scene, Plan::kPlanned, 320, 180);
