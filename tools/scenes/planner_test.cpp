@@ -153,8 +153,8 @@ class Planner : public ::testing::Test {
     return count;
   }
 
-  // Expects that no pixel differs, and that `planes` planes are handed to the device:
-  // Teapots, tori and cubes, instead of the boxes of docs/runtime.md.
+  // Expects that no pixel differs, and that `planes` planes are handed to the device. The
+  // boxes are those of teapots, tori and cubes; docs/runtime.md has the scenes' own.
   void ExpectSavings(const Scene& scene, int planes) const {
     const Drawing all = Draw(scene, Plan::kAll, 320, 180),
                   planned = Draw(scene, Plan::kPlanned, 320, 180);
