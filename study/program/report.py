@@ -172,11 +172,11 @@ def main_chart(charts, directions, speed):
             axis.text(least * 1.5, cost, lines, va="top" if len(names) > 1 else "center")
             continue
         near, middle, far = (lost[method, ratio] for ratio in (10, 400, 10000))
-        axis.plot([near, far], [cost] * 2, color=color, linewidth=3, solid_capstyle="butt")
-        axis.plot(middle, cost, "o", color=color, markersize=8)
-        at = (far, cost + 0.015, "bottom", "right")
-        if method == "near-plane-f32":
-            at = (near, cost - 0.018, "top", "left")
+        at, size = (far, cost + 0.015, "bottom", "right"), 3
+        if method == "near-plane-f32":  # as cheap as clip, and drawn over it
+            at, size = (near, cost - 0.018, "top", "left"), 1
+        axis.plot([near, far], [cost] * 2, color=color, linewidth=size, solid_capstyle="butt")
+        axis.plot(middle, cost, "o", color=color, markersize=4 + 1.3 * size)
         axis.text(*at[:2], ", ".join(names), va=at[2], ha=at[3], color=color)
     arrow = {"arrowstyle": "-|>", "color": "#2e6b2e", "linewidth": 2}
     axis.annotate("better", (0.012, 1.33), (0.045, 1.48), arrowprops=arrow, fontsize=12, **green)
