@@ -74,6 +74,7 @@ ROOMS = {
         VOCABULARY,
     },
     "tools/peer": {"base", "ir", "frontend/lex", "tools/harness", "tools/draw"},
+    "tools/values": {"base", "tools/harness", LIBRARY},
     "tools/random": {
         "base",
         "ir",
@@ -98,12 +99,12 @@ ROOMS = {
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
     r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/(draw/vulkan/glslang\.(cpp|h)|peer/glslang\.cpp)|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
-    r"epoxy/": r"tools/(harness|draw|study/program|scenes|effects)/.*|examples/.*\.cpp",
+    r"epoxy/": r"tools/(harness|draw|values|study/program|scenes|effects)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|link|rewrite|backend-glsl|compiler|tools/bench)/.*",
-    r"nlohmann/": r"(base|clip-table|compiler|tools/draw|study)/.*\.cpp",
+    r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/values|study)/.*\.cpp",
 }
 
 # The files that clipc_add_shader() and study/program/CMakeLists.txt write into a build folder.
