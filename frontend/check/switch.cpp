@@ -2,6 +2,7 @@
 #include "frontend/check/switch.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -13,20 +14,38 @@
 namespace clipc::check {
 namespace {
 
+// The labels of a switch that were seen; `default` is none.
+using SeenLabels = std::unordered_map<std::optional<std::int64_t>, Span>;
+
 // The value of a label; nullopt for `default`, and after an error, which was reported.
 std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt& stmt, Span span,
-                                           std::unordered_map<std::int64_t, Span>& seen) {
-  constexpr std::int64_t kDefault = std::int64_t{1} << 40;  // no label has this value
-  std::optional<std::int64_t> value = kDefault;
+                                           SeenLabels& seen) {
+  std::optional<std::int64_t> value;
   if (stmt.value) value = ConstantInteger(context, stmt.value);
-  if (!value) return std::nullopt;
-  const auto [first, is_new] = seen.try_emplace(*value, span);
+  if (stmt.value && !value) return std::nullopt;
+  const auto [first, is_new] = seen.try_emplace(value, span);
   if (!is_new) {
     context.Report(span, diag::CaseTwice, stmt.value ? fmt::format("case {}", *value) : "default")
         .Note(first->second, diag::FirstGivenHere);
     return std::nullopt;
   }
-  return stmt.value ? value : std::nullopt;
+  return value;
+}
+
+// The number of the label that a value of 64 bits equals, -1 where there is none, as no target has a
+// switch of 64 bits: v == 5 ? 0 : v == 0x100000005 ? 1 : -1. The value is one that may be repeated.
+ExprId NumberOfLabel(Context& context, ExprId value, const std::vector<std::int64_t>& labels,
+                     Span span) {
+  Builder at = context.At(span);
+  ExprId number = at.Int(-1);
+  for (std::size_t i = labels.size(); i-- > 0;) {
+    const ExprId label =
+        at.Add(context.TypeIdOf(value), Literal{static_cast<std::uint64_t>(labels[i])});
+    const ExprId is_equal = at.BinaryOf(BinaryOp::kEqual, Clone(context.program, value), label);
+    number = at.Add(context.types.Make(Scalar::kInt),
+                    Conditional{is_equal, at.Int(static_cast<std::int32_t>(i)), number});
+  }
+  return number;
 }
 
 // Whether the statements of a case lead to what follows it. A label without statements does so in
@@ -47,12 +66,18 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
   if (IsFloat(context.TypeOf(value).scalar) && !context.IsError(value) && !takes_float) {
     value = context.Fail(context[stmt.value].span, diag::SwitchNotInteger, context.TypeName(value));
   }
-  if (!context.IsError(value)) {
+  const bool is_wide = !context.IsError(value) && IsWide(context.TypeOf(value).scalar) &&
+                       !IsFloat(context.TypeOf(value).scalar);
+  Exprs prologue;
+  if (is_wide) {
+    value = Repeatable(context, value, prologue);
+  } else if (!context.IsError(value)) {
     const bool is_unsigned = IsUnsigned(context.TypeOf(value).scalar);
     value = ConvertSilently(context, value,
                             context.types.Make(is_unsigned ? Scalar::kUint : Scalar::kInt));
   }
-  const TypeId type = context.TypeIdOf(value);
+  const TypeId type = is_wide ? context.types.Make(Scalar::kInt) : context.TypeIdOf(value);
+  std::vector<std::int64_t> wide_labels;
   DeclareTemporaries(context);
   const auto* block = context.GetIf<ast::BlockStmt>(stmt.body);
   if (!block) {
@@ -64,7 +89,7 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
   const ScopeTable::LocalScope scope(context.names);
   std::vector<SwitchCase> arms;
   Exprs labels;
-  std::unordered_map<std::int64_t, Span> seen;
+  SeenLabels seen;
   const std::size_t mark = context.stmts.size();
   Span label_span;
   const auto finish = [&] {
@@ -87,8 +112,10 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
       }
       label_span = child.span;
       if (const auto value = CheckCaseLabel(context, *label, child.span, seen)) {
-        labels.push_back(
-            context.At(child.span).Add(type, Literal{static_cast<std::uint32_t>(*value)}));
+        const auto written = is_wide ? static_cast<std::uint32_t>(wide_labels.size())
+                                     : static_cast<std::uint32_t>(*value);
+        if (is_wide) wide_labels.push_back(*value);
+        labels.push_back(context.At(child.span).Add(type, Literal{written}));
       } else {
         arms.back().is_default = arms.back().is_default || !label->value;
       }
@@ -104,6 +131,9 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
   finish();
   context.view.body->is_in_switch = was_in_switch;
   --context.view.body->switches;
+  if (is_wide) {
+    value = WithPrologue(context, prologue, NumberOfLabel(context, value, wide_labels, span));
+  }
   Emit(context, span,
        Switch{value, context.program.switch_cases.Add(std::span<const SwitchCase>(arms))});
 }
