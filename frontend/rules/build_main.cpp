@@ -39,16 +39,18 @@ class MainBuilder {
     leaves_.SetByRow(signature_.stages_match_by_row && stage_.has_stage_before);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
-    ReadDistances(Builtin::kClipDistanceInput, clip_reads_);
-    ReadDistances(Builtin::kCullDistanceInput, cull_reads_);
+    const bool reads_gaps = FitWithGaps(clip_reads_, cull_reads_);
+    ReadDistances(Builtin::kClipDistanceInput, clip_reads_, reads_gaps);
+    ReadDistances(Builtin::kCullDistanceInput, cull_reads_, reads_gaps);
     attributes_.Finish();
     CallEntry();
     leaves_.SetByRow(signature_.stages_match_by_row);
     for (const Carrier& output : pending_outputs_) {
       for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
     }
-    WriteDistances(Builtin::kClipDistance, clip_);
-    WriteDistances(Builtin::kCullDistance, cull_);
+    const bool writes_gaps = FitWithGaps(clip_, cull_);
+    WriteDistances(Builtin::kClipDistance, clip_, writes_gaps);
+    WriteDistances(Builtin::kCullDistance, cull_, writes_gaps);
     CheckDistanceCount();
     CheckPosition();
     for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
@@ -308,9 +310,17 @@ class MainBuilder {
   void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
     const VarId output = AddIo(program_.outputs, leaf, stored, builtin);
     ExprId value = Fit(leaves_.ValueOf(leaf.part), stored);
+    if (HasAllBitsForTrue(leaf)) value = builder_.UnaryOf(UnaryOp::kNegate, value);
     if (IsClampedOutput(program_, leaf.cursor.semantic.name, program_.types[stored]))
       value = builder_.IntrinsicOf(Intrinsic::kSaturate, stored, {value});
     body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), value)));
+  }
+
+  // Whether `true` is all bits of a render target, as from 4.0 to 5.1, and not 1 (vkd3d's
+  // arithmetic-float-uniform.shader_test, checked against native).
+  bool HasAllBitsForTrue(const Carrier& leaf) const {
+    return !stage_.has_stage_after && program_.types[leaf.type].scalar == Scalar::kBool &&
+           program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
   }
 
   // The type of the variable of a built-in input or output, which is not an array.
@@ -375,9 +385,16 @@ class MainBuilder {
     return Fit(count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
   }
 
-  void ReadDistances(Builtin builtin, Distances& pieces) {
+  // Direct3D counts components, so that 8 of them may lie in more than two registers with gaps
+  // between them (vkd3d's clip-cull-distance.shader_test, checked against native). GLSL's arrays
+  // have 8 elements: such distances lie without gaps, in both stages alike.
+  static bool FitWithGaps(Distances& clip, Distances& cull) {
+    return clip.Packed(true).size() + cull.Packed(true).size() <= kMaxDistances;
+  }
+
+  void ReadDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
     if (pieces.empty()) return;
-    const std::vector<ExprId> values = pieces.Packed();
+    const std::vector<ExprId> values = pieces.Packed(has_gaps);
     const VarId array = AddDistances(program_.inputs, builtin, values.size(), pieces.span());
     for (std::uint32_t i = 0; i < values.size(); ++i) {
       const ExprId element = builder_.At(builder_.Ref(array), i);
@@ -399,9 +416,9 @@ class MainBuilder {
   }
 
   // Writes the pieces. Distances in a gap are 0, which clips nothing.
-  void WriteDistances(Builtin builtin, Distances& pieces) {
+  void WriteDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
     if (pieces.empty()) return;
-    const std::vector<ExprId> values = pieces.Packed();
+    const std::vector<ExprId> values = pieces.Packed(has_gaps);
     const VarId array = AddDistances(program_.outputs, builtin, values.size(), pieces.span());
     for (std::uint32_t i = 0; i < values.size(); ++i) {
       const ExprId value = values[i] ? values[i] : builder_.Float(0);

@@ -5,11 +5,11 @@
 
 namespace clipc::rules {
 
-std::vector<ExprId> Distances::Packed() {
+std::vector<ExprId> Distances::Packed(bool has_gaps) {
   std::ranges::stable_sort(pieces_, {}, &Piece::index);
   std::vector<ExprId> elements;
   for (const Piece& piece : pieces_) {
-    while (elements.size() % 4 + piece.components.size() > 4) elements.emplace_back();
+    while (has_gaps && elements.size() % 4 + piece.components.size() > 4) elements.emplace_back();
     elements.insert(elements.end(), piece.components.begin(), piece.components.end());
   }
   return elements;

@@ -23,8 +23,8 @@ class Distances {
 
   // The elements of the array in order: pieces in the order of their index, each within a register
   // of four as fxc packs a signature, so that two float3 are elements 0, 1, 2 and 4, 5, 6. An
-  // element in a gap is none.
-  std::vector<ExprId> Packed();
+  // element in a gap is none; without gaps the pieces follow each other.
+  std::vector<ExprId> Packed(bool has_gaps);
 
  private:
   struct Piece {
