@@ -87,7 +87,20 @@ bool CheckCastTarget(Context& context, ExprId target, TypeId type) {
   return false;
 }
 
+// A matrix stays in the upper left corner of one with more columns, as in fxc (vkd3d's
+// lhs-partial-assignment.shader_test, checked against native).
 void StoreComponents(Context& context, ExprId target, ExprId value, Exprs& steps) {
+  const Type& whole = context.TypeOf(target);
+  const Type& part = context.TypeOf(value);
+  if (whole.kind == TypeKind::kMatrix && part.kind == TypeKind::kMatrix &&
+      whole.columns > part.columns && whole.rows >= part.rows) {
+    Builder at = context.At(context[target].span);
+    for (std::uint32_t row = 0, rows = static_cast<std::uint32_t>(part.rows); row < rows; ++row) {
+      StoreComponents(context, at.Part(Clone(context.program, target), row),
+                      at.Part(Clone(context.program, value), row), steps);
+    }
+    return;
+  }
   Pieces to(context, target), from(context, value);
   while (!from.at_end() && !to.at_end()) {
     const int count = std::min(from.left(), to.left());
