@@ -264,8 +264,8 @@ TEST(IntrinsicsTest, ProfilesLackSome) {
   const std::vector<ir::ExprId> arguments = {test.Var("a", "uint")};
   EXPECT_EQ(
       test.Text(CheckIntrinsicCall(
-          {test.program, "countbits", {}, arguments, {}, test, test.diagnostics})),
-      "`countbits` needs profile vs_5_0 or later; this is `vs_4_0` [intrinsic-profile, X4532]");
+          {test.program, "reversebits", {}, arguments, {}, test, test.diagnostics})),
+      "`reversebits` needs profile vs_5_0 or later; this is `vs_4_0` [intrinsic-profile, X4532]");
   EXPECT_EQ(test.Text(CheckIntrinsicCall(
                 {test.program, "asfloat", {}, arguments, {}, test, test.diagnostics})),
             "float: asfloat(a)");
