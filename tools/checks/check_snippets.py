@@ -196,8 +196,9 @@ def check_elsewhere(run, page, words):
             if before == "--preset" and word not in presets:
                 run.problems.append(f"{page.name}: there is no preset {word}")
         return
-    if program in ("clipc-study", "clipc-bench", "clipc-runtime-bench", "clipc-draw"):
-        sources = {"clipc-study": "study", "clipc-draw": "tools/draw"}.get(program, "tools/bench")
+    tools = {"clipc-study": "study", "clipc-draw": "tools/draw", "clipc-values": "tools/values"}
+    if program in tools or program in ("clipc-bench", "clipc-runtime-bench"):
+        sources = tools.get(program, "tools/bench")
     elif program == "./run" and words[1:2] == ["study"]:
         sources = "study"
     elif (ROOT / program).exists():
