@@ -33,7 +33,8 @@ std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt
 }
 
 // The number of the label that a value of 64 bits equals, -1 where there is none, as no target has
-// a switch of 64 bits: v == 5 ? 0 : v == 0x100000005 ? 1 : -1. The value is one that may be repeated.
+// a switch of 64 bits: v == 5 ? 0 : v == 0x100000005 ? 1 : -1. The value is one that may be
+// repeated.
 ExprId NumberOfLabel(Context& context, ExprId value, const std::vector<std::int64_t>& labels,
                      Span span) {
   Builder at = context.At(span);
