@@ -52,6 +52,8 @@ class TargetCheck {
     }
     for (const Resource& resource : program_.resources) {
       if (!reached_.Has(resource.var)) continue;
+      // What a target lacks for a counter, it lacks for the buffer.
+      if (resource.counter_of && reached_.Has(resource.counter_of)) continue;
       Object(program_.vars[resource.var]);
       if (!target_.IsVulkan()) TextureUnit(resource);
       SubpassInput(resource);
@@ -465,8 +467,7 @@ class TargetCheck {
     const ir::Type& type = Innermost(program_.exprs[object].type);
     const auto* ref = As<VarRef>(object);
     const bool row_major = ref && program_.vars[ref->var].row_major;
-    if (type.object == ObjectKind::kRWStructuredBuffer &&
-        !Std430(program_.types, type.element, row_major) &&
+    if (IsStructured(type.object) && !Std430(program_.types, type.element, row_major) &&
         (op != ObjectOp::kStore || !IsOfWords(program_.types, type.element))) {
       Report(span, diag::TargetStructuredStore, program_.types.Name(type.element));
     }

@@ -109,7 +109,15 @@ class StageComparer {
   }
   bool IsSame(const Resource& ours, const Resource& theirs) const {
     return ours.format == theirs.format && IsSamePlace(ours.reg, theirs.reg) &&
-           IsSame(ours.var, theirs.var);
+           IsSame(ours.var, theirs.var) && CountSame(ours, theirs);
+  }
+  // Whether two hidden counters are those of one buffer; true of two that are not counters.
+  bool CountSame(const Resource& ours, const Resource& theirs) const {
+    if (!ours.counter_of || !theirs.counter_of) return !ours.counter_of && !theirs.counter_of;
+    const auto of = [](const Program& program, const Resource& counter) -> const Resource& {
+      return *std::ranges::find(program.resources, counter.counter_of, &Resource::var);
+    };
+    return IsSame(of(ours_, ours), of(theirs_, theirs));
   }
   bool IsSame(const Cbuffer& ours, const Cbuffer& theirs) const {
     // $Params are the parameters of one entry function.

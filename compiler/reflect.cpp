@@ -194,7 +194,9 @@ Json Objects(const Program& program, const GlslInfo& info) {
       const ir::Type& type = program.types[program.vars[var].type];
       if (type.kind == ir::TypeKind::kArray && type.count == 0) json[key]["unbounded"] = true;
       for (const ir::Resource& resource : program.resources) {
-        if (resource.var == var) json[key].update(ToJson(resource.reg));
+        if (resource.var != var) continue;
+        json[key].update(ToJson(resource.reg));
+        if (resource.counter_of) json[key]["counterOf"] = program.vars[resource.counter_of].name;
       }
     }
     list.push_back(std::move(json));

@@ -195,6 +195,10 @@ enum class ObjectOp : std::uint8_t {
   kAtomicExchange,
   // (as kAtomicAdd, but place, what the element is compared with, value): writes it where equal
   kAtomicCompareExchange,
+  // (a structured buffer with a counter): uint, the counter before it is one more, and after it is
+  // one less. rules::MakeCounters replaces both by kAtomicAdd before Check returns.
+  kIncrementCounter,
+  kDecrementCounter,
 };
 constexpr bool IsAtomic(ObjectOp op) {
   using enum ObjectOp;
@@ -210,8 +214,14 @@ constexpr bool IsAtomic(ObjectOp op) {
     default: return false;
   }
 }
-// Whether the operation changes the contents of the object.
-constexpr bool WritesObject(ObjectOp op) { return op == ObjectOp::kStore || IsAtomic(op); }
+// Whether the operation changes the counter of a structured buffer.
+constexpr bool IsCounter(ObjectOp op) {
+  return op == ObjectOp::kIncrementCounter || op == ObjectOp::kDecrementCounter;
+}
+// Whether the operation changes the contents of the object, or its counter.
+constexpr bool WritesObject(ObjectOp op) {
+  return op == ObjectOp::kStore || IsAtomic(op) || IsCounter(op);
+}
 // Whether the operation reads one component of four texels, or compares it.
 constexpr bool IsGather(ObjectOp op) {
   using enum ObjectOp;

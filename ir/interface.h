@@ -85,6 +85,10 @@ struct Resource {
   std::string format = {};  // [[vk::image_format("rgba8")]] in GLSL's spelling; empty: none
   // [[vk::input_attachment_index(..)]]
   std::optional<std::uint32_t> input_attachment = {};
+  std::optional<std::uint32_t> counter_binding = {};  // [[vk::counter_binding(..)]]
+  // The structured buffer whose counter is the one element of this hidden buffer; none of a
+  // resource that the shader declares.
+  VarId counter_of = {};
 };
 
 // The meaning of an input or output to the pipeline.

@@ -43,6 +43,10 @@ bool IsSampler(ObjectKind kind) {
 }
 bool IsImage(ObjectKind kind) { return IsWritable(kind) && !IsStorageBuffer(kind); }
 bool IsStructured(ObjectKind kind) { return IsOf(kind, ObjectCategory::kStructuredBuffer); }
+bool HasNamedElements(ObjectKind kind) {
+  return kind != ObjectKind::kAppendStructuredBuffer &&
+         kind != ObjectKind::kConsumeStructuredBuffer;
+}
 bool IsByteAddress(ObjectKind kind) { return IsOf(kind, ObjectCategory::kByteAddressBuffer); }
 bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
 bool HasTexels(ObjectKind kind) {

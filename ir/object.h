@@ -46,6 +46,9 @@ bool IsCombinedSampler(ObjectKind kind);
 // Whether the object is an RWBuffer or RWTexture: a format lies between the shader and the memory.
 bool IsImage(ObjectKind kind);
 bool IsStructured(ObjectKind kind);
+// Whether the shader names the elements of the buffer: not of an append or consume buffer, whose
+// counter does.
+bool HasNamedElements(ObjectKind kind);
 bool IsByteAddress(ObjectKind kind);
 // Whether the object is a StructuredBuffer or ByteAddressBuffer, RW or not: the shader sees the
 // memory itself.

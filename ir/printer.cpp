@@ -61,7 +61,9 @@ const char* TextOf(ObjectOp op) {
       {ObjectOp::kAtomicMin, "atomic_min"},
       {ObjectOp::kAtomicMax, "atomic_max"},
       {ObjectOp::kAtomicExchange, "atomic_exchange"},
-      {ObjectOp::kAtomicCompareExchange, "atomic_compare_exchange"}};
+      {ObjectOp::kAtomicCompareExchange, "atomic_compare_exchange"},
+      {ObjectOp::kIncrementCounter, "increment_counter"},
+      {ObjectOp::kDecrementCounter, "decrement_counter"}};
   return NameIn<kTexts>(op);
 }
 

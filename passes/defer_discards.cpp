@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -58,7 +59,9 @@ class StoreGuard {
  private:
   void Statement(StmtId id) {
     const auto* evaluate = As<Evaluate>(program_, id);
-    if (evaluate && IsStore(evaluate->expr)) stores_.push_back(id);
+    if (!evaluate || !IsStore(evaluate->expr)) return;
+    stores_.push_back(id);
+    ForEachExpr(program_, evaluate->expr, [&](ExprId part) { in_stores_.insert(part); });
   }
   bool IsStore(ExprId id) const {
     const auto* call = As<ObjectCall>(program_, id);
@@ -66,7 +69,7 @@ class StoreGuard {
   }
   void Value(ExprId id) {
     const auto* call = As<ObjectCall>(program_, id);
-    if (call && WritesObject(call->op) && !IsStore(id)) values_.push_back(id);
+    if (call && WritesObject(call->op) && !in_stores_.contains(id)) values_.push_back(id);
   }
 
   void Guard(StmtId id) {
@@ -75,18 +78,23 @@ class StoreGuard {
     const ExprId is_alive = b.UnaryOf(UnaryOp::kNot, b.Ref(flag_));
     program_.stmts[id].node = If{is_alive, b.BlockOf({&store, 1}), {}};
   }
-  // The value of an atomic operation that does not happen is undefined, and zero here.
+  // The value of an atomic operation that does not happen is undefined. It is zero here, and of the
+  // decrement of a counter one, since it is the index of an element once one is taken off.
   void Guard(ExprId id) {
     const TypeId type = TypeIdOf(program_, id);
     Builder b(program_, program_.exprs[id].span);
     const ObjectCall call = std::get<ObjectCall>(program_.exprs[id].node);
     const ExprId atomic = b.Add(type, call);
-    program_.exprs[id].node = Conditional{b.Ref(flag_), b.ZeroOf(type), atomic};
+    const auto* added = As<Literal>(program_, program_.expr_lists[call.arguments][2]);
+    const bool counts_down = call.op == ObjectOp::kAtomicAdd && added && added->bits == ~0u;
+    const ExprId lost = counts_down ? b.Uint(1) : b.ZeroOf(type);
+    program_.exprs[id].node = Conditional{b.Ref(flag_), lost, atomic};
   }
 
   Program& program_;
   VarId flag_;
   std::vector<StmtId> stores_;
+  std::set<ExprId> in_stores_;
   std::vector<ExprId> values_;
 };
 

@@ -75,6 +75,8 @@ class ObjectCaller {
       case ObjectOp::kAtomicMax: return Atomic("Max");
       case ObjectOp::kAtomicExchange: return Atomic("Exchange");
       case ObjectOp::kAtomicCompareExchange: return Atomic("CompSwap");
+      case ObjectOp::kIncrementCounter:
+      case ObjectOp::kDecrementCounter: break;  // MakeCounters replaced them
       case ObjectOp::kTextureSize:
       case ObjectOp::kTextureLevels:
       case ObjectOp::kTextureSamples:

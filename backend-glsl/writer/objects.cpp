@@ -155,12 +155,18 @@ class ObjectWriter {
       }
     }
     const std::string dimensions = Dimensions(context_, resource.var);
-    text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
-                         LayoutText({"std430", place, is_turned ? "row_major" : ""}),
-                         ir::IsWritable(type.object) ? "" : "readonly ",
-                         BlockName(info.name, var.name), RegisterText(resource.reg), element,
-                         dimensions.empty() ? info.name : "elements",
-                         dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
+    text_ +=
+        fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
+                    LayoutText({"std430", place, is_turned ? "row_major" : ""}),
+                    ir::IsWritable(type.object) ? "" : "readonly ", BlockName(info.name, var.name),
+                    Origin(resource), element, dimensions.empty() ? info.name : "elements",
+                    dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
+  }
+
+  // What the HLSL has in place of the buffer.
+  std::string Origin(const Resource& resource) const {
+    return resource.counter_of ? Concat("the counter of ", context_[resource.counter_of].name)
+                               : RegisterText(resource.reg);
   }
 
   // The name of a block with a storage buffer. The stages of a pair have one name for a buffer that

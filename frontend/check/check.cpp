@@ -17,6 +17,7 @@
 #include "frontend/rules/check_gradients.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/check_written.h"
+#include "frontend/rules/counters.h"
 #include "frontend/rules/fold_arguments.h"
 #include "frontend/rules/known_offsets.h"
 #include "frontend/rules/mark_nonuniform.h"
@@ -66,6 +67,7 @@ void Run(Context& context) {
   const bool is_specialised = !context.options.entry_call.empty();
   if (is_specialised && !context.diagnostics.has_errors()) FoldArguments(program);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
+  if (!context.diagnostics.has_errors()) MakeCounters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);

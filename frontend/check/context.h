@@ -70,9 +70,10 @@ struct Globals {
   BufferId params_buffer;  // the buffer $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
-  std::unordered_map<std::uint32_t, Register> registers;         // by VarId of a resource
-  std::unordered_map<std::uint32_t, std::string> formats;        // by VarId of an image
-  std::unordered_map<std::uint32_t, std::uint32_t> attachments;  // by VarId of a subpass input
+  std::unordered_map<std::uint32_t, Register> registers;              // by VarId of a resource
+  std::unordered_map<std::uint32_t, std::string> formats;             // by VarId of an image
+  std::unordered_map<std::uint32_t, std::uint32_t> attachments;       // by VarId of a subpass input
+  std::unordered_map<std::uint32_t, std::uint32_t> counter_bindings;  // by VarId of a buffer
   // The components of initial values, by VarId of a member of a buffer.
   std::unordered_map<std::uint32_t, std::vector<std::uint64_t>> initial;
   OutOfLine out_of_line;

@@ -181,6 +181,8 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   if (!format.empty()) context.globals.formats.emplace(result.index, std::move(format));
   if (const auto number = InputAttachmentOf(context, var.attributes))
     context.globals.attachments.emplace(result.index, *number);
+  if (const auto number = CounterBindingOf(context, var.attributes))
+    context.globals.counter_bindings.emplace(result.index, *number);
 }
 
 const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
@@ -255,6 +257,8 @@ void FinishGlobals(Context& context) {
     const auto attachment = context.globals.attachments.find(resource.var.index);
     if (attachment != context.globals.attachments.end())
       added.input_attachment = attachment->second;
+    const auto counter = context.globals.counter_bindings.find(resource.var.index);
+    if (counter != context.globals.counter_bindings.end()) added.counter_binding = counter->second;
   }
   if (!context.diagnostics.has_errors()) InitialiseInMain(context.program);
 }

@@ -105,6 +105,11 @@ std::optional<std::uint32_t> InputAttachmentOf(Context& context, List<ast::Attr>
                 "a number from 0 to 254");
 }
 
+std::optional<std::uint32_t> CounterBindingOf(Context& context, List<ast::Attr> attributes) {
+  return Number(context, attributes, VulkanAttribute::kCounterBinding, kMaxBinding,
+                "a binding from 0 to 65534");
+}
+
 std::optional<std::uint32_t> OffsetOf(Context& context, List<ast::Attr> attributes) {
   return Number(context, attributes, VulkanAttribute::kOffset, kMaxOffset, "bytes, at most 65536");
 }

@@ -18,6 +18,8 @@ bool IsPushConstant(const Context& context, List<ast::Attr> attributes);
 std::optional<std::uint32_t> ConstantIdOf(Context& context, List<ast::Attr> attributes);
 // The number that [[vk::input_attachment_index(number)]] gives; nullopt as above.
 std::optional<std::uint32_t> InputAttachmentOf(Context& context, List<ast::Attr> attributes);
+// The number that [[vk::counter_binding(number)]] gives; nullopt as above.
+std::optional<std::uint32_t> CounterBindingOf(Context& context, List<ast::Attr> attributes);
 // The offset that [[vk::offset(bytes)]] gives; nullopt without one, and after an error.
 std::optional<std::uint32_t> OffsetOf(Context& context, List<ast::Attr> attributes);
 // The number that [[vk::location(number)]] gives; nullopt without one, and after an error.

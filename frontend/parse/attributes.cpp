@@ -69,8 +69,9 @@ constexpr StatementAttribute kOfStatements[] = {
 
 // The names of the attributes in the order of VulkanAttribute.
 constexpr std::string_view kVulkanNames[] = {
-    "vk::location", "vk::builtin",     "vk::binding",      "vk::push_constant",
-    "vk::offset",   "vk::constant_id", "vk::image_format", "vk::input_attachment_index"};
+    "vk::location",       "vk::builtin",     "vk::binding",      "vk::push_constant",
+    "vk::offset",         "vk::constant_id", "vk::image_format", "vk::input_attachment_index",
+    "vk::counter_binding"};
 
 }  // namespace
 
@@ -92,7 +93,8 @@ bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner) {
     case VulkanAttribute::kOffset: return owner == kField;
     case VulkanAttribute::kConstantId:
     case VulkanAttribute::kImageFormat:
-    case VulkanAttribute::kInputAttachment: return owner == kVariable;
+    case VulkanAttribute::kInputAttachment:
+    case VulkanAttribute::kCounterBinding: return owner == kVariable;
   }
   return false;
 }

@@ -43,6 +43,7 @@ enum class VulkanAttribute : std::uint8_t {
   kConstantId,  // the number of a constant whose value is set when the pipeline is made
   kImageFormat,
   kInputAttachment,  // the number of a subpass input among the attachments
+  kCounterBinding,   // the binding of the counter of a structured buffer
 };
 std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name);
 // Whether the attribute has an effect at `owner`.

@@ -131,6 +131,27 @@ class MethodCheck : IntrinsicCheck {
                   program.types.Make(Scalar::kInt), Element());
   }
 
+  // Checks the change of a buffer's counter, whose value is the index of the element that is free,
+  // or that is the last.
+  ExprId Counter(int op) { return HasCount(0, 0) ? CounterValue(op) : Error(); }
+
+  ExprId Append(int) {
+    if (!HasCount(1, 1)) return Error();
+    const ExprId step = NameOnce();
+    const ExprId counter = CounterValue(static_cast<int>(ObjectOp::kIncrementCounter));
+    arguments_.push_back(counter);
+    if (!Take(0, Element())) return Error();
+    return After(*this, {&step, 1}, Finish(ObjectOp::kStore, program.types.Void()));
+  }
+
+  ExprId Consume(int) {
+    if (!HasCount(0, 0)) return Error();
+    const ExprId step = NameOnce();
+    const ExprId counter = CounterValue(static_cast<int>(ObjectOp::kDecrementCounter));
+    arguments_.push_back(counter);
+    return After(*this, {&step, 1}, Finish(ObjectOp::kStructuredLoad, Element()));
+  }
+
   ExprId ByteLoad(int words) {
     return LoadAt(ObjectOp::kByteLoad, program.types.Make(Scalar::kUint),
                   VectorOf(Scalar::kUint, words));
@@ -218,6 +239,27 @@ class MethodCheck : IntrinsicCheck {
     if (!TakeCompare(3) || !TakeOffset(3)) return Error();
     return Finish(op, program.types.Make(Scalar::kFloat));
   }
+  ExprId CounterValue(int op) {
+    const ExprId object = Clone(program, object_);
+    return MakeObjectCall(Make(), program, program.types.Make(Scalar::kUint),
+                          static_cast<ObjectOp>(op), {&object, 1});
+  }
+  // Makes the indices of the object variables where they have effects, so that it may be written
+  // twice. Returns the assignments to them.
+  ExprId NameOnce() {
+    std::vector<ExprId> steps;
+    for (ExprId part = object_; part; part = WholeOf(program, part)) {
+      auto* index = As<Index>(program, part);
+      if (!index || IsPure(program, index->index)) continue;
+      const auto number = temporaries.Make(index->index);
+      steps.push_back(number.prologue);
+      const ExprId named = Make().Ref(number.var);
+      std::get<Index>(program.exprs[part].node).index = named;
+    }
+    ExprId all;
+    for (const ExprId step : steps) all = all ? Make().CommaOf(step, all) : step;
+    return all;
+  }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
   ExprId Finish(ObjectOp op, TypeId type) {
@@ -304,6 +346,10 @@ enum class Needs : std::uint8_t {
   kTexels,  // a cube texture does not have texels to load
   kReading,
   kWriting,
+  kAppending,
+  kConsuming,
+  kCounting,
+  kElements,  // an append or consume buffer does not let them be named
 };
 using enum Needs;
 
@@ -317,6 +363,10 @@ bool Offers(ObjectKind kind, Needs needs) {
     case kTexels: return traits.texel != 0;
     case kReading: return !IsWritable(kind);
     case kWriting: return IsWritable(kind);
+    case kAppending: return kind == ObjectKind::kAppendStructuredBuffer;
+    case kConsuming: return kind == ObjectKind::kConsumeStructuredBuffer;
+    case kCounting: return kind == ObjectKind::kRWStructuredBuffer;
+    case kElements: return HasNamedElements(kind);
   }
   return false;
 }
@@ -376,8 +426,14 @@ constexpr auto kTextureMethods = [] {
 
 // The methods of typed and structured buffers.
 constexpr Method kBufferMethods[] = {
-    {"Load", kNothing, &MethodCheck::BufferLoad},
+    {"Load", kElements, &MethodCheck::BufferLoad},
     {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
+    {"Append", kAppending, &MethodCheck::Append},
+    {"Consume", kConsuming, &MethodCheck::Consume},
+    {"IncrementCounter", kCounting, &MethodCheck::Counter,
+     static_cast<int>(ObjectOp::kIncrementCounter)},
+    {"DecrementCounter", kCounting, &MethodCheck::Counter,
+     static_cast<int>(ObjectOp::kDecrementCounter)},
 };
 
 constexpr Method kByteMethods[] = {

@@ -84,7 +84,7 @@ ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::opti
                           diagnostics);
     }
     if (!level && (type.object == ObjectKind::kBuffer || type.object == ObjectKind::kRWBuffer ||
-                   IsStructured(type.object))) {
+                   (IsStructured(type.object) && HasNamedElements(type.object)))) {
       return IndexBuffer(program, object, index, span, diagnostics);
     }
   }

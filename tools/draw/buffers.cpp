@@ -18,6 +18,8 @@ using namespace ir;
 // The sizes of random buffers: more than the numbers of vertices and random indices, which stay
 // small.
 constexpr std::uint32_t kLeastElements = 192, kMoreElements = 9, kLeastBytes = 4096;
+// The counter of a buffer: far from both ends.
+constexpr std::uint32_t kCounter = kLeastElements / 2;
 
 void Write(Buffer& buffer, std::uint32_t byte, std::uint64_t bits, std::uint32_t size) {
   std::memcpy(&buffer.at(byte + size - 1) - (size - 1), &bits, size);
@@ -216,6 +218,7 @@ Buffers MakeBuffers(const Program& program, RandomValues& values) {
           : IsStructured(type.object)
               ? Structured(program, type, program.vars[resource.var].row_major, values)
               : Typed(ElementKind(program, resource.var), values));
+      if (resource.counter_of) Write(buffers[resource.var.index].back(), 0, kCounter, 4);
     }
   }
   return buffers;
