@@ -426,13 +426,25 @@ class TargetCheck {
 
   // Checks the evaluation of an input at another place: the argument is that input.
   void Interpolant(const IntrinsicCall& call, Span span) {
-    Check(Feature::kInterpolants, diag::TargetInterpolant, span, NameOf(call.op));
+    const bool is_vertex = call.op == Intrinsic::kAttributeAtVertex;
+    Check(is_vertex ? Feature::kBarycentrics : Feature::kInterpolants, diag::TargetInterpolant,
+          span, NameOf(call.op));
     ExprId place = program_.expr_lists[call.arguments][0];
     const auto* swizzle = As<Swizzle>(place);
     if (swizzle && TypeOf(swizzle->base).Components() > 1) place = swizzle->base;
     const auto* ref = As<VarRef>(place);
-    if (!ref || program_.vars[ref->var].storage != Storage::kInput)
+    if (!ref || program_.vars[ref->var].storage != Storage::kInput) {
       diagnostics_.Report(span, diag::InterpolantNotInput, NameOf(call.op));
+      return;
+    }
+    if (!is_vertex) return;
+    const auto input = std::ranges::find(program_.inputs, ref->var, &IoVar::var);
+    const auto* vertex = As<Literal>(program_.expr_lists[call.arguments][1]);
+    if (vertex && vertex->bits > 2)
+      diagnostics_.Report(span, diag::AttributeVertex, std::to_string(vertex->bits));
+    if (input->interpolation != Interpolation::kNoInterpolation)
+      diagnostics_.Report(span, diag::AttributeInterpolated,
+                          input->semantic + std::to_string(input->index));
   }
 
   void ObjectUse(const ObjectCall& call, Span span) {

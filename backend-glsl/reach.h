@@ -14,6 +14,7 @@ struct Reached {
   std::vector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration
   std::vector<bool> vars;                 // by VarId: mentioned anywhere
   std::vector<bool> cbuffers;             // by CbufferId
+  std::vector<ir::VarId> per_vertex;  // the inputs of which a GetAttributeAtVertex reads a vertex
 
   bool Has(ir::VarId var) const { return vars[var.index]; }
   bool Has(ir::CbufferId cbuffer) const { return cbuffers[cbuffer.index]; }

@@ -158,6 +158,18 @@ bool IsDeclared(const Context& context, const IoVar& input) {
          });
 }
 
+// Whether the shader reads the input at the primitive's vertices, so that it is an array of them.
+bool IsPerVertex(const Context& context, VarId input) {
+  const auto& inputs = context.reached.per_vertex;
+  return std::ranges::find(inputs, input) != inputs.end();
+}
+
+// The input of this name, "normals[1]", at one vertex: "normals[v][1]".
+std::string AtVertex(std::string_view name, std::string_view vertex) {
+  const std::size_t end = std::min(name.find('['), name.size());
+  return Concat(name.substr(0, end), "[", vertex, "]", name.substr(end));
+}
+
 // Declares an input that is an output of the stage before, in the same words.
 void WriteVaryingInput(Context& context, const IoVar& input, const std::string& name,
                        Inputs& inputs) {
@@ -167,11 +179,19 @@ void WriteVaryingInput(Context& context, const IoVar& input, const std::string& 
   if (has_location) info.location = input.location;
   if (!IsDeclared(context, input)) return;
   const Shape shape = context.ShapeAt(input.var);
+  const std::string location = has_location ? LocationText(input.location) : "";
+  const std::string declaration = VaryingDeclaration(context, input, shape, name);
+  const std::string comment = Concat(";", SemanticComment(input, name));
+  if (IsPerVertex(context, input.var)) {
+    context.Require(Feature::kBarycentrics);
+    Append(inputs.text, location, context.target.IsVulkan() ? "pervertexEXT" : "pervertexNV",
+           " in ", AtVertex(declaration, "3"), comment);
+    return;
+  }
   Append(
-      inputs.text, has_location ? LocationText(input.location) : "",
+      inputs.text, location,
       InterpolationText(context, {shape.scalar, input.interpolation, input.centroid, input.sample}),
-      context.Has(Feature::kInAndOut) ? "in " : "varying ",
-      VaryingDeclaration(context, input, shape, name), ";", SemanticComment(input, name));
+      context.Has(Feature::kInAndOut) ? "in " : "varying ", declaration, comment);
 }
 
 void WriteInput(Context& context, const IoVar& input, const std::string& attribute,
@@ -323,7 +343,15 @@ std::string InputText(const Context& context, const IoVar& input, const std::str
   if (input.builtin != Builtin::kNone && (!IsInteger(shape.scalar) || is_uint))
     return BuiltinInput(context, input.builtin);
   if (input.builtin != Builtin::kNone) return converted(BuiltinInput(context, input.builtin));
+  if (IsPerVertex(context, input.var)) return AtVertex(attribute, "0");
   return IsIntegerAsFloat(context, input) ? converted(attribute) : attribute;
+}
+
+std::string AtVertex(const Context& context, VarId input, std::string_view vertex) {
+  const auto& inputs = context.program.inputs;
+  const auto found = std::ranges::find(inputs, input, &IoVar::var);
+  const auto number = static_cast<std::size_t>(found - inputs.begin());
+  return AtVertex(context.names.attributes[number], vertex);
 }
 
 bool IsPixelPosition(const Context& context, VarId var) {

@@ -27,6 +27,8 @@ Outputs WriteOutputs(Context& context);
 // The text in place of an input: the attribute of this name, or a built-in variable of GLSL,
 // converted to the input's type.
 std::string InputText(const Context& context, const ir::IoVar& input, const std::string& attribute);
+// The text of an input, of which the shader reads the vertices, at one of them.
+std::string AtVertex(const Context& context, ir::VarId input, std::string_view vertex);
 // The built-in variable of the target's GLSL that an output is.
 std::string_view BuiltinOutput(ir::Builtin builtin, const Target& target);
 

@@ -5,6 +5,7 @@
 
 #include "backend-glsl/intrinsics.h"
 #include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/operand.h"
 #include "backend-glsl/writer/types.h"
 #include "backend-glsl/writer/wave_call.h"
@@ -111,11 +112,27 @@ Binding WriteDerivative(Code& code, Intrinsic op, ExprId operand) {
   }
 }
 
-// Writes an input's value at another place of the pixel. GLSL before 4.60 takes no components of an
-// input there. The offset of a snapped place is in sixteenths of a pixel, with y downwards.
+// Writes the components that a swizzle takes, if there is one.
+Binding Components(Code& code, const Swizzle* swizzle) {
+  if (!swizzle) return Binding::kPostfix;
+  code.Put(".");
+  for (int i = 0; i < swizzle->count; ++i)
+    code.Put(std::string_view("xyzw").substr(swizzle->components[i], 1));
+  return Binding::kPostfix;
+}
+
+// Writes an input's value at another place of the pixel, or at a vertex. GLSL before 4.60 takes no
+// components of an input there. The offset of a snapped place is in sixteenths of a pixel, with y
+// downwards.
 Binding WriteInterpolant(Code& code, Intrinsic op, std::span<const ExprId> arguments) {
-  code.Require(Feature::kInterpolants);
   const auto* swizzle = code.As<Swizzle>(arguments[0]);
+  if (op == Intrinsic::kAttributeAtVertex) {
+    const ExprId input = swizzle ? swizzle->base : arguments[0];
+    code.Put(AtVertex(code, code.As<VarRef>(input)->var,
+                      ExprText(code, arguments[1]).At(Binding::kAssignment)));
+    return Components(code, swizzle);
+  }
+  code.Require(Feature::kInterpolants);
   code.Put(op == Intrinsic::kEvaluateAtSample  ? "interpolateAtSample("
            : op == Intrinsic::kEvaluateSnapped ? "interpolateAtOffset("
                                                : "interpolateAtCentroid(");
@@ -130,11 +147,7 @@ Binding WriteInterpolant(Code& code, Intrinsic op, std::span<const ExprId> argum
     code.Put(code.target.HasUpperLeftOrigin() ? ") * 0.0625" : ") * vec2(0.0625, -0.0625)");
   }
   code.Put(")");
-  if (!swizzle) return Binding::kPostfix;
-  code.Put(".");
-  for (int i = 0; i < swizzle->count; ++i)
-    code.Put(std::string_view("xyzw").substr(swizzle->components[i], 1));
-  return Binding::kPostfix;
+  return Components(code, swizzle);
 }
 
 }  // namespace
