@@ -113,12 +113,7 @@ std::vector<EdgeErrors> Summaries(const std::vector<Method>& methods,
 
 std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed) {
-  return MeasureEdges(Prepare(config), methods, count, seed);
-}
-
-std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
-                                     long count, std::uint64_t seed) {
-  return Summaries(methods, PixelsOf(setup, methods, count, seed));
+  return Summaries(methods, PixelsOf(Prepare(config), methods, count, seed));
 }
 
 std::vector<double> DisplacementsOverViews(const Config& config, const Method& method, long count,

@@ -27,8 +27,6 @@ struct EdgeErrors {
 // that. Equal arguments give equal results.
 std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
-std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
-                                     long count, std::uint64_t seed);
 
 // The views of a draw that are measured together: their planes, cameras and offsets differ by a
 // hundredth at most, as while the camera moves. All vertices of a view share the rounding of its
