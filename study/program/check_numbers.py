@@ -21,14 +21,23 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = ROOT / "study/tables"
 CHART, MATPLOTLIB = ROOT / "study/speed-accuracy.svg", "3.6.3"
-TAKEN = ("directions", "laws", "flicker", "speed", "scene-costs")
-# The rows of edges.csv that documents speak of.
+# The points of edges.csv and the columns of flicker.csv that documents speak of, with their methods.
 POINTS = (
     ("world offset", "10000"),
     ("mesh offset / depth", "1000"),
     ("orthographic, depth / half height", "3000"),
 )
 METHODS = ("clip", "clip-steps", "xyw1", "xyw1-steps", "object")
+RATIOS = ("10", "100", "400", "1000")
+MOVED = ("clip", "xyw1", "near-plane", "object", "world", "cpu")
+TAKEN = {
+    "directions": lambda row: True,
+    "edges": lambda row: (row["sweep"], row["parameter"]) in POINTS and row["method"] in METHODS,
+    "flicker": lambda row: row["eye_to_plane"] in RATIOS and row["method"] in MOVED,
+    "laws": lambda row: True,
+    "scene-costs": lambda row: True,
+    "speed": lambda row: True,
+}
 
 
 def read(name):
@@ -37,24 +46,15 @@ def read(name):
 
 
 def take(folder):
-    TABLES.mkdir(exist_ok=True)
-    for name in TAKEN:
-        (TABLES / f"{name}.csv").write_text((folder / f"{name}.csv").read_text())
-    with (
-        open(folder / "edges.csv", newline="") as source,
-        open(TABLES / "edges.csv", "w", newline="") as target,
-    ):
-        rows = csv.DictReader(source)
-        writer = csv.DictWriter(
-            target,
-            ["sweep", "parameter", "method", "applies", "median_px", "p99_px", "largest_px"],
-            extrasaction="ignore",
-            lineterminator="\n",
-        )
-        writer.writeheader()
-        writer.writerows(
-            r for r in rows if (r["sweep"], r["parameter"]) in POINTS and r["method"] in METHODS
-        )
+    for name, is_taken in TAKEN.items():
+        with (
+            open(folder / f"{name}.csv", newline="") as source,
+            open(TABLES / f"{name}.csv", "w", newline="") as target,
+        ):
+            rows = csv.DictReader(source)
+            writer = csv.DictWriter(target, rows.fieldnames, lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(filter(is_taken, rows))
 
 
 def short(number):
@@ -125,14 +125,13 @@ def held():
 
 def flicker():
     rows = read("flicker")
-    ratios = ["10", "100", "400", "1000"]
     found = {(r["method"], r["eye_to_plane"]): short(float(r["p99_px"])) for r in rows}
-    rows = {}  # methods by their numbers
-    for method in ("clip", "xyw1", "near-plane", "object", "world", "cpu"):
-        rows.setdefault(tuple(found[method, ratio] for ratio in ratios), []).append(method)
+    methods_by = {}  # their numbers
+    for method in MOVED:
+        methods_by.setdefault(tuple(found[method, ratio] for ratio in RATIOS), []).append(method)
     return table(
-        ["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
-        [[code(methods), *numbers] for numbers, methods in rows.items()],
+        ["eye to plane, near distances"] + [f"{int(r):,}" for r in RATIOS],
+        [[code(methods), *numbers] for numbers, methods in methods_by.items()],
     )
 
 
