@@ -202,7 +202,6 @@ class Binder : NotCopied {
       glFramebufferTexture(GL_FRAMEBUFFER, place, resource->texture(), 0);
       width_ = std::min(width_, resource->text().width);
       height_ = std::min(height_, resource->text().height);
-      samples_ = std::max(samples_, resource->text().samples);
       has_depth_ = has_depth_ || role == Role::kDepth;
       if (role == Role::kDepth) continue;
       places.resize(std::max<std::size_t>(places.size(), slot + 1), GL_NONE);
@@ -215,10 +214,12 @@ class Binder : NotCopied {
 
   void SetState() const {
     const auto width = static_cast<float>(width_), height = static_cast<float>(height_);
+    const bool flips = scene_.IsMultisampled();
     std::map<std::uint32_t, std::array<float, 4>> views = scene_.viewports;
     views.try_emplace(0, std::array<float, 4>{0, 0, width, height});
     for (const auto& [index, view] : views)  // Direct3D counts y from the top
-      glViewportIndexedf(index, view[0], height - view[1] - view[3], view[2], view[3]);
+      glViewportIndexedf(index, view[0], flips ? view[1] : height - view[1] - view[3], view[2],
+                         view[3]);
     if (call_.is_direct3d9) {
       const std::array<float, 4>& view = views.at(0);
       glUniform2f(glGetUniformLocation(program_, "half_pixel"), 2 * call_.half_pixel / view[2],
@@ -226,14 +227,14 @@ class Binder : NotCopied {
     }
     if (pair_.vertex.find("gl_PointSize") != pair_.vertex.npos) glEnable(GL_PROGRAM_POINT_SIZE);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glFrontFace(GL_CW);
+    glFrontFace(flips ? GL_CCW : GL_CW);
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     if (has_depth_) {
       glEnable(GL_DEPTH_TEST);
       glDepthMask(GL_TRUE);
       glDepthFunc(scene_.depth_test);
     }
-    if (samples_ > 1) {
+    if (flips) {
       glEnable(GL_SAMPLE_MASK);
       glSampleMaski(0, scene_.sample_mask);
     }
@@ -245,11 +246,18 @@ class Binder : NotCopied {
   GLuint program_ = 0, vertex_array_ = 0, framebuffer_ = 0;
   std::vector<GLuint> buffers_;
   std::vector<GLuint> samplers_;  // by unit
-  std::uint32_t width_ = ~0u, height_ = ~0u, samples_ = 1;
+  std::uint32_t width_ = ~0u, height_ = ~0u;
   bool has_depth_ = false;
 };
 
 }  // namespace
+
+bool Scene::IsMultisampled() const {
+  return std::ranges::any_of(resources, [](const auto& entry) {
+    const ResourceText& text = entry.second->text();
+    return (text.role == Role::kTarget || text.role == Role::kDepth) && text.samples > 1;
+  });
+}
 
 void Draw(const CompiledPair& pair, const Scene& scene, const DrawCall& call) {
   Binder(pair, scene, call).Do();

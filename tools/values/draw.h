@@ -40,6 +40,8 @@ struct Scene {
   // x, y, width and height by index; empty: the whole of the targets.
   std::map<std::uint32_t, std::array<float, 4>> viewports;
 
+  // Whether the targets are multisampled; the shaders are then compiled with --flip-y.
+  bool IsMultisampled() const;
   Resource* Find(Role role, std::uint32_t slot) const {
     const auto found = resources.find({role, slot});
     return found == resources.end() ? nullptr : found->second.get();

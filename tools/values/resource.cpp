@@ -134,6 +134,7 @@ std::vector<std::uint8_t> Resource::Read() const {
   if (text_.samples > 1) {
     ResourceText text = text_;
     text.samples = 1;
+    text.role = Role::kTexture;
     Resource single(text);
     single.CopyFrom(*this);
     return single.Read();

@@ -54,7 +54,8 @@ SamplerText ReadSampler(const Block& block);
 GLenum TakeComparison(Scanner& line);
 
 // A resource on the current OpenGL context. The rows of a render target lie from the bottom up, as
-// OpenGL draws them; those of all others from the top down.
+// OpenGL draws them; those of all others from the top down, and of multisampled targets, which are
+// drawn upside down, as then the samples of a pixel lie as Direct3D's do.
 class Resource : NotCopied {
  public:
   explicit Resource(ResourceText text);
@@ -64,7 +65,9 @@ class Resource : NotCopied {
   GLuint texture() const { return texture_; }  // 0 for structured, raw and vertex buffers
   GLuint buffer() const { return buffer_; }
   GLenum target() const { return target_; }
-  bool is_flipped() const { return text_.role == Role::kTarget || text_.role == Role::kDepth; }
+  bool is_flipped() const {
+    return (text_.role == Role::kTarget || text_.role == Role::kDepth) && text_.samples == 1;
+  }
   // A texture with the same texels that a comparison sampler can read; made at the first call.
   GLuint DepthTexture();
   // The bytes of level 0, layer by layer, with the top row first.

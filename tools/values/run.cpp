@@ -251,7 +251,8 @@ class Session {
       if ((shader.refused >> least_ & 1) != 0) no_value_->verdict = Verdict::kNotOffered;
     }
     if (!no_value_->why.empty() || no_value_->verdict == Verdict::kNotOffered) return;
-    const ShaderTexts texts{shaders_["vertex"].text, shaders_["pixel"].text, options_};
+    ShaderTexts texts{shaders_["vertex"].text, shaders_["pixel"].text, options_};
+    if (scene_.IsMultisampled()) texts.options.push_back("--flip-y");
     if (texts != texts_ || model_ != least_) {
       pair_ = compiler_.Compile(texts, least_);
       texts_ = texts;
