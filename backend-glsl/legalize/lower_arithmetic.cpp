@@ -64,6 +64,13 @@ std::uint32_t MaskOf(Scalar shifted) {
   return BaseOf(shifted) == Scalar::kInt64 || BaseOf(shifted) == Scalar::kUint64 ? 63 : 31;
 }
 
+// The count of a shift of `shifted`. Mesa refuses counts of 64 bits.
+ExprId CountFor(Legalizer& legalizer, ExprId count, ExprId shifted) {
+  count = Count(legalizer, count, MaskOf(legalizer.TypeOf(shifted).scalar));
+  const bool is_wide = IsWide(legalizer.TypeOf(count).scalar);
+  return is_wide ? legalizer.At(count).ConvertTo(Scalar::kUint, count) : count;
+}
+
 void LowerBinary(Legalizer& legalizer, ExprId expr, Binary node) {
   if (node.op == BinaryOp::kMod) {
     // GLSL's % is undefined when an operand is negative.
@@ -71,7 +78,7 @@ void LowerBinary(Legalizer& legalizer, ExprId expr, Binary node) {
         IsUnsignedNumber(legalizer, expr) && legalizer.target.Has(Feature::kUnsigned);
     if (!is_native) BecomeModulo(legalizer, expr, node.left, node.right);
   } else if (IsShift(node.op)) {
-    node.right = Count(legalizer, node.right, MaskOf(legalizer.TypeOf(node.left).scalar));
+    node.right = CountFor(legalizer, node.right, node.left);
     legalizer.program.exprs[expr].node = node;
   }
 }
@@ -134,7 +141,7 @@ void LowerArithmetic(Legalizer& legalizer) {
     } else if (const auto* assign = As<Assign>(program, expr);
                assign && assign->op && IsShift(*assign->op)) {
       Assign shift = *assign;
-      shift.value = Count(legalizer, shift.value, MaskOf(legalizer.TypeOf(shift.target).scalar));
+      shift.value = CountFor(legalizer, shift.value, shift.target);
       legalizer.program.exprs[expr].node = shift;
     }
   });
