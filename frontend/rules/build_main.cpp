@@ -39,6 +39,7 @@ class MainBuilder {
     leaves_.SetByRow(signature_.stages_match_by_row && stage_.has_stage_before);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
+    CenterPositions();
     const bool reads_gaps = FitWithGaps(clip_reads_, cull_reads_);
     ReadDistances(Builtin::kClipDistanceInput, clip_reads_, reads_gaps);
     ReadDistances(Builtin::kCullDistanceInput, cull_reads_, reads_gaps);
@@ -219,6 +220,7 @@ class MainBuilder {
   ExprId PixelPosition(VarId input, const Carrier& leaf, SystemValue::Form form) {
     const std::uint32_t count = program_.types[leaf.type].Components();
     ExprId value = builder_.Ref(input);
+    if (!leaf.cursor.sample) center_reads_.push_back(value);
     if (count < 4) value = builder_.SwizzledRun(value, 0, count);
     if (form == SystemValue::Form::kCorner) {
       const TypeId type = builder_.TypeOf(value);
@@ -230,6 +232,26 @@ class MainBuilder {
       value = builder_.BinaryOf(BinaryOp::kSub, value, offset);
     }
     return Fit(value, leaf.type);
+  }
+
+  // Direct3D's position is the center of the pixel also where the shader runs for each sample
+  // (vkd3d's eval-attrib.shader_test, checked against native); GLSL's is then the sample's.
+  void CenterPositions() {
+    const bool is_by_sample = std::ranges::any_of(program_.inputs, [](const IoVar& input) {
+      return input.builtin == Builtin::kSampleIndex || input.sample;
+    });
+    if (!is_by_sample) return;
+    for (const ExprId read : center_reads_) {
+      const ExprId whole = builder_.CopyOf(builder_.TypeOf(read), program_.exprs[read].node);
+      const ExprId corner = builder_.Swizzled(whole, {0, 1});
+      const ExprId rest = builder_.Swizzled(Clone(program_, whole), {2, 3});
+      const TypeId pair = builder_.TypeOf(corner);
+      const ExprId center =
+          builder_.BinaryOf(BinaryOp::kAdd, builder_.IntrinsicOf(Intrinsic::kFloor, pair, {corner}),
+                            builder_.SplatTo(pair, builder_.Float(0.5f)));
+      program_.exprs[read].node =
+          program_.exprs[builder_.ConstructOf(builder_.TypeOf(read), {center, rest})].node;
+    }
   }
 
   // A bool; the bits of an integer are all set or all clear; the sign of a float.
@@ -532,6 +554,7 @@ class MainBuilder {
   std::vector<ExprId> arguments_;
   SignatureLeaves leaves_;
   std::vector<Carrier> pending_outputs_;
+  std::vector<ExprId> center_reads_;  // of the position that is not the sample's
   Distances clip_, cull_, clip_reads_, cull_reads_;
   Span distance_span_;  // of the first distances
   AttributeReads attributes_{program_, builder_};

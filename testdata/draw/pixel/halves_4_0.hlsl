@@ -4,5 +4,5 @@
 // RUN: %draw compare %s -T ps_5_0 --target glsl450,glsl330,essl300,vulkan
 float4 main(float2 a : A, nointerpolation uint2 packed : PACKED) : SV_Target {
   const uint2 halves = f32tof16(a);
-  return float4(f16tof32(halves), f16tof32(packed.x & 0x3fff), countbits(packed.y));
+  return float4(f16tof32(halves), f16tof32(packed.x & 0x3fff), countbits(packed.y) + firstbitlow(packed.x) + firstbithigh(packed.y));
 }
