@@ -97,6 +97,24 @@ std::string TextOf(const ast::RegisterBinding& binding) {
   return fmt::format("`{}{}`", binding.letter, binding.number);
 }
 
+// The last binding, which dxc takes whatever its profile says (vkd3d's
+// register-reservations-profile.shader_test, checked against dxc).
+const ast::RegisterBinding* LastBinding(Context& context, std::string_view name,
+                                        List<ast::RegisterBinding> bindings, char letter) {
+  const ast::RegisterBinding* last = nullptr;
+  for (const ast::RegisterBinding& binding : context[bindings]) {
+    if (binding.letter != 0 && binding.letter != letter) continue;
+    if (last && binding.profile == last->profile && binding.number != last->number) {
+      context.Report(binding.span, diag::RegisterConflict, name, TextOf(*last), TextOf(binding));
+    } else if (last) {
+      context.Report(last->span, diag::RegisterWithoutEffect,
+                     "from shader model 6 on the last one counts, whatever its profile");
+    }
+    last = &binding;
+  }
+  return last;
+}
+
 }  // namespace
 
 bool ResolveVar(Context& context, SymbolId id) {
@@ -187,6 +205,10 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
 
 const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
                                       List<ast::RegisterBinding> bindings, char letter) {
+  const bool has_profiles = std::ranges::any_of(
+      context[bindings], [](const ast::RegisterBinding& binding) { return bool{binding.profile}; });
+  if (has_profiles && context.program.profile.IsAtLeast(6, 0))
+    return LastBinding(context, name, bindings, letter);
   const ast::RegisterBinding* best = nullptr;
   for (const ast::RegisterBinding& binding : context[bindings]) {
     if (binding.letter != 0 && binding.letter != letter) continue;

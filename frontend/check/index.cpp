@@ -12,12 +12,26 @@
 namespace clipc::check {
 namespace {
 
-// The value of texture.mips[level][position]; none if the expression is something else.
+// Whether the path names variables and members alone, so that it may be checked twice.
+bool IsPlainPath(const Context& context, ast::ExprId path) {
+  const auto* member = context.GetIf<ast::MemberExpr>(path);
+  return member ? IsPlainPath(context, member->base) : context.Is<ast::NameExpr>(path);
+}
+
+bool IsMultisampled(const Type& type) {
+  return type.kind == TypeKind::kObject && ir::InfoOf(type.object).is_multisampled;
+}
+
+// The value of texture.mips[level][position], or of texture.sample[sample][position] where the
+// texture is multisampled; none if the expression is something else.
 ExprId CheckMips(Context& context, const ast::IndexExpr& expr, Span span) {
   const auto* inner = context.GetIf<ast::IndexExpr>(expr.base);
   const auto* member = inner ? context.GetIf<ast::MemberExpr>(inner->base) : nullptr;
-  if (!member || context[member->name] != "mips") return {};
+  const std::string_view name = member ? context[member->name] : std::string_view();
+  // A field of a struct may be called `sample`.
+  if (name != "mips" && (name != "sample" || !IsPlainPath(context, member->base))) return {};
   const ExprId object = CheckExpr(context, member->base);
+  if (name == "sample" && !IsMultisampled(context.TypeOf(object))) return {};
   if (context.TypeOf(object).kind != TypeKind::kObject) {
     if (!context.IsError(object))
       ReportNoMember(context, context.TypeIdOf(object), member->name, member->name_span);
@@ -83,7 +97,13 @@ ExprId CheckNode(Context& context, const ast::IndexExpr& expr, Span span) {
   if (literal && (context.Is<Swizzle>(base) || context.Is<MatrixSwizzle>(base))) {
     return Component(context, base, static_cast<std::uint8_t>(literal->bits));
   }
-  return context.At(span).At(base, index);
+  // fxc evaluates the index of a value first, dxc the value (vkd3d's side-effects.shader_test,
+  // checked against native).
+  Exprs prologue;
+  if (!context.program.profile.IsAtLeast(6, 0) && !RootOf(context.program, base) &&
+      !IsPure(context.program, base) && !IsPure(context.program, index))
+    index = Hoist(context, index, prologue);
+  return WithPrologue(context, prologue, context.At(span).At(base, index));
 }
 
 }  // namespace clipc::check

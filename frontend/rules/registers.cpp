@@ -28,8 +28,12 @@ std::uint32_t HighestRegister(char letter, const Profile& profile) {
 
 class Allocator {
  public:
-  Allocator(const Profile& profile, Diagnostics& diagnostics)
-      : profile_(profile), diagnostics_(diagnostics) {}
+  // Before 5.1 the views of a pixel shader's unordered access follow its `targets` (vkd3d's
+  // uav-rwtexture.shader_test, checked against fxc).
+  Allocator(const Profile& profile, std::uint32_t targets, Diagnostics& diagnostics)
+      : profile_(profile),
+        first_view_(profile.IsAtLeast(5, 1) ? 0 : targets),
+        diagnostics_(diagnostics) {}
 
   void Run(std::vector<Taker>& takers) {
     for (Taker& taker : takers) {
@@ -86,6 +90,7 @@ class Allocator {
     Register& reg = *taker.reg;
     const std::uint32_t least = std::max(taker.count, 1u);
     std::uint32_t& first = first_free_[Key{reg.letter, reg.space, least}];
+    if (reg.letter == 'u') first = std::max(first, first_view_);
     while (const Taker* other = Overlap(reg.letter, reg.space, first, least)) {
       first = other->reg->number + other->count;
     }
@@ -94,6 +99,7 @@ class Allocator {
   }
 
   const Profile& profile_;
+  std::uint32_t first_view_;
   Diagnostics& diagnostics_;
   std::map<Key, Taker> taken_;
   // The register before which no run of `count` free registers begins, by letter, space and count.
@@ -104,6 +110,16 @@ std::uint32_t CountOf(const TypeTable& types, TypeId type) {
   std::uint32_t count = 1;
   for (; types[type].kind == TypeKind::kArray; type = types[type].element)
     count *= types[type].count;
+  return count;
+}
+
+// One more than the highest number of a render target.
+std::uint32_t TargetCount(const Program& program) {
+  std::uint32_t count = 0;
+  if (InfoOf(program.stage).has_stage_after) return count;
+  for (const IoVar& output : program.outputs) {
+    if (output.builtin == Builtin::kNone) count = std::max(count, output.location + 1);
+  }
   return count;
 }
 
@@ -132,7 +148,7 @@ void AssignRegisters(Program& program, Diagnostics& diagnostics) {
     const Var& var = program.vars[resource.var];
     takers.push_back({&resource.reg, CountOf(program.types, var.type), var.name, var.span});
   }
-  Allocator(program.profile, diagnostics).Run(takers);
+  Allocator(program.profile, TargetCount(program), diagnostics).Run(takers);
 }
 
 }  // namespace clipc::rules
