@@ -4,7 +4,8 @@
 
 usage: compare_machine_code.py CLIPC CLIPC_DRAW LIST [-j JOBS] [--families polaris10,navi21] [--list FILE]
 
-LIST is that of compare_corpus.py: path, entry, profile, include folders (a;b), defines (A=1;B), separated by tabs. The peers are
+LIST is that of compare_corpus.py: path, entry, profile, include folders (a;b), defines (A=1;B), separated by tabs; the profile says
+whether it is a vertex or a pixel shader. The peers are
 glslang's HLSL front end, legalised, and SPIRV-Cross's GLSL of that, which glslang compiles again. A shader counts where all three
 give SPIR-V that Mesa's driver for these AMD processors takes, without such a processor; of equal SPIR-V of clipc the first counts.
 Prints for each processor and peer the instructions in sum, and how many shaders are more than 2 % longer or shorter; --list
@@ -53,9 +54,10 @@ def run(*command):
 def make(arguments, folder, number, line):
     """Returns the three files of a shader, or none."""
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
+    stage = "frag" if profile.startswith("ps") else "vert"
     ours, peer, text, crossed = (
         folder / f"{number}.{end}"
-        for end in ("clipc.spv", "glslang.spv", "vert", "spirv-cross.spv")
+        for end in ("clipc.spv", "glslang.spv", stage, "spirv-cross.spv")
     )
     flags = [word for name in filter(None, includes.split(";")) for word in ("-I", name)]
     flags += [f"-D{name}" for name in filter(None, defines.split(";"))]
@@ -67,7 +69,7 @@ def make(arguments, folder, number, line):
         "-E",
         entry,
         "--target=vulkan",
-        "--lower=none",
+        *([] if stage == "frag" else ["--lower=none"]),
         *flags,
         path,
         "-o",
@@ -80,7 +82,7 @@ def make(arguments, folder, number, line):
         "-D",
         "-V",
         "-S",
-        "vert",
+        stage,
         "-e",
         entry,
         "--source-entrypoint",

@@ -16,6 +16,9 @@ namespace {
 // The number of bytes of push constants that every Vulkan has at least.
 constexpr std::uint32_t kPushedBytes = 128;
 
+constexpr vk::ShaderStageFlags kBoth =
+    vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+
 // The GLSL type of one element, `vec3` or `mat4x3`.
 std::string GlslTypeOf(const Shape& shape) {
   constexpr const char* kScalars[] = {"float", "int", "uint"};
@@ -57,6 +60,26 @@ Spirv ReaderOf(const std::vector<Output>& outputs) {
                      Stage::kPixel);
 }
 
+// A vertex shader that gives values of its own to all that the fragment shader reads.
+Spirv WriterOf(const Reads& fragment) {
+  std::string outputs, values;
+  for (const Reads::Attribute& read : fragment.attributes) {
+    Shape part = read.shape;
+    part.columns = 1;
+    if (part.rows < 1) throw DrawError("an input is a scalar, a vector or a matrix");
+    for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {
+      const std::string type = GlslTypeOf(part), number = std::to_string(at);
+      outputs += "layout(location = " + number + ") out " + type + " o" + number + ";\n";
+      const std::string seed = "gl_VertexIndex * " + std::to_string(at + 2);
+      values += "  o" + number + " = " + type + "(sin(vec4(1, 2, 3, 4) * float(" + seed + "))" +
+                std::string(".xyzw").substr(0, 1 + static_cast<std::size_t>(part.rows)) + ");\n";
+    }
+  }
+  return SpirvOfGlsl("#version 450\n" + outputs +
+                         "void main() {\n  gl_Position = vec4(gl_VertexIndex);\n" + values + "}\n",
+                     Stage::kVertex);
+}
+
 }  // namespace
 
 CodeCounter::CodeCounter()
@@ -64,19 +87,29 @@ CodeCounter::CodeCounter()
           std::make_unique<Device>(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME, false)) {}
 CodeCounter::~CodeCounter() = default;
 
-MachineCode CodeCounter::Count(const Spirv& vertex) const try {
+MachineCode CodeCounter::Count(const Spirv& shader) const try {
   const vk::raii::Device& device = device_->get();
-  const Reads reads = ReadsOf(vertex);
+  const bool is_pixel = StageOf(shader) == Stage::kPixel;
+  const Reads reads = ReadsOf(shader);
   const std::vector<vk::raii::DescriptorSetLayout> sets = LayoutsOf(*device_, {&reads, 1});
   const std::vector<vk::DescriptorSetLayout> layouts = HandlesOf(sets);
-  const vk::PushConstantRange pushed(vk::ShaderStageFlagBits::eVertex, 0, kPushedBytes);
+  const vk::PushConstantRange pushed(kBoth, 0, kPushedBytes);
   const vk::raii::PipelineLayout layout(device, vk::PipelineLayoutCreateInfo({}, layouts, pushed));
   const vk::raii::Pipeline pipeline =
-      MakePipeline(device, {vertex, ReaderOf(OutputsOf(vertex)), PipelineEnd::kStatistics},
-                   AttributesOf(reads), layout);
-  // The first executable is the vertex shader.
+      is_pixel
+          ? MakePipeline(device, {WriterOf(reads), shader, PipelineEnd::kStatistics}, {}, layout,
+                         TargetsOf(shader))
+          : MakePipeline(device, {shader, ReaderOf(OutputsOf(shader)), PipelineEnd::kStatistics},
+                         AttributesOf(reads), layout);
+  const auto executables =
+      device.getPipelineExecutablePropertiesKHR(vk::PipelineInfoKHR(*pipeline));
+  const auto stage =
+      is_pixel ? vk::ShaderStageFlagBits::eFragment : vk::ShaderStageFlagBits::eVertex;
+  std::uint32_t index = 0;
+  while (index < executables.size() && !(executables[index].stages & stage)) ++index;
+  if (index == executables.size()) throw DrawError("the driver tells of no code of the stage");
   const auto all =
-      device.getPipelineExecutableStatisticsKHR(vk::PipelineExecutableInfoKHR(*pipeline, 0));
+      device.getPipelineExecutableStatisticsKHR(vk::PipelineExecutableInfoKHR(*pipeline, index));
   const auto number = [&](std::string_view name) {
     const auto found = std::ranges::find_if(all, [&](const auto& statistic) {
       return name == static_cast<const char*>(statistic.name);

@@ -98,20 +98,6 @@ std::vector<float> Draw(const Device& device, const SpirvPair& pair) try {
   throw DrawError(std::string("Vulkan refuses the program: ") + error.what());
 }
 
-// Targets for all that the pixel shader writes.
-PipelineTargets TargetsOf(const Spirv& fragment) {
-  PipelineTargets targets;
-  targets.colors.clear();
-  for (const Output& output : OutputsOf(fragment)) {
-    if (!output.location) continue;
-    const std::size_t end = *output.location + static_cast<std::size_t>(output.count);
-    targets.colors.resize(std::max(targets.colors.size(), end), vk::Format::eUndefined);
-    const vk::Format format = FormatOf({output.shape.kind, 4, 1});
-    for (std::size_t i = *output.location; i < end; ++i) targets.colors[i] = format;
-  }
-  return targets;
-}
-
 void Link(const Device& device, const SpirvPair& pair) {
   constexpr std::uint32_t kPushedBytes = 128;  // that every Vulkan has
   const Reads reads[] = {ReadsOf(pair.vertex), ReadsOf(pair.fragment)};

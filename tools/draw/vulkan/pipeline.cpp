@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/vulkan/pipeline.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -54,6 +56,19 @@ Attributes AttributesOf(const Reads& vertex) {
 void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes) {
   for (std::uint32_t i = 0; i < attributes.buffers.size(); ++i)
     commands.bindVertexBuffers(i, *attributes.buffers[i].buffer, {0});
+}
+
+PipelineTargets TargetsOf(const Spirv& fragment) {
+  PipelineTargets targets;
+  targets.colors.clear();
+  for (const Output& output : OutputsOf(fragment)) {
+    if (!output.location) continue;
+    const std::size_t end = *output.location + static_cast<std::size_t>(output.count);
+    targets.colors.resize(std::max(targets.colors.size(), end), vk::Format::eUndefined);
+    const vk::Format format = FormatOf({output.shape.kind, 4, 1});
+    for (std::size_t i = *output.location; i < end; ++i) targets.colors[i] = format;
+  }
+  return targets;
 }
 
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,

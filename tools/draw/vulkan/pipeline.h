@@ -41,6 +41,8 @@ struct PipelineTargets {
   std::vector<vk::Format> colors{vk::Format::eR32G32B32A32Sfloat};  // eUndefined: none
   vk::Format depth = vk::Format::eUndefined;  // every pixel passes, and its depth is kept
 };
+// Targets for all that the fragment shader writes.
+PipelineTargets TargetsOf(const Spirv& fragment);
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,
                                 const Attributes& attributes,
                                 const vk::raii::PipelineLayout& layout,

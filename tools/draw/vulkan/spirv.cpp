@@ -179,6 +179,11 @@ Spirv SpirvOfBytes(std::string_view bytes) {
 std::vector<Output> OutputsOf(const Spirv& spirv) { return Reflected(spirv, ReflectOutputs); }
 Reads ReadsOf(const Spirv& spirv) { return Reflected(spirv, ReflectReads); }
 
+Stage StageOf(const Spirv& spirv) {
+  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+  return spirv.at(entry + 1) == spv::ExecutionModelFragment ? Stage::kPixel : Stage::kVertex;
+}
+
 std::string EntryPointOf(const Spirv& spirv) {
   const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
   return reinterpret_cast<const char*>(&spirv.at(entry + 3));

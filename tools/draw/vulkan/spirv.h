@@ -20,7 +20,7 @@ using Spirv = Words;
 bool IsSpirv(std::string_view bytes);
 Spirv SpirvOfBytes(std::string_view bytes);
 
-// A variable that a vertex shader writes, or a member of its gl_PerVertex.
+// A variable that a shader writes, or a member of its gl_PerVertex.
 struct Output {
   // The name in the text that the shader was compiled from; "gl_Position" and the like for built-in
   // outputs.
@@ -36,6 +36,7 @@ struct Output {
 };
 std::vector<Output> OutputsOf(const Spirv& spirv);
 
+Stage StageOf(const Spirv& spirv);
 // The name of the shader's entry point.
 std::string EntryPointOf(const Spirv& spirv);
 
