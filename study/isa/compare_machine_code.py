@@ -56,8 +56,7 @@ def make(arguments, folder, number, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     stage = "frag" if profile.startswith("ps") else "vert"
     ours, peer, text, crossed = (
-        folder / f"{number}.{end}"
-        for end in ("clipc.spv", "glslang.spv", stage, "spirv-cross.spv")
+        folder / f"{number}.{end}" for end in ("clipc.spv", "glslang.spv", stage, "spirv-cross.spv")
     )
     flags = [word for name in filter(None, includes.split(";")) for word in ("-I", name)]
     flags += [f"-D{name}" for name in filter(None, defines.split(";"))]
