@@ -181,8 +181,9 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kRefused: break;
   }
   if (const ExprId value = StandInFor(call, entry->staged)) return value;
-  // The message of a family says why other stages may not call it.
-  const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait;
+  // The message of a family says why other stages may not call it; tiled resources no stage asks.
+  const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait &&
+                        entry->refuse != Refuse<diag::IntrinsicTiled>;
   return may_call ? Report(call, diag::IntrinsicUnsupported) : entry->refuse(call);
 }
 

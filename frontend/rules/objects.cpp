@@ -267,11 +267,18 @@ class MethodCheck : IntrinsicCheck {
   }
 
   // Reports and returns false unless there are `least` arguments and perhaps an offset. A status
-  // after it asks about tiled resources, and is refused.
+  // after it asks about tiled resources, and is refused; so is a clamp before the status.
   bool CheckCount(std::size_t least) {
     const std::size_t most = least + (traits_.offset != 0 ? 1 : 0);
     if (arguments.size() == most + 1 && TypeOf(arguments.back()).scalar == Scalar::kUint) {
       diagnostics.Report(name_span, diag::MethodStatus, name);
+      return false;
+    }
+    const bool may_clamp = name == "Sample" || name == "SampleBias" || name == "SampleGrad" ||
+                           name == "SampleCmp" || name == "SampleCmpBias" ||
+                           name == "SampleCmpGrad";
+    if (may_clamp && (arguments.size() == most + 1 || arguments.size() == most + 2)) {
+      diagnostics.Report(name_span, diag::MethodClamp, name);
       return false;
     }
     return HasCount(least, most);
