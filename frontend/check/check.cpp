@@ -66,6 +66,7 @@ void Run(Context& context) {
   if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
   const bool is_specialised = !context.options.entry_call.empty();
   if (is_specialised && !context.diagnostics.has_errors()) FoldArguments(program);
+  if (!context.diagnostics.has_errors()) FoldObjectChoices(program);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MakeCounters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);

@@ -2,7 +2,10 @@
 #include "frontend/rules/fold_arguments.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "base/overloaded.h"
@@ -23,7 +26,8 @@ struct Value {
 
 class Folder {
  public:
-  explicit Folder(Program& program) : program_(program), values_(program.vars.size()) {}
+  Folder(Program& program, bool folds_locals)
+      : program_(program), folds_locals_(folds_locals), values_(program.vars.size()) {}
 
   void Run() {
     std::vector<FunctionId> order = CalleesFirst(program_);
@@ -31,6 +35,7 @@ class Folder {
     for (auto id = order.rbegin(); id != order.rend(); ++id) {
       const StmtId body = program_.functions[*id].body;
       Substitute(*id);
+      if (folds_locals_) SubstituteLocals(body);
       Fold(body);
       ForEachExpr(program_, body, [&](ExprId expr) {
         if (const auto* call = As<Call>(program_, expr)) Note(*call);
@@ -78,6 +83,76 @@ class Folder {
       if (!ref || values_[ref->var.index].kind != Value::Kind::kConstant) return;
       program_.exprs[expr].node = Literal{values_[ref->var.index].bits};
     });
+  }
+
+  // ---- locals
+
+  // What the body writes to a local variable, or to one of its fields: kWhole is the variable.
+  struct Written {
+    int times = 0;
+    ExprId value;
+  };
+  using Place = std::pair<VarId, std::uint32_t>;
+  static constexpr std::uint32_t kWhole = ~0u;
+
+  // The local variable, or a field of one, that the expression is.
+  std::optional<Place> PlaceOf(ExprId expr) const {
+    const auto* field = As<FieldRef>(program_, expr);
+    const auto* ref = As<VarRef>(program_, field ? field->base : expr);
+    if (!ref || program_.vars[ref->var].storage != Storage::kLocal) return std::nullopt;
+    return Place{ref->var, field ? field->field : kWhole};
+  }
+
+  // Puts constants in the place of the calls of functions that only return one, and of local
+  // variables that get one value, a constant. What reads one before that is not defined.
+  void SubstituteLocals(StmtId body) {
+    std::map<Place, Written> written;
+    std::set<ExprId> targets;
+    ForEachStmt(program_, body, [&](StmtId id) {
+      const auto* declare = As<Declare>(program_, id);
+      if (declare && declare->init) Write(written, {declare->var, kWhole}, declare->init);
+    });
+    ForEachExpr(program_, body, [&](ExprId expr) {
+      ForEachWrite(program_, expr, [&](ExprId target) {
+        const auto* assign = As<Assign>(program_, expr);
+        const auto place = PlaceOf(target);
+        for (ExprId part = target; part; part = WholeOf(program_, part)) targets.insert(part);
+        if (place) return Write(written, *place, assign && !assign->op ? assign->value : ExprId{});
+        if (const VarId root = RootOf(program_, target)) Write(written, {root, kWhole}, {});
+      });
+    });
+    ForEachExpr(program_, body, [&](ExprId expr) {
+      if (targets.contains(expr)) return;
+      const auto* call = As<Call>(program_, expr);
+      const auto value = call ? ResultOf(*call) : ValueAt(written, expr);
+      if (value) program_.exprs[expr].node = Literal{*value};
+    });
+  }
+
+  static void Write(std::map<Place, Written>& written, Place place, ExprId value) {
+    Written& known = written[place];
+    ++known.times;
+    known.value = value;
+  }
+
+  std::optional<std::uint64_t> ValueAt(const std::map<Place, Written>& written, ExprId expr) const {
+    const auto place = PlaceOf(expr);
+    const auto found = place ? written.find(*place) : written.end();
+    if (found == written.end() || found->second.times != 1 || !found->second.value)
+      return std::nullopt;
+    if (place->second != kWhole && written.contains({place->first, kWhole})) return std::nullopt;
+    return ConstantOf(found->second.value);
+  }
+
+  // The constant that a function returns, if it does nothing else.
+  std::optional<std::uint64_t> ResultOf(const Call& call) const {
+    for (const ExprId argument : program_.expr_lists[call.arguments]) {
+      if (!IsPure(program_, argument)) return std::nullopt;
+    }
+    const auto* block = As<Block>(program_, program_.functions[call.function].body);
+    if (!block || block->body.size != 1) return std::nullopt;
+    const auto* result = As<Return>(program_, program_.stmt_lists[block->body][0]);
+    return result && result->value ? ConstantOf(result->value) : std::nullopt;
   }
 
   // ---- conditions
@@ -167,11 +242,37 @@ class Folder {
   }
 
   Program& program_;
+  const bool folds_locals_;
   std::vector<Value> values_;  // by VarId, of parameters
 };
 
+// Whether the call is one of an object that is not a resource's own name.
+bool NamesObject(const Program& program, ExprId expr) {
+  if (const auto* swizzle = As<Swizzle>(program, expr)) expr = swizzle->base;
+  const auto* call = As<ObjectCall>(program, expr);
+  if (!call) return false;
+  const VarId root = RootOf(program, program.expr_lists[call->arguments][0]);
+  return !root || program.vars[root].storage != Storage::kResource;
+}
+
+bool ChoosesObject(const Program& program) {
+  if (!program.calls_objects) return false;
+  for (const ExprId id : program.exprs.ids()) {
+    const auto* choice = As<Conditional>(program, id);
+    if (choice &&
+        (TypeOf(program, id).kind == TypeKind::kObject || NamesObject(program, choice->when_true) ||
+         NamesObject(program, choice->when_false)))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-void FoldArguments(Program& program) { Folder(program).Run(); }
+void FoldArguments(Program& program) { Folder(program, false).Run(); }
+
+void FoldObjectChoices(Program& program) {
+  if (ChoosesObject(program)) Folder(program, true).Run();
+}
 
 }  // namespace clipc::rules

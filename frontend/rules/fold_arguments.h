@@ -18,4 +18,9 @@ namespace clipc::rules {
 // Requires a program without errors that has `main`.
 void FoldArguments(Program& program);
 
+// Where a `?:` chooses a texture, a sampler or a buffer, does the same for the constants of all
+// calls, and for local variables that get one value, a constant: dxc takes such a choice if its
+// condition is a constant then (its tests sel_sampler.hlsl and convergent_const_folding.hlsl).
+void FoldObjectChoices(Program& program);
+
 }  // namespace clipc::rules
