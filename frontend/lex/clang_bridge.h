@@ -73,6 +73,9 @@ class GuardScope : NotCopied {
   explicit GuardScope(PreprocessGuard& guard);
   ~GuardScope();
 
+  // Reads a token as clang::Preprocessor::Lex does, which also looks for the modules of C++.
+  void Read(clang::Preprocessor& preprocessor, clang::Token& token) const;
+
   PreprocessGuard& guard;
   // The identifiers of words read before, by a hash of the word; null: none yet.
   mutable std::array<clang::IdentifierInfo*, 128> words{};

@@ -42,10 +42,11 @@ thread_local const GuardScope* current_run = nullptr;
   end_of_line = !end_of_line;
 }
 
-// Whether the preprocessor may read one more token.
+// Whether the preprocessor may read one more token, which `kCount` counts.
+template <Limit (PreprocessGuard::*kCount)()>
 bool MayRead(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
   if (guard.stopped()) return false;
-  const Limit limit = guard.CountToken();
+  const Limit limit = (guard.*kCount)();
   if (limit != Limit::kNone) StopHere(guard, limit, preprocessor);
   return limit == Limit::kNone;
 }
@@ -87,7 +88,7 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang:
 void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preprocessor,
                                                     clang::Token& token) {
   const GuardScope* scope = current_run;
-  if (!scope || MayRead(scope->guard, *preprocessor)) {
+  if (!scope || MayRead<&PreprocessGuard::CountInnerToken>(scope->guard, *preprocessor)) {
     return __real__ZN5clang12Preprocessor3LexERNS_5TokenE(preprocessor, token);
   }
   MakeEnd(token);
@@ -170,6 +171,16 @@ void __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor
 void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) {}
 }
 // NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
+
+void GuardScope::Read(clang::Preprocessor& preprocessor, clang::Token& token) const {
+  if (!MayRead<&PreprocessGuard::CountToken>(guard, preprocessor)) return MakeEnd(token);
+  // Most tokens stand in a file. Its lexer returns false where the next token is not its own: at
+  // the end of the file, after a directive and at a macro.
+  while (auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentLexer())) {
+    if (file->Lex(token)) return;
+  }
+  __real__ZN5clang12Preprocessor3LexERNS_5TokenE(&preprocessor, token);
+}
 
 namespace {
 

@@ -402,7 +402,8 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
   const GuardScope guarded(state.guard);
   const PasteScope pasting(state.input.pasted, state.guard, diagnostics);
   preprocessor.EnterMainSourceFile();
-  for (preprocessor.Lex(token); token.isNot(tok::eof); preprocessor.Lex(token)) {
+  const auto read = [&] { guarded.Read(preprocessor, token); };
+  for (read(); token.isNot(tok::eof); read()) {
     if (state.guard.stopped() || diagnostics.TooManyErrors()) break;
     on_token(token, preprocessor);
   }

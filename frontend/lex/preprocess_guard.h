@@ -44,11 +44,13 @@ class PreprocessGuard {
 
   // Counts one token that Clang reads, for itself or for clipc. Returns the limit that it passes,
   // or kNone; the caller calls Stop.
-  Limit CountToken() {
+  Limit CountToken() { return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone; }
+  // The same for a token that Clang reads for itself, at any depth.
+  Limit CountInnerToken() {
     // The address of a variable would not do: AddressSanitizer may keep variables elsewhere.
     const auto* here = static_cast<const char*>(__builtin_frame_address(0));
     if (static_cast<std::size_t>(std::abs(stack_base_ - here)) > kMaxStack) return Limit::kStack;
-    return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone;
+    return CountToken();
   }
   void CountExpansion(std::uint32_t location) {
     if (++expansions_ > max_tokens_) Stop(Limit::kExpansions, location);
