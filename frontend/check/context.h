@@ -105,8 +105,7 @@ struct Context final : TemporaryMaker {
   // The operands of casts of paths, by the expression that each became: cast_target.h.
   std::unordered_map<std::uint32_t, ast::ExprId> casts;
   // What is known of enum classes (enum_class.h): the enum of an expression and of a variable, none
-  // for a number.
-  bool has_enum_classes = false;
+  // for a number. They are empty if the file has no enum class.
   std::unordered_map<std::uint32_t, SymbolId> enum_values;
   std::unordered_map<std::uint32_t, SymbolId> enum_symbols;
   // The bit-fields that are read, by the expression that each became: bit_field.h.

@@ -8,7 +8,6 @@
 namespace clipc::check {
 
 SymbolId DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl, ScopeId scope) {
-  context.has_enum_classes |= decl.is_class;
   const auto declare = [&](SymbolKind kind, Name name, Span span) {
     return scope ? context.names.Declare(kind, scope, name, id, span)
                  : DeclareLocal(context, kind, name, id, span);

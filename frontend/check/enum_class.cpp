@@ -53,12 +53,13 @@ std::string NameOf(const Context& context, SymbolId meaning, TypeId number) {
 }  // namespace
 
 void NoteType(Context& context, SymbolId symbol, const ast::VarDecl& var) {
+  if (!context.file.has_enum_classes) return;
   if (const Known meaning = MeaningOf(context, var))
     context.enum_symbols.insert_or_assign(symbol.index, *meaning);
 }
 
 void NoteValue(Context& context, ExprId value, SymbolId symbol) {
-  if (!context.has_enum_classes) return;
+  if (!context.file.has_enum_classes) return;
   auto known = context.enum_symbols.find(symbol.index);
   const ast::DeclId decl = context[symbol].decl;
   const auto* var = decl ? context.GetIf<ast::VarDecl>(decl) : nullptr;
@@ -75,17 +76,17 @@ void NoteEnumerator(Context& context, ExprId value, SymbolId enumeration) {
 }
 
 void NoteCastTo(Context& context, ExprId value, ast::TypeId type) {
-  if (context.has_enum_classes) Note(context, value, MeaningOf(context, type));
+  if (context.file.has_enum_classes) Note(context, value, MeaningOf(context, type));
 }
 
 void NoteChoice(Context& context, ExprId value, ExprId one, ExprId other) {
   const Known meaning = MeaningOf(context, one);
-  if (context.has_enum_classes && meaning == MeaningOf(context, other))
+  if (context.file.has_enum_classes && meaning == MeaningOf(context, other))
     Note(context, value, meaning);
 }
 
 bool CheckEnumClass(Context& context, ast::TypeId type, ExprId value) {
-  if (!context.has_enum_classes || context.IsError(value)) return true;
+  if (!context.file.has_enum_classes || context.IsError(value)) return true;
   const Known from = MeaningOf(context, value), to = MeaningOf(context, type);
   if (!from || !to || *from == *to) return true;
   const TypeId number = context.TypeIdOf(value);
@@ -95,7 +96,7 @@ bool CheckEnumClass(Context& context, ast::TypeId type, ExprId value) {
 }
 
 bool CheckEnumClasses(Context& context, ExprId left, ExprId right, Span span) {
-  if (!context.has_enum_classes || context.IsError(left, right)) return true;
+  if (!context.file.has_enum_classes || context.IsError(left, right)) return true;
   const Known one = MeaningOf(context, left), other = MeaningOf(context, right);
   if (!one || !other || *one == *other) return true;
   context.Report(span, diag::EnumClassConversion, NameOf(context, *one, context.TypeIdOf(left)),
@@ -105,7 +106,7 @@ bool CheckEnumClasses(Context& context, ExprId left, ExprId right, Span span) {
 
 bool CheckNoEnumClass(Context& context, std::string_view op, ExprId operand, Span span) {
   const Known meaning = MeaningOf(context, operand);
-  if (!context.has_enum_classes || !meaning || !*meaning) return true;
+  if (!context.file.has_enum_classes || !meaning || !*meaning) return true;
   context.Report(span, diag::BadOperand, op, NameOf(context, *meaning, {}));
   return false;
 }
