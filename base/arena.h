@@ -57,6 +57,7 @@ class Arena {
  private:
   void AddBlock() {
     const std::size_t count = blocks_.size() < kSmallBlocks ? kSmall : kLarge;
+    if (blocks_.empty()) blocks_.reserve(kFirstBlocks);
     blocks_.emplace_back();
     blocks_.back().reserve(count);
     room_ += count;
@@ -73,6 +74,7 @@ class Arena {
   // that allocators keep at hand.
   static constexpr std::size_t kSmall =
       sizeof(T) < 48 ? 64 : std::max<std::size_t>(1, std::bit_floor(1024 / sizeof(T)));
+  static constexpr std::size_t kFirstBlocks = 8;  // that the list makes room for at first
   // After them come blocks of 32 KiB, so that the list of blocks of a large shader stays in cache.
   static constexpr std::size_t kSmallBlocks = 64;
   static constexpr std::size_t kLarge =

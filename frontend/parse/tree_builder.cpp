@@ -15,6 +15,7 @@ TreeBuilder::TreeBuilder(Tokens&& tokens, Diagnostics& diagnostics)
     : Lookahead(std::move(tokens), diagnostics) {
   heights_.reserve(tokens_.size() / 2);  // seldom too small
   type_heights_.reserve(64);
+  exprs_.stack.reserve(16), stmts_.stack.reserve(16), decls_.stack.reserve(16);
   name_lists_.stack.reserve(8);
 }
 
