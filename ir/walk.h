@@ -152,12 +152,16 @@ bool AnyExpr(const Program& program, StmtId stmt, Holds&& holds) {
 
 // Calls visit(ExprId) for every expression at and below `root`, an expression or a statement, in
 // the same order.
-template <typename Root, typename OnExpr>
-void ForEachExpr(const Program& program, Id<Root> root, OnExpr&& visit) {
-  AnyExpr(program, root, [&](ExprId expr) {
-    visit(expr);
-    return false;
-  });
+template <typename OnExpr>
+void ForEachExpr(const Program& program, ExprId root, OnExpr&& visit) {
+  visit(root);
+  ForEachOperand(program, root, [&](ExprId operand) { ForEachExpr(program, operand, visit); });
+}
+template <typename OnExpr>
+void ForEachExpr(const Program& program, StmtId root, OnExpr&& visit) {
+  ForEachPart(
+      program, root, [&](ExprId expr) { ForEachExpr(program, expr, visit); },
+      [&](StmtId part) { ForEachExpr(program, part, visit); });
 }
 
 // Calls visit(ExprId) for every expression in the bodies of functions and in the values that

@@ -22,16 +22,30 @@ namespace {
 // in an expression.
 template <typename OnPlace>
 void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_place) {
-  const auto* field = As<FieldRef>(program, id);
-  if (As<VarRef>(program, field ? field->base : id)) return on_place(id, writes);
-  const bool may_write = IsOfWritingKind(program.exprs[id]);
-  const ExprId whole = may_write || !writes ? ExprId{} : WholeOf(program, id);
-  std::size_t number = 0;
-  ForEachOperand(program, id, [&](ExprId operand) {
-    const bool is_written =
-        may_write ? WritesOperand(program, id, number++) : whole && operand == whole;
-    ForEachPlace(program, operand, is_written, on_place);
-  });
+  const auto read = [&](ExprId operand) { ForEachPlace(program, operand, false, on_place); };
+  Visit(Overloaded{
+            [&](const VarRef&) { on_place(id, writes); },
+            [&](const FieldRef& node) {
+              if (As<VarRef>(program, node.base)) return on_place(id, writes);
+              ForEachPlace(program, node.base, writes, on_place);
+            },
+            [&](const OneOf<Swizzle, MatrixSwizzle> auto& node) {
+              ForEachPlace(program, node.base, writes, on_place);
+            },
+            [&](const Index& node) {
+              ForEachPlace(program, node.base, writes, on_place);
+              read(node.index);
+            },
+            [&](const OneOf<Assign, Unary, Call, IntrinsicCall> auto&) {
+              std::size_t number = 0;
+              ForEachOperand(program, id, [&](ExprId operand) {
+                const bool is_written = WritesOperand(program, id, number++);
+                ForEachPlace(program, operand, is_written, on_place);
+              });
+            },
+            [&](const auto&) { ForEachOperand(program, id, read); },
+        },
+        program.exprs[id].node);
 }
 
 template <typename OnPlace>
