@@ -53,7 +53,7 @@ class Namer {
   std::array<std::byte, 8192> first_memory_;
   std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
   std::pmr::unordered_map<std::string, Use> uses_{64, &memory_};  // by name
-  std::vector<std::vector<Given>> scopes_;                        // the locals of each open scope
+  std::pmr::vector<std::pmr::vector<Given>> scopes_{&memory_};    // the locals of each open scope
 };
 
 }  // namespace clipc::glsl

@@ -11,16 +11,35 @@ using ir::Scalar;
 
 namespace {
 
-// The prefix of a vector type: "b" of bvec3, "" of vec3.
-const char* VectorPrefix(Scalar scalar, bool has_unsigned) {
-  switch (scalar) {
-    case Scalar::kBool: return "b";
-    case Scalar::kInt: return "i";
-    case Scalar::kUint: return has_unsigned ? "u" : "i";
-    case Scalar::kDouble: return "d";
-    case Scalar::kInt64: return "i64";
-    case Scalar::kUint64: return "u64";
-    default: return "";
+// The names of the scalar, the vectors and the matrices of a kind; GLSL has matrices of two kinds.
+struct KindNames {
+  std::string_view scalar;
+  std::string_view vectors[3];
+  std::string_view matrices[3][3];  // by rows of HLSL and their size, from 2
+};
+const KindNames& NamesOf(Scalar scalar, bool has_unsigned) {
+  static constexpr KindNames kFloats{
+      "float",
+      {"vec2", "vec3", "vec4"},
+      {{"mat2", "mat2x3", "mat2x4"}, {"mat3x2", "mat3", "mat3x4"}, {"mat4x2", "mat4x3", "mat4"}}};
+  static constexpr KindNames kDoubles{"double",
+                                      {"dvec2", "dvec3", "dvec4"},
+                                      {{"dmat2", "dmat2x3", "dmat2x4"},
+                                       {"dmat3x2", "dmat3", "dmat3x4"},
+                                       {"dmat4x2", "dmat4x3", "dmat4"}}};
+  static constexpr KindNames kBools{"bool", {"bvec2", "bvec3", "bvec4"}, {}};
+  static constexpr KindNames kInts{"int", {"ivec2", "ivec3", "ivec4"}, {}};
+  static constexpr KindNames kUints{"uint", {"uvec2", "uvec3", "uvec4"}, {}};
+  static constexpr KindNames kInts64{"int64_t", {"i64vec2", "i64vec3", "i64vec4"}, {}};
+  static constexpr KindNames kUints64{"uint64_t", {"u64vec2", "u64vec3", "u64vec4"}, {}};
+  switch (ir::BaseOf(scalar)) {
+    case Scalar::kBool: return kBools;
+    case Scalar::kInt: return kInts;
+    case Scalar::kUint: return has_unsigned ? kUints : kInts;
+    case Scalar::kDouble: return kDoubles;
+    case Scalar::kInt64: return kInts64;
+    case Scalar::kUint64: return kUints64;
+    default: return kFloats;
   }
 }
 
@@ -59,40 +78,20 @@ Shape Shape::With(Scalar kind) const {
   return shape;
 }
 
-std::string GlslName(Scalar scalar, bool has_unsigned) {
-  switch (ir::BaseOf(scalar)) {
-    case Scalar::kBool: return "bool";
-    case Scalar::kInt: return "int";
-    case Scalar::kUint: return has_unsigned ? "uint" : "int";
-    case Scalar::kDouble: return "double";
-    case Scalar::kInt64: return "int64_t";
-    case Scalar::kUint64: return "uint64_t";
-    default: return "float";
-  }
-}
-
 std::string GlslName(const Shape& shape, bool has_unsigned) {
-  if (shape.IsScalar()) return GlslName(shape.scalar, has_unsigned);
-  const auto digit = [](std::uint8_t size) { return static_cast<char>('0' + size); };
-  std::string name = VectorPrefix(shape.scalar, has_unsigned);
-  name += shape.kind == Shape::kMatrix ? "mat" : "vec";
-  name += digit(shape.kind == Shape::kMatrix ? shape.rows : shape.size);
-  if (shape.kind == Shape::kMatrix && shape.rows != shape.size) {
-    name += 'x';
-    name += digit(shape.size);
-  }
-  if (shape.kind == Shape::kRows) {
-    name += '[';
-    name += digit(shape.rows);
-    name += ']';
-  }
+  const KindNames& names = NamesOf(shape.scalar, has_unsigned);
+  if (shape.kind == Shape::kMatrix)
+    return std::string(names.matrices[shape.rows - 2][shape.size - 2]);
+  std::string name(shape.size == 1 ? names.scalar : names.vectors[shape.size - 2]);
+  if (shape.kind == Shape::kRows) (name += '[') += static_cast<char>('0' + shape.rows), name += ']';
   return name;
 }
 
 SamplerElement SamplerElementAt(const ir::Program& program, ir::ExprId expr) {
   const auto* index = ir::As<ir::Index>(program, expr);
-  const auto* array = index ? ir::As<ir::VarRef>(program, index->base) : nullptr;
-  const auto* number = index ? ir::As<ir::Literal>(program, index->index) : nullptr;
+  if (!index) return {};
+  const auto* array = ir::As<ir::VarRef>(program, index->base);
+  const auto* number = ir::As<ir::Literal>(program, index->index);
   const ir::Type& type = ir::TypeOf(program, expr);
   const bool is_sampler = type.kind == ir::TypeKind::kObject &&
                           ir::InfoOf(type.object).category == ir::ObjectCategory::kSampler;

@@ -47,9 +47,8 @@ struct SamplerElement {
 };
 SamplerElement SamplerElementAt(const ir::Program& program, ir::ExprId expr);
 
-// The GLSL name of a shape or component kind: "vec3", "dmat4x3", "bvec4[3]". Where the target has
-// no uint, uint is int.
+// The GLSL name of a shape: "vec3", "dmat4x3", "bvec4[3]". Where the target has no uint, uint is
+// int.
 std::string GlslName(const Shape& shape, bool has_unsigned = true);
-std::string GlslName(ir::Scalar scalar, bool has_unsigned = true);
 
 }  // namespace clipc::glsl

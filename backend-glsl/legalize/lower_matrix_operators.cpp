@@ -45,7 +45,7 @@ void LowerConvert(Legalizer& legalizer, ExprId expr, const Convert& node) {
   const bool has_unsigned = legalizer.target.Has(Feature::kUnsigned);
   const bool both_matrices = from.kind == Shape::kMatrix && to.kind == Shape::kMatrix;
   if (both_matrices || GlslName(from, has_unsigned) == GlslName(to, has_unsigned)) return;
-  legalizer.ByRows(expr, "to_" + GlslName(to.scalar));
+  legalizer.ByRows(expr, "to_" + GlslName(to.Component()));
 }
 
 // Whether the function does not work component by component: LowerMatrixFunctions and

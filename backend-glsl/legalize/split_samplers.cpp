@@ -33,8 +33,11 @@ VarId AddElement(Program& program, VarId array, std::uint32_t element) {
 }  // namespace
 
 void SplitSamplers(Legalizer& legalizer) {
-  if (legalizer.target.IsVulkan()) return;
   Program& program = legalizer.program;
+  const bool has_arrays = std::ranges::any_of(program.resources, [&](const Resource& resource) {
+    return program.types[program.vars[resource.var].type].kind == TypeKind::kArray;
+  });
+  if (legalizer.target.IsVulkan() || !has_arrays) return;
   std::map<std::pair<std::uint32_t, std::uint32_t>, VarId> elements;
   for (const ExprId expr : program.exprs.ids()) {
     const SamplerElement element = SamplerElementAt(program, expr);

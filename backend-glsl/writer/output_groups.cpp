@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "backend-glsl/text.h"
-#include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/types.h"
 
 namespace clipc::glsl {
@@ -90,7 +89,7 @@ void WriteGroup(Context& context, std::size_t number, std::string& text) {
 }  // namespace
 
 std::string LocationText(std::uint32_t location) {
-  return LayoutText({Concat("location = ", std::to_string(location))});
+  return Concat("layout(location = ", std::to_string(location), ") ");
 }
 
 std::string SemanticComment(const IoVar& io, std::string_view name) {
