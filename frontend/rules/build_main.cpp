@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,7 +12,7 @@
 #include "frontend/rules/attribute_reads.h"
 #include "frontend/rules/distances.h"
 #include "frontend/rules/locations.h"
-#include "frontend/rules/semantics.h"
+#include "frontend/rules/semantic_check.h"
 #include "frontend/rules/signature_leaves.h"
 #include "ir/access.h"
 #include "ir/builder.h"
@@ -28,8 +27,8 @@ class MainBuilder {
       : program_(program),
         stage_(InfoOf(program.stage)),
         signature_(signature),
-        position_(position),
         diagnostics_(diagnostics),
+        semantics_(program, position, diagnostics),
         builder_(program, program.functions[program.entry].span),
         leaves_(program, builder_, diagnostics) {}
 
@@ -53,7 +52,7 @@ class MainBuilder {
     WriteDistances(Builtin::kClipDistance, clip_, writes_gaps);
     WriteDistances(Builtin::kCullDistance, cull_, writes_gaps);
     CheckDistanceCount();
-    CheckPosition();
+    semantics_.CheckPosition();
     for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
     const StmtId body = builder_.BlockOf(body_);
     program_.main = program_.functions.Add({"main", program_.types.Void(), {}, body, entry.span});
@@ -146,30 +145,20 @@ class MainBuilder {
 
   // The input's value in the leaf's own type; none after an error.
   ExprId Input(const Carrier& leaf) {
-    const SystemValue value = LookUp(leaf, Direction::kInput);
+    const SystemValue value = semantics_.LookUp(leaf, Direction::kInput);
     using Use = SystemValue::Use;
     // No output of the stage before matches what the rasterizer makes.
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
     if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
-    if (value.use == Use::kRefused || !MayAdd(leaf, Direction::kInput, value)) return {};
-    const bool is_lacking = InfoOf(program_.stage).draws_pixels && !program_.is_interface_only &&
-                            Lacks(leaf.cursor, value);
+    if (value.use == Use::kRefused || !semantics_.MayAdd(leaf, Direction::kInput, value)) return {};
+    const bool is_lacking =
+        stage_.draws_pixels && !program_.is_interface_only && semantics_.Lacks(leaf.cursor, value);
     if (value.use == Use::kBuiltin && !is_lacking) return BuiltinInput(leaf, value);
     const bool is_plain = (value.use == Use::kPlain && !is_lacking) || program_.is_interface_only;
     if (is_plain && program_.profile.IsDirect3D9()) return Attribute(leaf);
     const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
     return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
                leaf.type);
-  }
-
-  // Whether the profile lacks the input of a pixel shader, which may be declared and is not read.
-  // Level 9 has no system values, and ps_2_0 to ps_2_b neither VPOS nor VFACE.
-  bool Lacks(const Cursor& cursor, const SystemValue& value) const {
-    const Profile& profile = program_.profile;
-    const bool is_old_name = value.form != SystemValue::Form::kItself;
-    if (value.use == SystemValue::Use::kBuiltin)
-      return profile.level9 != Level9::kNone || (profile.major == 2 && is_old_name);
-    return !cursor.assumed && LacksInput(profile, cursor.semantic);
   }
 
   // The part that this input has of the register that all inputs of its semantic read.
@@ -203,7 +192,7 @@ class MainBuilder {
              (is_sign ? kind == Scalar::kFloat : kind == Scalar::kBool || IsInteger(kind));
     }
     if (!fits) {
-      Refuse(leaf, wanted);
+      semantics_.Refuse(leaf, wanted);
       return {};
     }
     const auto known = std::ranges::find(program_.inputs, builtin, &IoVar::builtin);
@@ -286,9 +275,11 @@ class MainBuilder {
   void Output(const Carrier& leaf) {
     // The outputs of a shader that is read for its interface match nothing.
     if (program_.is_interface_only) return WriteOutput(leaf, StoredType(leaf.type), Builtin::kNone);
-    const SystemValue value = LookUp(leaf, Direction::kOutput);
-    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kOutput, value)) return;
-    if (value.use == SystemValue::Use::kTarget && !IsTarget(leaf)) return;
+    const SystemValue value = semantics_.LookUp(leaf, Direction::kOutput);
+    if (value.use == SystemValue::Use::kRefused ||
+        !semantics_.MayAdd(leaf, Direction::kOutput, value))
+      return;
+    if (value.use == SystemValue::Use::kTarget && !semantics_.IsTarget(leaf)) return;
     switch (value.builtin) {
       case Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
       case Builtin::kPosition: WriteFloats(leaf, "a `float4`", value.builtin); return;
@@ -302,30 +293,18 @@ class MainBuilder {
     }
   }
 
-  // Reports and returns false unless a pixel can go to the render target of the semantic's index.
-  bool IsTarget(const Carrier& leaf) {
-    const std::uint32_t count = TargetsOf(program_.profile);
-    if (leaf.cursor.semantic.index >= count) {
-      diagnostics_.Report(leaf.span, diag::TooManyTargets, leaf.cursor.semantic.name,
-                          leaf.cursor.semantic.index, count - 1);
-      return false;
-    }
-    if (!IsWide(program_.types[leaf.type].scalar)) return true;
-    Refuse(leaf, "a scalar or vector of `float`, `int` or `uint`");
-    return false;
-  }
-
   void WriteFloats(const Carrier& leaf, std::string_view wanted, Builtin builtin) {
     const Type type = program_.types[leaf.type];
     if (static_cast<int>(type.Components()) != InfoOf(builtin).components ||
         BaseOf(type.scalar) != Scalar::kFloat)
-      return Refuse(leaf, wanted);
+      return semantics_.Refuse(leaf, wanted);
     WriteOutput(leaf, TypeOf(builtin), builtin);
   }
 
   void WriteIndex(const Carrier& leaf, Builtin builtin) {
     const Type type = program_.types[leaf.type];
-    if (type.Components() != 1 || !IsInteger(type.scalar)) return Refuse(leaf, "a `uint`");
+    if (type.Components() != 1 || !IsInteger(type.scalar))
+      return semantics_.Refuse(leaf, "a `uint`");
     WriteOutput(leaf, TypeOf(builtin), builtin);
   }
 
@@ -451,7 +430,7 @@ class MainBuilder {
   // Reports and returns false unless the leaf can be distances.
   bool IsDistance(const Carrier& leaf) {
     if (BaseOf(program_.types[leaf.type].scalar) == Scalar::kFloat) return true;
-    Refuse(leaf, "a `float` scalar or vector");
+    semantics_.Refuse(leaf, "a `float` scalar or vector");
     return false;
   }
 
@@ -477,78 +456,13 @@ class MainBuilder {
     diagnostics_.Report(distance_span_, diag::TooManyClipDistances, distance_count_);
   }
 
-  // Reports an output POSITION from 4.0 on, which is most likely meant to be the position.
-  void CheckPosition() {
-    const IoVar* plain = FindPlainPosition(program_);
-    if (!plain) return;
-    const bool has_position = std::ranges::find(program_.outputs, Builtin::kPosition,
-                                                &IoVar::builtin) != program_.outputs.end();
-    const Span span = program_.vars[plain->var].span;
-    if (position_ == PositionName::kStrict) {
-      diagnostics_.Report(span, diag::PositionRefused, plain->semantic).Fix(span, "SV_Position");
-    } else if (!has_position) {
-      diagnostics_.Report(span, diag::PositionIsPlain, plain->semantic, program_.profile.name)
-          .Fix(span, "SV_Position");
-    }
-  }
-
-  // ---- rules
-
-  SystemValue LookUp(const Carrier& leaf, Direction direction) {
-    SystemValue value =
-        LookUpSemantic(leaf.cursor.semantic.name, leaf.cursor.semantic.index, program_.stage,
-                       direction, program_.profile.IsDirect3D9(), position_);
-    const bool is_input = direction == Direction::kInput;
-    if (value.use == SystemValue::Use::kRefused) {
-      const std::string_view near =
-          NearSystemValue(leaf.cursor.semantic.name, program_.stage, direction);
-      Diagnostic& report = diagnostics_.Report(
-          leaf.span, diag::SemanticNotForStage, leaf.cursor.semantic.name,
-          is_input ? "input" : "output", stage_.name,
-          near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near));
-      if (!near.empty()) report.Fix(leaf.span, std::string(near));
-    } else if (!program_.is_interface_only &&
-               !program_.profile.IsAtLeast(value.major, value.minor)) {
-      diagnostics_.Report(leaf.span, diag::ProfileNeededForSemantic, leaf.cursor.semantic.name,
-                          fmt::format("{}_{}_{}", stage_.prefix, value.major, value.minor),
-                          program_.profile.name);
-    }
-    return value;
-  }
-
-  bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
-    // The position has two names if Direct3D 9's name counts, and render targets have them.
-    const std::string name = value.builtin == Builtin::kPosition ? "SV_POSITION"
-                             : value.use == SystemValue::Use::kTarget
-                                 ? "SV_TARGET"
-                                 : ToUpper(leaf.cursor.semantic.name);
-    const std::string key = name + std::to_string(leaf.cursor.semantic.index);
-    auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
-    const auto [found, is_new] = seen.try_emplace(key, leaf.span);
-    const bool is_input = direction == Direction::kInput;
-    if (is_new || (is_input && program_.profile.IsDirect3D9())) return true;
-    // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
-    // SPIR-V. An output that the pipeline reads cannot have two values.
-    const std::string_view side = is_input ? "inputs" : "outputs";
-    const bool can_share = is_input || value.use == SystemValue::Use::kPlain;
-    (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side)
-               : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))
-        .Note(found->second, diag::SemanticFirstUsed);
-    return can_share;
-  }
-
-  void Refuse(const Carrier& leaf, std::string_view wanted) {
-    diagnostics_.Report(leaf.span, diag::SemanticType, leaf.cursor.semantic.name,
-                        program_.types.Name(leaf.type), wanted);
-  }
-
   static constexpr std::uint32_t kMaxDistances = 8;
 
   Program& program_;
   const StageInfo& stage_;
   const EntrySignature& signature_;
-  PositionName position_;
   Diagnostics& diagnostics_;
+  SemanticCheck semantics_;
   Builder builder_;
   std::vector<StmtId> body_;
   std::vector<ExprId> arguments_;
@@ -558,7 +472,6 @@ class MainBuilder {
   Distances clip_, cull_, clip_reads_, cull_reads_;
   Span distance_span_;  // of the first distances
   AttributeReads attributes_{program_, builder_};
-  std::map<std::string, Span> seen_inputs_, seen_outputs_;
   Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
   std::uint32_t distance_count_ = 0;
 };

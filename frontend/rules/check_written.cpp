@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "frontend/rules/check_values.h"
 #include "frontend/rules/constant.h"
 #include "frontend/rules/written.h"
+#include "frontend/rules/written_messages.h"
 #include "ir/access.h"
 #include "ir/call_order.h"
 #include "ir/walk.h"
@@ -85,7 +85,6 @@ class WrittenWalk {
 
   // ---- main
   void CheckOutput(const Assign& node);
-  std::string PathOf(const IoVar& output) const;
 
   Shared& shared_;
   const Program& program_;
@@ -115,12 +114,7 @@ void WrittenWalk::Run() {
       is_any |= (masks[slot] & summary_.parameters[i][slot].may) != 0;
     }
     if (is_whole) continue;
-    const std::string how = is_any ? "is not written completely" : "is never written";
-    if (program_.profile.IsAtLeast(6, 0)) {
-      shared_.diagnostics.Report(var.span, diag::OutParameterUndefined, var.name, how);
-    } else {
-      shared_.diagnostics.Report(var.span, diag::OutParameterNotWritten, var.name, how);
-    }
+    ReportParameter(program_, var, is_any, shared_.diagnostics);
   }
   shared_.summaries[function_.index] = std::move(summary_);
 }
@@ -456,21 +450,10 @@ void WrittenWalk::CheckRead(ExprId path) {
 void WrittenWalk::Report(const Read& read) {
   if (shared_.is_reported[read.place.var.index]) return;
   shared_.is_reported[read.place.var.index] = true;
-  const Var& var = program_.vars[read.place.var];
-  shared_.diagnostics.Report(read.span, diag::VariableNotWritten, var.name)
-      .Note(var.span, diag::DeclaredHere, var.name);
+  ReportRead(read.span, program_.vars[read.place.var], shared_.diagnostics);
 }
 
 // ---- main
-
-// The path in the signature as the shader's statements may write it, without the function's name;
-// the semantic for the result itself.
-std::string WrittenWalk::PathOf(const IoVar& output) const {
-  const std::string& function = program_.functions[program_.entry].name;
-  if (output.path.empty() || output.path == function) return output.semantic;
-  return output.path.starts_with(function + ".") ? output.path.substr(function.size() + 1)
-                                                 : output.path;
-}
 
 void WrittenWalk::CheckOutput(const Assign& node) {
   const auto* target = As<VarRef>(program_, node.target);
@@ -478,22 +461,9 @@ void WrittenWalk::CheckOutput(const Assign& node) {
   const auto place = output ? shared_.slots.Find(node.value) : std::nullopt;
   if (!place || place->count != 1) return;
   const Written& written = state_[place->first];
-  const Span span = program_.vars[output->var].span;
-  const std::string path = PathOf(*output);
   output->is_unwritten = (written.may & place->mask) == 0;
-  const std::string how = output->is_unwritten ? "is never written" : "is not written completely";
-  Diagnostics& diagnostics = shared_.diagnostics;
-  if ((written.may & place->mask) == place->mask) {
-    if ((written.must & place->mask) == place->mask) return;
-    if (output->builtin == Builtin::kPosition)
-      diagnostics.Report(span, diag::PositionNotAlwaysWritten, path);
-    else
-      diagnostics.Report(span, diag::OutputNotAlwaysWritten, path);
-  } else if (output->builtin == Builtin::kPosition) {
-    diagnostics.Report(span, diag::PositionNotWritten, path, how);
-  } else {
-    diagnostics.Report(span, diag::OutputNotWritten, path, how);
-  }
+  if ((written.may & written.must & place->mask) == place->mask) return;
+  ReportOutput(program_, *output, written, place->mask, shared_.diagnostics);
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/semantic_check.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+
+namespace clipc::rules {
+
+SystemValue SemanticCheck::LookUp(const Carrier& leaf, Direction direction) {
+  SystemValue value =
+      LookUpSemantic(leaf.cursor.semantic.name, leaf.cursor.semantic.index, program_.stage,
+                     direction, program_.profile.IsDirect3D9(), position_);
+  const bool is_input = direction == Direction::kInput;
+  if (value.use == SystemValue::Use::kRefused) {
+    const std::string_view near =
+        NearSystemValue(leaf.cursor.semantic.name, program_.stage, direction);
+    Diagnostic& report = diagnostics_.Report(
+        leaf.span, diag::SemanticNotForStage, leaf.cursor.semantic.name,
+        is_input ? "input" : "output", InfoOf(program_.stage).name,
+        near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near));
+    if (!near.empty()) report.Fix(leaf.span, std::string(near));
+  } else if (!program_.is_interface_only && !program_.profile.IsAtLeast(value.major, value.minor)) {
+    diagnostics_.Report(
+        leaf.span, diag::ProfileNeededForSemantic, leaf.cursor.semantic.name,
+        fmt::format("{}_{}_{}", InfoOf(program_.stage).prefix, value.major, value.minor),
+        program_.profile.name);
+  }
+  return value;
+}
+
+bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
+  // The position has two names if Direct3D 9's name counts, and render targets have them.
+  const std::string name = value.builtin == Builtin::kPosition ? "SV_POSITION"
+                           : value.use == SystemValue::Use::kTarget
+                               ? "SV_TARGET"
+                               : ToUpper(leaf.cursor.semantic.name);
+  const std::string key = name + std::to_string(leaf.cursor.semantic.index);
+  auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
+  const auto [found, is_new] = seen.try_emplace(key, leaf.span);
+  const bool is_input = direction == Direction::kInput;
+  if (is_new || (is_input && program_.profile.IsDirect3D9())) return true;
+  // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
+  // SPIR-V. An output that the pipeline reads cannot have two values.
+  const std::string_view side = is_input ? "inputs" : "outputs";
+  const bool can_share = is_input || value.use == SystemValue::Use::kPlain;
+  (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side)
+             : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))
+      .Note(found->second, diag::SemanticFirstUsed);
+  return can_share;
+}
+
+void SemanticCheck::Refuse(const Carrier& leaf, std::string_view wanted) {
+  diagnostics_.Report(leaf.span, diag::SemanticType, leaf.cursor.semantic.name,
+                      program_.types.Name(leaf.type), wanted);
+}
+
+bool SemanticCheck::Lacks(const Cursor& cursor, const SystemValue& value) const {
+  const Profile& profile = program_.profile;
+  const bool is_old_name = value.form != SystemValue::Form::kItself;
+  if (value.use == SystemValue::Use::kBuiltin)
+    return profile.level9 != Level9::kNone || (profile.major == 2 && is_old_name);
+  return !cursor.assumed && LacksInput(profile, cursor.semantic);
+}
+
+bool SemanticCheck::IsTarget(const Carrier& leaf) {
+  const std::uint32_t count = TargetsOf(program_.profile);
+  if (leaf.cursor.semantic.index >= count) {
+    diagnostics_.Report(leaf.span, diag::TooManyTargets, leaf.cursor.semantic.name,
+                        leaf.cursor.semantic.index, count - 1);
+    return false;
+  }
+  if (!IsWide(program_.types[leaf.type].scalar)) return true;
+  Refuse(leaf, "a scalar or vector of `float`, `int` or `uint`");
+  return false;
+}
+
+void SemanticCheck::CheckPosition() {
+  const IoVar* plain = FindPlainPosition(program_);
+  if (!plain) return;
+  const bool has_position = std::ranges::find(program_.outputs, Builtin::kPosition,
+                                              &IoVar::builtin) != program_.outputs.end();
+  const Span span = program_.vars[plain->var].span;
+  if (position_ == PositionName::kStrict) {
+    diagnostics_.Report(span, diag::PositionRefused, plain->semantic).Fix(span, "SV_Position");
+  } else if (!has_position) {
+    diagnostics_.Report(span, diag::PositionIsPlain, plain->semantic, program_.profile.name)
+        .Fix(span, "SV_Position");
+  }
+}
+
+}  // namespace clipc::rules

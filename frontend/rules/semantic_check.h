@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "frontend/rules/semantics.h"
+#include "frontend/rules/signature_leaves.h"
+
+namespace clipc::rules {
+
+// The rules about the semantics of a shader's inputs and outputs. What breaks one is reported.
+class SemanticCheck {
+ public:
+  SemanticCheck(const Program& program, PositionName position, Diagnostics& diagnostics)
+      : program_(program), position_(position), diagnostics_(diagnostics) {}
+
+  // The meaning of the leaf's semantic on one side of the stage.
+  SystemValue LookUp(const Carrier& leaf, Direction direction);
+  // Whether the leaf may be an input or output beside those that were asked about before.
+  bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value);
+  // Whether the profile lacks the input of a pixel shader, which may be declared and is not read.
+  // Level 9 has no system values, and ps_2_0 to ps_2_b neither VPOS nor VFACE.
+  bool Lacks(const Cursor& cursor, const SystemValue& value) const;
+  // Whether a pixel can go to the render target of the semantic's index.
+  bool IsTarget(const Carrier& leaf);
+  // Reports a leaf that is not of the wanted type.
+  void Refuse(const Carrier& leaf, std::string_view wanted);
+  // Reports an output POSITION from 4.0 on, which is most likely meant to be the position.
+  void CheckPosition();
+
+ private:
+  const Program& program_;
+  PositionName position_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, Span> seen_inputs_, seen_outputs_;
+};
+
+}  // namespace clipc::rules

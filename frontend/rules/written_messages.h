@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+
+#include "frontend/rules/rules.h"
+#include "frontend/rules/written.h"
+
+// The messages about what a shader does not write.
+namespace clipc::rules {
+
+// Reports a read of a local variable that nothing has written.
+void ReportRead(Span read, const Var& var, Diagnostics& diagnostics);
+// Reports an out parameter that is not written, or not completely if `is_any` part of it is.
+void ReportParameter(const Program& program, const Var& parameter, bool is_any,
+                     Diagnostics& diagnostics);
+// Reports an output whose components in `mask` are not written on every path.
+void ReportOutput(const Program& program, const IoVar& output, const Written& written,
+                  std::uint16_t mask, Diagnostics& diagnostics);
+
+}  // namespace clipc::rules
