@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/check_expression.h"
+
+#include <string>
+#include <utility>
+
+#include "backend-glsl/operators.h"
+#include "backend-glsl/shape.h"
+#include "backend-glsl/writer/wave_call.h"
+#include "ir/scalar.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+// Whether a sample has an offset after its other arguments.
+bool HasSampleOffset(const ObjectCall& call) {
+  switch (call.op) {
+    case ObjectOp::kSample: return call.arguments.size > 3;
+    case ObjectOp::kSampleBias:
+    case ObjectOp::kSampleLevel: return call.arguments.size > 4;
+    case ObjectOp::kSampleGrad: return call.arguments.size > 5;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+void TargetReport::Type(TypeId id, Span span) {
+  if (std::exchange(seen_types_[id.index], true)) return;
+  const ir::Type& type = program_.types[id];
+  if (type.kind == TypeKind::kArray) return Type(type.element, span);
+  if (type.kind == TypeKind::kStruct) {
+    for (const Field& field : program_.types.StructOf(id).fields) {
+      Type(field.type, field.span ? field.span : span);
+    }
+    return;
+  }
+  if (!type.IsNumeric()) return;
+  const Need* need = NeedOf(BaseOf(type.scalar));
+  if (!need || target_.Has(need->feature)) return;
+  if (!std::exchange(reported_[need->feature == Feature::kDoubles ? 0 : 1], true)) {
+    Lack(*need, span, {});
+  }
+}
+
+bool ExpressionCheck::MayReport() const {
+  const auto lacks = [&](Scalar kind) {
+    const Need* need = NeedOf(kind);
+    return need && !target_.Has(need->feature);
+  };
+  return program_.calls_objects || program_.calls_nonuniform || !has_unsigned_ ||
+         clipc::InfoOf(program_.stage).draws_pixels || !target_.Has(Feature::kDynamicBlockIndex) ||
+         !target_.Has(Feature::kBitCasts) || lacks(Scalar::kDouble) || lacks(Scalar::kInt64) ||
+         lacks(Scalar::kUint64);
+}
+
+void ExpressionCheck::Expression(ExprId id) {
+  const ir::Expr& expr = program_.exprs[id];
+  Type(expr.type, expr.span);
+  Visit(Overloaded{
+            [&](const IntrinsicCall& call) { IntrinsicUse(call, expr.span); },
+            [&](const ObjectCall& call) { ObjectUse(call, expr.span); },
+            [&](const Index& index) { BufferIndex(index, expr.span); },
+            [](const auto&) {},
+        },
+        expr.node);
+  if (!has_unsigned_) SmallIntegers(id, expr);
+}
+
+// Reports operators and numbers that GLSL 1.20 lacks: it has no uint, and only the four
+// arithmetic operators for int.
+void ExpressionCheck::SmallIntegers(ExprId id, const ir::Expr& expr) {
+  const auto* binary = As<Binary>(id);
+  const auto* assign = As<Assign>(id);
+  const auto* unary = As<Unary>(id);
+  if (binary) BitOperator(binary->op, TypeOf(binary->left), expr.span);
+  if (assign && assign->op) BitOperator(*assign->op, TypeOf(assign->target), expr.span);
+  if (unary && unary->op == UnaryOp::kComplement) Report(expr.span, diag::TargetBitOperator, "~");
+
+  const auto* literal = As<Literal>(id);
+  const bool is_uint = TypeOf(id).IsNumeric() && BaseOf(TypeOf(id).scalar) == Scalar::kUint;
+  if (literal && is_uint && UintOf(literal->bits) > 0x7fffffffu) {
+    Report(expr.span, diag::TargetUintTooLarge, UintOf(literal->bits));
+  }
+  if (const auto* convert = As<Convert>(id)) UintOperand(TypeOf(convert->operand), expr.span);
+}
+
+void ExpressionCheck::BitOperator(BinaryOp op, const ir::Type& type, Span span) {
+  switch (op) {
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+    case BinaryOp::kBitAnd:
+    case BinaryOp::kBitXor:
+    case BinaryOp::kBitOr: Report(span, diag::TargetBitOperator, OperatorOf(op).spelling); return;
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kAdd:
+    case BinaryOp::kSub:
+    case BinaryOp::kMul: return;  // these give the same bits for int and uint
+    default: return UintOperand(type, span);
+  }
+}
+
+void ExpressionCheck::UintOperand(const ir::Type& type, Span span) {
+  const bool is_uint = type.IsNumeric() && BaseOf(type.scalar) == Scalar::kUint;
+  if (is_uint && !std::exchange(uint_reported_, true)) Report(span, diag::TargetUintAsInt);
+}
+
+void ExpressionCheck::IntrinsicUse(const IntrinsicCall& call, Span span) {
+  if (CategoryOf(call.op) == IntrinsicCategory::kInterpolants) Interpolant(call, span);
+  if (CategoryOf(call.op) == IntrinsicCategory::kWave ||
+      CategoryOf(call.op) == IntrinsicCategory::kQuad)
+    Check(FeatureOfWave(call.op), diag::TargetWave, span, NameOf(call.op));
+  if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
+    Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
+  }
+  if (call.op == Intrinsic::kNonUniform && !target_.IsVulkan() &&
+      !std::exchange(non_uniform_reported_, true))
+    Report(span, diag::TargetNonUniform);
+}
+
+// Checks the evaluation of an input at another place: the argument is that input.
+void ExpressionCheck::Interpolant(const IntrinsicCall& call, Span span) {
+  const bool is_vertex = call.op == Intrinsic::kAttributeAtVertex;
+  Check(is_vertex ? Feature::kBarycentrics : Feature::kInterpolants, diag::TargetInterpolant, span,
+        NameOf(call.op));
+  ExprId place = program_.expr_lists[call.arguments][0];
+  const auto* swizzle = As<Swizzle>(place);
+  if (swizzle && TypeOf(swizzle->base).Components() > 1) place = swizzle->base;
+  const auto* ref = As<VarRef>(place);
+  if (!ref || program_.vars[ref->var].storage != Storage::kInput) {
+    diagnostics_.Report(span, diag::InterpolantNotInput, NameOf(call.op));
+    return;
+  }
+  if (!is_vertex) return;
+  const auto input = std::ranges::find(program_.inputs, ref->var, &IoVar::var);
+  const auto* vertex = As<Literal>(program_.expr_lists[call.arguments][1]);
+  if (vertex && vertex->bits > 2)
+    diagnostics_.Report(span, diag::AttributeVertex, std::to_string(vertex->bits));
+  if (input->interpolation != Interpolation::kNoInterpolation)
+    diagnostics_.Report(span, diag::AttributeInterpolated,
+                        input->semantic + std::to_string(input->index));
+}
+
+void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
+  const auto arguments = program_.expr_lists[call.arguments];
+  const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
+  if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
+  if (WritesObject(call.op)) StoreUse(arguments[0], call.op, span);
+  if (!HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
+    Report(span, diag::TargetSampleCompare);
+  if (HasSampleOffset(call)) Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
+  if (call.op == ObjectOp::kSampleCmp && object == ObjectKind::kTexture2DArray &&
+      arguments.size() > 4)
+    Check(Feature::kShadowArrayOffsets, diag::TargetSampleOffset, span);
+  const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
+  if (!is_length) Check(NeedOf(call.op), span);
+}
+
+// Reports a store to elements that lie tighter than std430 says and cannot be written word by
+// word.
+void ExpressionCheck::StoreUse(ExprId object, ObjectOp op, Span span) {
+  const ir::Type& type = Innermost(program_.exprs[object].type);
+  const auto* ref = As<VarRef>(object);
+  const bool row_major = ref && program_.vars[ref->var].row_major;
+  if (IsStructured(type.object) && !Std430(program_.types, type.element, row_major) &&
+      (op != ObjectOp::kStore || !IsOfWords(program_.types, type.element))) {
+    Report(span, diag::TargetStructuredStore, program_.types.Name(type.element));
+  }
+}
+
+// Reports an element of an array of samplers, unless a literal names it: OpenGL has none.
+void ExpressionCheck::ObjectArgument(ExprId object) {
+  const auto* index = As<Index>(object);
+  if (!index || target_.IsVulkan() || SamplerElementAt(program_, object).array) return;
+  if (InfoOf(TypeOf(object).object).category != ObjectCategory::kSampler) return;
+  const auto* var = As<VarRef>(index->base);
+  Report(program_.exprs[object].span, diag::TargetSamplerArray,
+         var ? program_.vars[var->var].name : "sampler");
+}
+
+void ExpressionCheck::BufferIndex(const Index& index, Span span) {
+  const auto* ref = As<VarRef>(index.base);
+  const bool is_uniform = ref && program_.vars[ref->var].storage == Storage::kUniform;
+  if (is_uniform && !target_.Has(Feature::kFreeIndices) && !As<Literal>(index.index) &&
+      clipc::InfoOf(program_.stage).draws_pixels)
+    return Report(span, diag::TargetUniformIndex, program_.vars[ref->var].name);
+  if (!ref || As<Literal>(index.index) || target_.Has(Feature::kDynamicBlockIndex)) return;
+  const Var& var = program_.vars[ref->var];
+  const bool is_object = Innermost(var.type).kind == TypeKind::kObject;
+  const bool is_buffer = var.storage == Storage::kUniform && has_blocks_ &&
+                         program_.cbuffers[var.cbuffer].kind == CbufferKind::kConstantBuffer;
+  if (is_object || is_buffer) Report(span, diag::TargetBufferIndexNotConstant, var.name);
+}
+
+}  // namespace clipc::glsl
