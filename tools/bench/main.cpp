@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Speed and memory as ratios against named peers, all taken in one run, each beside its limit.
 //   clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]
+//   clipc-bench shaders             compiles a hundred shaders, for a tool that counts instructions
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -49,31 +50,43 @@ void BenchCold(const std::string& clipc, const std::string& hello, const std::st
          MedianOf(checked[0], &Run::cpu_ms) / MedianOf(checked[1], &Run::cpu_ms), "x", 1.1);
 }
 
-// Measures a hundred shaders in this process, with clipc and with the peers in turn, and returns
-// the ratio. `text_of` gives one for each seed.
-double WarmRatio(const char* profile, const char* entry, std::string (*text_of)(unsigned seed)) {
-  constexpr int kShaders = 100, kRounds = 7;
-  std::vector<CompileRequest> requests(kShaders);
-  for (unsigned i = 0; i < kShaders; ++i) {
+constexpr unsigned kWarmShaders = 100;  // of the measurements in one process
+
+// The requests for a hundred shaders. `text_of` gives one for each seed.
+std::vector<CompileRequest> Shaders(const char* profile, const char* entry,
+                                    std::string (*text_of)(unsigned seed)) {
+  std::vector<CompileRequest> requests(kWarmShaders);
+  for (unsigned i = 0; i < kWarmShaders; ++i) {
     requests[i].path = "shader.hlsl";
     requests[i].text = text_of(i);
     requests[i].language.profile = profile;
     requests[i].language.entry = entry;
   }
+  return requests;
+}
+
+void CompileAll(Compiler& compiler, const std::vector<CompileRequest>& requests) {
+  for (const CompileRequest& request : requests) {
+    if (!compiler.Compile(request).ok()) std::exit(1);
+  }
+}
+
+// Measures a hundred shaders in this process, with clipc and with the peers in turn, and returns
+// the ratio.
+double WarmRatio(const char* profile, const std::vector<CompileRequest>& requests) {
+  constexpr int kRounds = 7;
   StartPeers();
   Compiler compiler;
   std::vector<double> ours, theirs;
   for (int round = 0; round < kRounds; ++round) {
     double start = harness::ProcessSeconds();
-    for (const CompileRequest& request : requests) {
-      if (!compiler.Compile(request).ok()) std::exit(1);
-    }
-    ours.push_back(1e3 * (harness::ProcessSeconds() - start) / kShaders);
+    CompileAll(compiler, requests);
+    ours.push_back(1e3 * (harness::ProcessSeconds() - start) / kWarmShaders);
     start = harness::ProcessSeconds();
     for (const CompileRequest& request : requests) {
       if (!CompileWithPeers(request)) std::exit(1);
     }
-    theirs.push_back(1e3 * (harness::ProcessSeconds() - start) / kShaders);
+    theirs.push_back(1e3 * (harness::ProcessSeconds() - start) / kWarmShaders);
   }
   StopPeers();
   std::printf(
@@ -83,10 +96,10 @@ double WarmRatio(const char* profile, const char* entry, std::string (*text_of)(
 }
 
 void BenchWarm() {
-  Report("in one process, to glslang + SPIRV-Cross", WarmRatio("vs_5_0", "main", SixtyLineShader),
-         "x", 1.0 / 20);
+  Report("in one process, to glslang + SPIRV-Cross",
+         WarmRatio("vs_5_0", Shaders("vs_5_0", "main", SixtyLineShader)), "x", 1.0 / 20);
   Report("a pixel shader in one process, to glslang + SPIRV-Cross",
-         WarmRatio("ps_5_0", "pixel", SixtyLinePair), "x", 1.0 / 20);
+         WarmRatio("ps_5_0", Shaders("ps_5_0", "pixel", SixtyLinePair)), "x", 1.0 / 20);
 }
 
 // Measures a vertex shader that is written to fit a pixel shader of the same file, against the
@@ -154,10 +167,9 @@ void BenchEffect(const std::string& clipc, const std::string& folder) {
 }
 
 void BenchBatchValidation() {
-  constexpr unsigned kShaders = 100;
   std::vector<double> plain, validated;
   Compiler compiler;
-  for (unsigned i = 0; i < kShaders + 1; ++i) {
+  for (unsigned i = 0; i < kWarmShaders + 1; ++i) {
     CompileRequest request;
     request.path = "shader.hlsl";
     request.text = SixtyLineShader(i);
@@ -265,10 +277,16 @@ int main(int argc, char** argv) {
     clipc::bench::BenchCorpus(argv[2]);
     return 0;
   }
+  if (argc == 2 && std::string_view(argv[1]) == "shaders") {
+    using namespace clipc::bench;
+    clipc::Compiler compiler;
+    CompileAll(compiler, Shaders("vs_5_0", "main", SixtyLineShader));
+    return 0;
+  }
   if (argc < 4) {
     std::fprintf(stderr,
                  "usage: clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]\n       "
-                 "clipc-bench corpus LIST\n");
+                 "clipc-bench corpus LIST\n       clipc-bench shaders\n");
     return 2;
   }
   const std::string folder = argc > 4 ? argv[4] : "/tmp";
