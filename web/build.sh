@@ -17,7 +17,7 @@ cmake/cross/fetch_sources.sh
 mkdir -p build/web
 touch build/web/starts # what is written from here on is newer than what is made
 [ -f build/wasm/build.ninja ] || quietly cmake --preset wasm
-build_preset wasm --target clipc_module -- --quiet >&2
+build_preset wasm --target clipc_module clipc_light -- --quiet >&2
 
 package=build/web/package
 mkdir -p "$package"
@@ -26,7 +26,7 @@ cp web/npm/* LICENSE build/wasm/bin/clipc.wasm "$package"
 [ "${1:-package}" = page ] || exit 0
 
 mkdir -p build/web/page/{gallery,tables}
-cp web/page/* build/web/page
+cp web/page/* build/wasm/bin/light.wasm build/web/page
 mkdir -p build/page
 cp web/page/{index.html,style.css} build/page
 cp examples/gallery/*.{hlsl,fx} build/web/page/gallery

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The functions that the npm package calls: those of compiler/clipc.h with arguments that
-// JavaScript can make, and the program. Strings in a list each end with a zero.
-#include <cstdio>
+// JavaScript can make.
 #include <cstdlib>
-#include <exception>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
-
 #include "compiler/clipc.h"
-#include "compiler/driver.h"
-
-namespace clipc {
-extern const char kCommit[];  // made by cmake/write_commit.cmake
-}  // namespace clipc
+#include "web/module/strings.h"
 
 #define CLIPC_EXPORT(name) __attribute__((export_name(#name)))
 
@@ -35,15 +26,6 @@ CLIPC_EXPORT(clipc_module_free) void clipc_module_free(void* bytes) { std::free(
 }  // extern "C"
 
 namespace {
-
-std::vector<const char*> Strings(std::string_view list) {
-  std::vector<const char*> strings;
-  while (!list.empty()) {
-    strings.push_back(list.data());
-    list.remove_prefix(list.find('\0') + 1);
-  }
-  return strings;
-}
 
 // The bytes of the last include, until they are copied.
 std::unique_ptr<const char, decltype([](const char* bytes) {
@@ -70,7 +52,7 @@ CLIPC_EXPORT(clipc_module_compile)
 int clipc_module_compile(const char* strings, std::size_t size, const char* text,
                          std::size_t text_size) {
   static clipc_compiler* const compiler = clipc_compiler_create();
-  const std::vector<const char*> words = Strings({strings, size});
+  const std::vector<const char*> words = clipc::StringsIn({strings, size});
   clipc_request request{};
   request.size = sizeof request;
   request.path = words[0];
@@ -96,15 +78,5 @@ CLIPC_EXPORT(clipc_module_part) const clipc_bytes* clipc_module_part(int part) {
 }
 
 CLIPC_EXPORT(clipc_module_version) const char* clipc_module_version() { return clipc_version(); }
-
-// Runs the program, with its files. `strings` are the working directory and the arguments. Returns
-// the exit status.
-CLIPC_EXPORT(clipc_module_run) int clipc_module_run(const char* strings, std::size_t size) {
-  const std::vector<const char*> words = Strings({strings, size});
-  if (chdir(words[0]) != 0) std::perror(words[0]);
-  const int status = clipc::RunCommandLine(std::span(words).subspan(1), clipc::kCommit);
-  std::fflush(nullptr);
-  return status;
-}
 
 }  // extern "C"

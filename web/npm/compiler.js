@@ -2,7 +2,7 @@
 // The compiler over an instance of clipc.wasm; web/module/module.cpp is the other side.
 import { emptySystem } from './system.js';
 
-const STATUS = ['compiled', 'errors', 'bad-request', 'no-memory', 'cancelled'];
+const STATUS = ['compiled', 'errors', 'bad-request', 'no-memory', 'cancelled', 'known'];
 const PART = {
   messages: 0,
   messagesJson: 1,
@@ -137,6 +137,11 @@ export class Compiler {
         return stopped();
       throw error;
     }
+  }
+
+  /** Whether a compile since the last question needed glslang, which the page's first module does not have. */
+  get missedGlslang() {
+    return Boolean(this.#instance?.exports.clipc_module_missed_glslang?.());
   }
 
   /** The text of `result.spirv`, for people to read. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// clipc's module, compiled once for the page and its worker.
+// clipc's module without glslang, compiled once for the page and its worker.
 async function load() {
-  const url = new URL('clipc/clipc.wasm', import.meta.url);
+  const url = new URL('./light.wasm', import.meta.url);
   try {
     return await WebAssembly.compileStreaming(fetch(url));
   } catch (error) {

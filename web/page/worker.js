@@ -10,16 +10,23 @@ const ready = createCompiler(module).then((compiler) => {
   return compiler;
 });
 
+/** The compiler with glslang, which is loaded when a compile needs it. */
+let whole;
+
 /** A result, with its SPIR-V as text where it has some. */
-function compile(compiler, text, options) {
-  const result = compiler.compile(text, options);
-  return result.spirv.length ? { ...result, text: compiler.disassemble(result.spirv) } : result;
+async function compile(light, text, options) {
+  const result = light.compile(text, options);
+  if (!light.missedGlslang) return result;
+  const compiler = await (whole ??= createCompiler());
+  const again = compiler.compile(text, options);
+  return again.spirv.length ? { ...again, text: compiler.disassemble(again.spirv) } : again;
 }
 
 addEventListener('message', async ({ data: { module, number, text, settings } }) => {
   if (module) return setModule(module);
   const compiler = await ready;
   const began = performance.now();
-  const results = settings.map((options) => options && compile(compiler, text, options));
+  const results = [];
+  for (const options of settings) results.push(options && (await compile(compiler, text, options)));
   postMessage({ number, results, milliseconds: performance.now() - began });
 });

@@ -15,9 +15,10 @@ const TYPES = {
   '.wasm': 'application/wasm',
 };
 
-/** A server of the files in `folder`, on this machine alone, and its address. */
-function serve(folder) {
+/** A server of the files in `folder`, on this machine alone, and its address. `served` gets the names of those asked for. */
+function serve(folder, served) {
   const server = createServer((request, response) => {
+    served.add(new URL(request.url, 'http://localhost').pathname.slice(1));
     const path = join(folder, normalize(new URL(request.url, 'http://localhost').pathname));
     const file = path.endsWith('/') ? join(path, 'index.html') : path;
     if (!file.startsWith(folder) || !existsSync(file)) return response.writeHead(404).end();
@@ -34,6 +35,8 @@ function serve(folder) {
 export class Page {
   /** What the page wrote as errors, and what it threw. */
   errors = [];
+  /** The names of the files that it was served. */
+  served = new Set();
   #next = 1;
   #waiting = new Map();
   #rest = '';
@@ -43,7 +46,7 @@ export class Page {
     const page = new Page();
     const { server, address } = folder.startsWith('http:')
       ? { address: folder }
-      : await serve(resolve(folder));
+      : await serve(resolve(folder), page.served);
     page.server = server;
     page.profile = mkdtempSync(join(tmpdir(), 'clipc-browser-'));
     const options = [
