@@ -298,8 +298,8 @@ def signature(listing, title):
 def translate(listing, glsl):
     """A fragment shader of the listing, with the names of clipc's GLSL."""
     outputs = signature(listing, "Output signature")
-    if [row[0].lower() for row in outputs] != ["sv_target"] or outputs[0][5] != "float":
-        raise NotRun("outputs that are not one render target of floats")
+    if [row[0].lower() for row in outputs] != ["sv_target"]:
+        raise NotRun("outputs that are not one render target")
     out = OUTPUT.search(glsl)
     if not out:
         raise NotRun("clipc writes no render target at location 0")
@@ -333,7 +333,7 @@ def translate(listing, glsl):
         bits = "floatBitsToUint(%s)" if value.startswith("vec") else "uvec4(%s)"
         begin.append(f"v{register}.{mask} = ({bits % value}).{COMPONENTS[: len(mask)]};")
     text += [f"uvec4 v{register};" for register in registers]
-    text.append(f"uvec4 o0; layout(location = 0) out {out[1]} result;")
+    text += ["uvec4 o0;", f"layout(location = 0) out {out[1]} {out[2]};"]
     text += [f"uniform {kind} {name};" for kind, name in textures.values()]
     body = []
     translator = Translator(textures)
@@ -368,8 +368,27 @@ def translate(listing, glsl):
     text += ["void run() {", *body, "}", "void main() {", *begin, "run();"]
     size = re.search(r"\d$", out[1])
     part = "x" if not size else COMPONENTS[: int(size[0])]
-    text += [f"result = uintBitsToFloat(o0).{part};", "}"]
+    text += [f"{out[2]} = {KINDS[kind_of(out[1])].format('o0')}.{part};", "}"]
     return "\n".join(text) + "\n"
+
+
+def kind_of(type_name):
+    """`f`, `i` or `u` of a GLSL type."""
+    return type_name[0] if type_name[0] in "iu" else "f"
+
+
+def drawn_as_floats(glsl):
+    """The shader with floats in the place of an integer render target, as the picture has them."""
+    out = OUTPUT.search(glsl)
+    if not out or kind_of(out[1]) == "f":
+        return glsl
+    size = re.search(r"\d$", out[1])
+    zeros = ", 0" * (4 - (int(size[0]) if size else 1))
+    glsl = glsl.replace(out[0], f"{out[1]} {out[2]};\nlayout(location = 0) out vec4 drawn;")
+    glsl = glsl.replace("void main() {", "void main_of_shader() {")
+    # Numbers beyond 2^24 would be near each other as floats.
+    number = f"{out[1]}({out[2]}) & 0xffff" + ("u" if out[1][0] == "u" else "")
+    return glsl + f"void main() {{ main_of_shader(); drawn = vec4({number}{zeros}); }}\n"
 
 
 def vertex_shader(glsl):
@@ -395,8 +414,8 @@ def run(arguments, row, folder):
         raise NotRun("clipc: " + done.stderr.split("\n")[0])
     shaders = {
         "a.vert": vertex_shader(done.stdout),
-        "a.frag": done.stdout,
-        "b.frag": translate(text, done.stdout),
+        "a.frag": drawn_as_floats(done.stdout),
+        "b.frag": drawn_as_floats(translate(text, done.stdout)),
     }
     for name, shader in shaders.items():
         (folder / name).write_text(shader)
