@@ -27,7 +27,10 @@ INPUT = re.compile(
     r"^(?:layout\(location = (\d+)\) )((?:\w+ )*?)in (\w+) (\w+);\s*// \S+ : (\w+?)(\d+)$", re.M
 )
 OUTPUT = re.compile(r"^layout\(location = 0\) out (\w+) (\w+);.*$", re.M)
-SIGNATURE = re.compile(r"^// (\w+)\s+(\d+)\s+([xyzw]+)\s+(\d+)\s+(\w+)\s+(\w+)", re.M)
+OUTPUTS = re.compile(r"^layout\(location = (\d+)\) out (\w+) (\w+);.*$", re.M)
+SIGNATURE = re.compile(
+    r"^// (\w+)\s+(\d+)\s+([xyzw]+|N/A)\s+(\d+|oDepth)\s+(\w+)\s+(\w+)", re.M
+)
 
 # An instruction: the kind of its operands, floats, ints or uints, and the GLSL with a, b and c.
 PLAIN = {
@@ -159,8 +162,8 @@ def source(text, kind):
 
 def target(text, value):
     """The statement that writes the bits `value`, a vector of four, to the operand."""
-    if text == "null":
-        return ""
+    if text in ("null", "oDepth"):
+        return ""  # the depth is not compared
     match = re.fullmatch(r"(r\d+|o\d+|x\d+\[.*\])(?:\.([xyzw]+))?", text)
     if not match:
         raise NotRun(f"target {text}")
@@ -295,11 +298,26 @@ def signature(listing, title):
     return [row for row in rows if row[0] != "Name"]
 
 
-def translate(listing, glsl):
-    """A fragment shader of the listing, with the names of clipc's GLSL."""
-    outputs = signature(listing, "Output signature")
-    if [row[0].lower() for row in outputs] != ["sv_target"]:
-        raise NotRun("outputs that are not one render target")
+def targets_of(listing):
+    """The numbers of the render targets."""
+    outputs = [row for row in signature(listing, "Output signature") if "DEPTH" not in row[4]]
+    if not outputs or any(row[0].lower() != "sv_target" for row in outputs):
+        raise NotRun("outputs that are not render targets")
+    return [int(row[3]) for row in outputs]
+
+
+def with_one_target(glsl, number):
+    """The shader with this render target alone, at location 0; the others are variables."""
+
+    def written(out):
+        place = "layout(location = 0) out " if int(out[1]) == number else ""
+        return f"{place}{out[2]} {out[3]};"
+
+    return OUTPUTS.sub(written, glsl)
+
+
+def translate(listing, glsl, number):
+    """A fragment shader of the listing that writes one target, with the names of clipc's GLSL."""
     out = OUTPUT.search(glsl)
     if not out:
         raise NotRun("clipc writes no render target at location 0")
@@ -333,7 +351,8 @@ def translate(listing, glsl):
         bits = "floatBitsToUint(%s)" if value.startswith("vec") else "uvec4(%s)"
         begin.append(f"v{register}.{mask} = ({bits % value}).{COMPONENTS[: len(mask)]};")
     text += [f"uvec4 v{register};" for register in registers]
-    text += ["uvec4 o0;", f"layout(location = 0) out {out[1]} {out[2]};"]
+    text += [f"uvec4 o{each};" for each in targets_of(listing)]
+    text.append(f"layout(location = 0) out {out[1]} {out[2]};")
     text += [f"uniform {kind} {name};" for kind, name in textures.values()]
     body = []
     translator = Translator(textures)
@@ -368,7 +387,7 @@ def translate(listing, glsl):
     text += ["void run() {", *body, "}", "void main() {", *begin, "run();"]
     size = re.search(r"\d$", out[1])
     part = "x" if not size else COMPONENTS[: int(size[0])]
-    text += [f"{out[2]} = {KINDS[kind_of(out[1])].format('o0')}.{part};", "}"]
+    text += [f"{out[2]} = {KINDS[kind_of(out[1])].format(f'o{number}')}.{part};", "}"]
     return "\n".join(text) + "\n"
 
 
@@ -412,10 +431,17 @@ def run(arguments, row, folder):
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     if done.returncode:
         raise NotRun("clipc: " + done.stderr.split("\n")[0])
+    differences = [compare(arguments, text, done.stdout, k, folder) for k in targets_of(text)]
+    return next((f"target {k}: {what}" for k, what in enumerate(differences) if what), "")
+
+
+def compare(arguments, listing, glsl, number, folder):
+    """What differs in the render target, or nothing."""
+    glsl = with_one_target(glsl, number)
     shaders = {
-        "a.vert": vertex_shader(done.stdout),
-        "a.frag": drawn_as_floats(done.stdout),
-        "b.frag": drawn_as_floats(translate(text, done.stdout)),
+        "a.vert": vertex_shader(glsl),
+        "a.frag": drawn_as_floats(glsl),
+        "b.frag": drawn_as_floats(translate(listing, glsl, number)),
     }
     for name, shader in shaders.items():
         (folder / name).write_text(shader)
@@ -431,7 +457,7 @@ def run(arguments, row, folder):
         raise NotRun("draw: " + (done.stdout + done.stderr).strip().split("\n")[0])
     if int(counts[2]) == 0 and int(counts[1]) < 2:
         raise NotRun("one color, which shows nothing")
-    return "" if int(counts[2]) == 0 else counts[0]
+    return counts[0] if int(counts[2]) else ""
 
 
 def main():
