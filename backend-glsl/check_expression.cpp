@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/check_expression.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 

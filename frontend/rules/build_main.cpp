@@ -150,6 +150,9 @@ class MainBuilder {
     // No output of the stage before matches what the rasterizer makes.
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
     if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
+    if (value.use == Use::kPlain) {
+      if (const VarId shared = SharedInput(leaf)) return Fit(builder_.Ref(shared), leaf.type);
+    }
     if (value.use == Use::kRefused || !semantics_.MayAdd(leaf, Direction::kInput, value)) return {};
     const bool is_lacking =
         stage_.draws_pixels && !program_.is_interface_only && semantics_.Lacks(leaf.cursor, value);
@@ -159,6 +162,22 @@ class MainBuilder {
     const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
     return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
                leaf.type);
+  }
+
+  // The input that a pixel shader has already for the same semantic and type; from 4.0 to 5.1 both
+  // read it (vkd3d's entry-point-semantics.shader_test, checked against fxc).
+  VarId SharedInput(const Carrier& leaf) {
+    const bool shares = stage_.has_stage_before && !program_.is_interface_only &&
+                        program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
+    if (!shares) return {};
+    const TypeId type = StoredType(leaf.type);
+    const auto& semantic = leaf.cursor.semantic;
+    const auto found = std::ranges::find_if(program_.inputs, [&](const IoVar& input) {
+      return input.builtin == Builtin::kNone && input.index == semantic.index &&
+             EqualIgnoringCase(input.semantic, semantic.name) &&
+             program_.vars[input.var].type == type;
+    });
+    return found == program_.inputs.end() ? VarId{} : found->var;
   }
 
   // The part that this input has of the register that all inputs of its semantic read.

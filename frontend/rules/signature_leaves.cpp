@@ -19,7 +19,7 @@ std::string Spelled(const SemanticName& semantic) {
 }
 
 // The interpolation of a field of a struct: `nointerpolation` on either comes first, as in vkd3d's
-// test of it, which passes on Microsoft's compiler.
+// nointerpolation.shader_test, which passes on Microsoft's compiler.
 Interpolation Joined(Interpolation whole, Interpolation field) {
   for (const auto kind : {Interpolation::kNoInterpolation, Interpolation::kNoPerspective}) {
     if (whole == kind || field == kind) return kind;
@@ -102,9 +102,13 @@ void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& c
   piece.row_major = field.row_major;
   Cursor own = CursorOf(field);
   own.precise |= cursor.precise;
-  own.interpolation = Joined(cursor.interpolation, own.interpolation);
-  own.sample |= cursor.sample;
-  own.centroid |= cursor.centroid;
+  // dxc takes the words of the field alone where it has some.
+  const bool has_own = own.interpolation != Interpolation::kDefault || own.sample || own.centroid;
+  if (!has_own || !program_.profile.IsAtLeast(6, 0)) {
+    own.interpolation = Joined(cursor.interpolation, own.interpolation);
+    own.sample |= cursor.sample;
+    own.centroid |= cursor.centroid;
+  }
   own.centroid &= !own.sample && own.interpolation != Interpolation::kNoInterpolation;
   if (!own.location) own.location = cursor.location;
   if (cursor.given) Override(own, cursor, piece.name);
