@@ -30,6 +30,7 @@ Flags ComparisonFlags(BuildOptions& build, RandomOptions& random, Tolerance& tol
       {"ints", With([&](auto& value) { SetInts(value, random); })},
       {"quarters", On(random.quarters)},
       {"perspective", On(random.perspective)},
+      {"samples", Number(random.samples)},
       {"ulps", With([&](auto& value) { tolerance.ulps = std::strtod(value.c_str(), nullptr); })},
       {"exact", {false, [&](const std::string&) { tolerance.ulps = -1; }}},
   };

@@ -22,6 +22,8 @@ struct RandomOptions {
   bool quarters = false;
   // Of a pixel shader: w changes from pixel to pixel, so that inputs are not exact.
   bool perspective = false;
+  // Of a pixel shader, in OpenGL: the samples of a pixel, of which the picture is resolved.
+  int samples = 1;
 };
 
 // A source of random values. Equal seeds give equal values on every machine. Floats lie in [-2, 2],

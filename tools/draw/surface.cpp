@@ -160,7 +160,9 @@ class SurfaceMaker {
         for (std::size_t k = 0; k < 4; ++k) values[i][k] = BitsOf(position[k]);
       }
       if (builtin == Builtin::kFrontFacing) values[i][0] = cell.is_front ? 1 : 0;
-      if (builtin == Builtin::kCoverageInput) values[i][0] = 1;  // a pixel has one sample
+      const auto samples = static_cast<std::uint64_t>(options_.samples);
+      if (builtin == Builtin::kCoverageInput) values[i][0] = (std::uint64_t{1} << samples) - 1;
+      if (builtin == Builtin::kSampleCount) values[i][0] = samples;
       if (builtin == Builtin::kPrimitiveId) {
         const bool is_second = x / kCellWidth + y / kCellHeight > 1;
         values[i][0] = static_cast<std::uint64_t>(2 * number + (is_second ? 1 : 0));

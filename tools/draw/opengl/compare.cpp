@@ -22,7 +22,8 @@ std::vector<Captured> Drawn(const std::string& text, const std::vector<const Exp
                             const Trial& trial, const Inputs& inputs) {
   const SurfaceSpace space{.is_vulkan = false, .flips_y = trial.shader.flips_y};
   return Chosen(DrawSurface(SurfaceVertexShader(trial.shader, text, space), text,
-                            TargetsOf(trial.shader.lowered, trial.shader.info), inputs, space),
+                            TargetsOf(trial.shader.lowered, trial.shader.info), inputs, space,
+                            trial.draw.samples),
                 outputs);
 }
 

@@ -2,6 +2,7 @@
 #include "tools/draw/opengl/surface.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tools/draw/opengl/program.h"
 
@@ -29,7 +30,7 @@ GLenum AttachmentOf(const SurfaceTarget& target) {
 // A framebuffer of those targets, which is bound while it lives. Nothing is drawn in it.
 class SurfaceFramebuffer : NotCopied {
  public:
-  explicit SurfaceFramebuffer(const std::vector<SurfaceTarget>& targets) {
+  SurfaceFramebuffer(const std::vector<SurfaceTarget>& targets, int samples) : samples_(samples) {
     glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, kSurfaceWidth, kSurfaceHeight);
@@ -51,6 +52,22 @@ class SurfaceFramebuffer : NotCopied {
     glDeleteRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
   }
 
+  // Resolves the samples into those of `to`, which has one for each pixel, and binds that.
+  void ResolveInto(const std::vector<SurfaceTarget>& targets, const SurfaceFramebuffer& to) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer_);
+    for (const SurfaceTarget& target : targets) {
+      if (!target.is_depth) {
+        const std::vector<GLenum> only = PlacesTo(target);
+        glReadBuffer(only.back());
+        glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
+      }
+      glBlitFramebuffer(0, 0, kSurfaceWidth, kSurfaceHeight, 0, 0, kSurfaceWidth, kSurfaceHeight,
+                        target.is_depth ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer_);
+  }
+
   // The words of a target, with the bottom row first.
   static Words Read(const SurfaceTarget& target) {
     const TargetFormat format = TargetFormatOf(target);
@@ -64,10 +81,22 @@ class SurfaceFramebuffer : NotCopied {
   void Attach(const SurfaceTarget& target) {
     glGenRenderbuffers(1, &buffers_.emplace_back());
     glBindRenderbuffer(GL_RENDERBUFFER, buffers_.back());
-    glRenderbufferStorage(GL_RENDERBUFFER, TargetFormatOf(target).internal, kSurfaceWidth,
-                          kSurfaceHeight);
+    const GLenum format = TargetFormatOf(target).internal;
+    if (samples_ > 1) {
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, format, kSurfaceWidth,
+                                       kSurfaceHeight);
+    } else {
+      glRenderbufferStorage(GL_RENDERBUFFER, format, kSurfaceWidth, kSurfaceHeight);
+    }
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, AttachmentOf(target), GL_RENDERBUFFER,
                               buffers_.back());
+  }
+
+  // The places of colours up to the target's, which is the only one.
+  static std::vector<GLenum> PlacesTo(const SurfaceTarget& target) {
+    std::vector<GLenum> places(target.number + 1, GL_NONE);
+    places.back() = AttachmentOf(target);
+    return places;
   }
 
   static void Clear(const SurfaceTarget& target) {
@@ -83,6 +112,7 @@ class SurfaceFramebuffer : NotCopied {
     }
   }
 
+  const int samples_;
   GLuint framebuffer_ = 0;
   std::vector<GLuint> buffers_;
 };
@@ -91,7 +121,7 @@ class SurfaceFramebuffer : NotCopied {
 
 std::vector<Captured> DrawSurface(const std::string& vertex, const std::string& fragment,
                                   const std::vector<SurfaceTarget>& targets, const Inputs& inputs,
-                                  const SurfaceSpace& space) {
+                                  const SurfaceSpace& space, int samples) {
   const Version version = VersionOf(fragment);
   GlProgram program(vertex, fragment, {}, [&](GLuint id) {
     if (version.es || version.number < 130) return;
@@ -99,7 +129,9 @@ std::vector<Captured> DrawSurface(const std::string& vertex, const std::string& 
       if (!target.is_depth) glBindFragDataLocation(id, target.number, target.name.c_str());
     }
   });
-  const SurfaceFramebuffer framebuffer(targets);
+  const SurfaceFramebuffer plain(targets, 1);
+  std::optional<SurfaceFramebuffer> multisampled;
+  if (samples > 1) multisampled.emplace(targets, samples);
   program.Bind(inputs);
   glEnable(GL_DEPTH_TEST);  // without it nothing writes the depth
   glDepthFunc(GL_ALWAYS);
@@ -109,6 +141,7 @@ std::vector<Captured> DrawSurface(const std::string& vertex, const std::string& 
   glFrontFace(GL_CCW);
   glDepthFunc(GL_LESS);
   glDisable(GL_DEPTH_TEST);
+  if (multisampled) multisampled->ResolveInto(targets, plain);
   std::vector<Captured> captured;
   for (const SurfaceTarget& target : targets)
     captured.push_back(PixelsOf(SurfaceFramebuffer::Read(target), target, !space.flips_y));
