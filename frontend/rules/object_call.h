@@ -38,6 +38,9 @@ ExprId Moved(Builder builder, Program& program, ExprId location, ExprId offset);
 ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,
                       std::span<const ExprId> arguments);
 
+// counter_call.cpp: checks Append, Consume, IncrementCounter or DecrementCounter of a structured
+// buffer.
+ExprId CheckCounter(const IntrinsicCheck& call, ExprId object);
 // objects_size.cpp
 ExprId CheckGetDimensions(const IntrinsicCheck& call, ExprId object);
 

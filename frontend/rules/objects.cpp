@@ -131,26 +131,7 @@ class MethodCheck : IntrinsicCheck {
                   program.types.Make(Scalar::kInt), Element());
   }
 
-  // Checks the change of a buffer's counter, whose value is the index of the element that is free,
-  // or that is the last.
-  ExprId Counter(int op) { return HasCount(0, 0) ? CounterValue(op) : Error(); }
-
-  ExprId Append(int) {
-    if (!HasCount(1, 1)) return Error();
-    const ExprId step = NameOnce();
-    const ExprId counter = CounterValue(static_cast<int>(ObjectOp::kIncrementCounter));
-    arguments_.push_back(counter);
-    if (!Take(0, Element())) return Error();
-    return After(*this, {&step, 1}, Finish(ObjectOp::kStore, program.types.Void()));
-  }
-
-  ExprId Consume(int) {
-    if (!HasCount(0, 0)) return Error();
-    const ExprId step = NameOnce();
-    const ExprId counter = CounterValue(static_cast<int>(ObjectOp::kDecrementCounter));
-    arguments_.push_back(counter);
-    return After(*this, {&step, 1}, Finish(ObjectOp::kStructuredLoad, Element()));
-  }
+  ExprId Counter(int) { return CheckCounter(*this, object_); }
 
   ExprId ByteLoad(int words) {
     return LoadAt(ObjectOp::kByteLoad, program.types.Make(Scalar::kUint),
@@ -238,27 +219,6 @@ class MethodCheck : IntrinsicCheck {
   ExprId Compare(ObjectOp op) {
     if (!TakeCompare(3) || !TakeOffset(3)) return Error();
     return Finish(op, program.types.Make(Scalar::kFloat));
-  }
-  ExprId CounterValue(int op) {
-    const ExprId object = Clone(program, object_);
-    return MakeObjectCall(Make(), program, program.types.Make(Scalar::kUint),
-                          static_cast<ObjectOp>(op), {&object, 1});
-  }
-  // Makes the indices of the object variables where they have effects, so that it may be written
-  // twice. Returns the assignments to them.
-  ExprId NameOnce() {
-    std::vector<ExprId> steps;
-    for (ExprId part = object_; part; part = WholeOf(program, part)) {
-      auto* index = As<Index>(program, part);
-      if (!index || IsPure(program, index->index)) continue;
-      const auto number = temporaries.Make(index->index);
-      steps.push_back(number.prologue);
-      const ExprId named = Make().Ref(number.var);
-      std::get<Index>(program.exprs[part].node).index = named;
-    }
-    ExprId all;
-    for (const ExprId step : steps) all = all ? Make().CommaOf(step, all) : step;
-    return all;
   }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
@@ -435,12 +395,10 @@ constexpr auto kTextureMethods = [] {
 constexpr Method kBufferMethods[] = {
     {"Load", kElements, &MethodCheck::BufferLoad},
     {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
-    {"Append", kAppending, &MethodCheck::Append},
-    {"Consume", kConsuming, &MethodCheck::Consume},
-    {"IncrementCounter", kCounting, &MethodCheck::Counter,
-     static_cast<int>(ObjectOp::kIncrementCounter)},
-    {"DecrementCounter", kCounting, &MethodCheck::Counter,
-     static_cast<int>(ObjectOp::kDecrementCounter)},
+    {"Append", kAppending, &MethodCheck::Counter},
+    {"Consume", kConsuming, &MethodCheck::Counter},
+    {"IncrementCounter", kCounting, &MethodCheck::Counter},
+    {"DecrementCounter", kCounting, &MethodCheck::Counter},
 };
 
 constexpr Method kByteMethods[] = {
