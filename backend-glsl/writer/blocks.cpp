@@ -145,13 +145,14 @@ class BlockWriter {
     if (member.form == PartForm::kRows) return PartInRows(member);
     if (member.form == PartForm::kWords) return PartInWords(member);
     const std::string name = NameOf(member);
-    Append(
-        text_, PrecisionOf(member.var, member.field),
-        context_.IsWrittenAsUint(member.var)
-            ? Declaration(context_,
-                          ShapeOf(context_[member.type], context_.target).With(Scalar::kUint), name)
-            : Declaration(context_, member.type, name),
-        ";\n");
+    text_ += PrecisionOf(member.var, member.field);
+    if (context_.IsWrittenAsUint(member.var)) {
+      const Shape shape = ShapeOf(context_[member.type], context_.target);
+      text_ += Declaration(context_, shape.With(Scalar::kUint), name);
+    } else {
+      AppendDeclaration(context_, text_, member.type, name);
+    }
+    text_ += ";\n";
     info_.members.push_back({member.var, member.field, HostName(name)});
   }
 

@@ -49,8 +49,10 @@ void WriteDeclare(Code& code, const Declare& node, bool is_first = true) {
   code.NameLocal(node.var, "value");
   const std::string& name = code.NameOf(node.var);
   if (!is_first) return code.PutBefore(begin, Declarator(code, var.type, name));
-  code.PutBefore(begin, Concat(code.constants.Has(node.var) ? "const " : "",
-                               PreciseText(code, var.precise), Declaration(code, var.type, name)));
+  std::string declaration(code.constants.Has(node.var) ? "const " : "");
+  declaration += PreciseText(code, var.precise);
+  AppendDeclaration(code, declaration, var.type, name);
+  code.PutBefore(begin, declaration);
 }
 
 // The attribute for Vulkan's drivers that corresponds to the statement's attribute in HLSL, and a

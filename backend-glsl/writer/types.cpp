@@ -126,6 +126,11 @@ std::string Declaration(Context& context, const Shape& shape, std::string_view n
   return Concat(parts.base, " ", name, parts.dimensions);
 }
 
+void AppendDeclaration(Context& context, std::string& text, TypeId type, std::string_view name) {
+  const TypeParts parts = PartsOf(context, type);
+  Append(text, parts.base, " ", name, parts.dimensions);
+}
+
 std::string UniformDeclaration(Context& context, TypeId id, std::string_view name) {
   const Type& type = context[id];
   if (type.kind != TypeKind::kArray || context.Has(Feature::kArrayValues))
