@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "base/spelling.h"
 #include "frontend/rules/attribute_reads.h"
 #include "frontend/rules/distances.h"
 #include "frontend/rules/locations.h"
@@ -170,14 +169,8 @@ class MainBuilder {
     const bool shares = stage_.has_stage_before && !program_.is_interface_only &&
                         program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
     if (!shares) return {};
-    const TypeId type = StoredType(leaf.type);
-    const auto& semantic = leaf.cursor.semantic;
-    const auto found = std::ranges::find_if(program_.inputs, [&](const IoVar& input) {
-      return input.builtin == Builtin::kNone && input.index == semantic.index &&
-             EqualIgnoringCase(input.semantic, semantic.name) &&
-             program_.vars[input.var].type == type;
-    });
-    return found == program_.inputs.end() ? VarId{} : found->var;
+    const VarId input = attributes_.InputOf(leaf.cursor.semantic);
+    return input && program_.vars[input].type == StoredType(leaf.type) ? input : VarId{};
   }
 
   // The part that this input has of the register that all inputs of its semantic read.
