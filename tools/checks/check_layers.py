@@ -90,7 +90,7 @@ ROOMS = {
     "tools/effects": {"runtime", "tools/harness"},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
-    "web/module": {"compiler", "runtime"},
+    "web/module": {"compiler", "link", "runtime"},
     "web/wasm": set(),
     "examples": {"runtime", "tools/harness", LIBRARY},
 }

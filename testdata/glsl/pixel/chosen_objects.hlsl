@@ -2,7 +2,6 @@
 // parameter or a function that only returns it. Source: dxc's tests sel_sampler.hlsl, convergent_const_folding.hlsl, selects.hlsl.
 // RUN: %clipc %s -T ps_6_0 -E ps --target=vulkan --validate -o - | FileCheck %s
 // RUN: %draw compare %s -T ps_6_0 -E ps --target=glsl450
-// RUN: not %clipc %s -T ps_6_0 -E ps -DVARIES -o - 2>&1 | FileCheck %s --check-prefix=VARIES
 Texture2D first : register(t0);
 SamplerState near : register(s0);
 SamplerState far : register(s1);
@@ -29,14 +28,8 @@ float4 Either(uint which, int3 place, Pair pair) { return which ? pair.a.Load(pl
 
 float4 ps(float2 uv : UV, int3 place : PLACE) : SV_Target {
   const bool is_far = !Always();
-  bool varies = uv.x > 0;
-#ifdef VARIES
-  // VARIES: [[#@LINE+1]]:23: error: `?:` of type `SamplerState` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
-  return first.Sample(varies ? near : far, uv);
-#else
   Pair pair;
   pair.a = first;
   // CHECK: SV_Target0 = texture(sampler2D(first, near), vs_UV0) + Take(
   return first.Sample(is_far ? far : near, uv) + Take(uv, false) + Either(1, place & 1, pair);
-#endif
 }
