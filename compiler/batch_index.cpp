@@ -71,7 +71,8 @@ MergedIndex MergeIndexes(const std::vector<std::string>& paths) {
   unsigned parts = 0;
   for (const std::string& path : paths) {
     std::string text;
-    if (std::string problem = ReadText(path, text); !problem.empty()) return {{}, problem};
+    if (std::string problem = ReadText(path, text); !problem.empty())
+      return {{}, fmt::format("cannot read `{}`: {}", path, problem)};
     Json json = Json::parse(text, nullptr, false);
     const bool is_part = json.is_object() && json.value("version", 0) == 1 &&
                          json.contains("part") && json["part"].is_number_unsigned() &&
