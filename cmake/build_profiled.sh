@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Builds clipc as it is packaged, in build/profiled: compiled by what an earlier build of it ran on the shaders of
-# examples/gallery and the pixel shaders of testdata/draw/pairs. Needs g++.
+# examples/gallery, and on the pixel shaders and pairs of testdata/draw/pairs. Needs g++.
 #   cmake/build_profiled.sh [TARGET...]      all targets of the build, or these
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -27,6 +27,8 @@ for target in glsl450 glsl330 essl300 vulkan; do
       >/dev/null 2>&1 || true
   done
   "$folder/bin/clipc" -T ps_5_0 -E ps --target="$target" --no-validate testdata/draw/pairs/*.hlsl -o "$scratch" >/dev/null 2>&1 || true
+  "$folder/bin/clipc" -E vs --pixel-entry=ps --pixel-output=.frag --target="$target" --no-validate testdata/draw/pairs/*.hlsl \
+    -o "$scratch" >/dev/null 2>&1 || true
 done
 [ -n "$(find "$folder" -name '*.gcda' -print -quit)" ] || {
   echo "cmake/build_profiled.sh: the recording program wrote no notes" >&2
