@@ -89,7 +89,7 @@ class Batch {
   std::unordered_map<std::string, std::string> files_by_contents_;
   std::size_t kept_bytes_ = 0;
   std::function<std::string(const std::vector<BatchEntry>&)> render_;
-  std::vector<std::vector<std::string>> read_by_;  // the files that each finished job has read
+  std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
   std::unique_ptr<BatchJournal> journal_;                  // null: nothing can be resumed
@@ -250,7 +250,7 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     entry.files = entries_[*alike].files;
     entry.exit_code = code = entries_[*alike].exit_code;
     if (!result.macros_used.empty() || result.digest) Remember(at, result, *alike);
-    done.dependencies = read_by_[*alike];
+    done.dependencies = read_by_.at(*alike);
   } else {
     Remember(at, result, at);
     if (!result.messages.empty()) {
@@ -259,6 +259,7 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
       printer_.Show(result);
     }
     done.dependencies = result.dependencies;
+    read_by_.emplace(at, result.dependencies);
     code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
     if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
       progress_.Clear();
@@ -274,7 +275,6 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
   std::string problem;
   if (journal_ && code == kExitOk) problem = journal_->Add(entry.name, done);
   if (!problem.empty()) exit_code_ = printer_.Fail(problem);
-  read_by_.push_back(std::move(done.dependencies));
   failed_ += code == kExitOk ? 0 : 1;
   exit_code_ = std::max(exit_code_, code);
   return problem.empty() && (code == kExitOk || command_.keep_going);

@@ -17,6 +17,9 @@ bool IsMatrix(const Type& type) {
 bool IsBounded(const Program& program, ExprId count, std::uint32_t bits) {
   if (const auto* splat = As<Splat>(program, count))
     return IsBounded(program, splat->operand, bits);
+  if (const auto* convert = As<Convert>(program, count))
+    return IsInteger(program.types[program.exprs[convert->operand].type].scalar) &&
+           IsBounded(program, convert->operand, bits);
   if (const auto* literal = As<Literal>(program, count)) return literal->bits < bits;
   const auto* mask = As<Binary>(program, count);
   return mask && mask->op == BinaryOp::kBitAnd && IsBounded(program, mask->right, bits);
