@@ -13,6 +13,7 @@ import { pathToFileURL } from 'node:url';
 const REFUSED = {
   'cull_and_clip.hlsl': /CullDistance/,
   'cutaway.hlsl': /CullDistance/,
+  'distances_without_gaps.hlsl': /CullDistance/,
   'control_flow.hlsl': /fall-through/,
   'skinning.hlsl': /Function .* is invalid/,
   'matrices.hlsl': /Index 3 is out of bounds/, // of a row_major matrix that is not square
