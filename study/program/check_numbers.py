@@ -369,7 +369,12 @@ GIVEN = {
     "docs/scene.md": {"2.0", "100", "0.5", "1080", "256"},
     "docs/runtime.md": {"1080", "100"},
     "README.md": {"2.0", "4.5"},
-    "docs/speed.md": {"12.0", "1.3", "700,000", "830,000"},  # counts, with the command that makes them
+    "docs/speed.md": {
+        "12.0",
+        "1.3",
+        "700,000",
+        "830,000",
+    },  # counts, with the command that makes them
 }
 
 

@@ -19,18 +19,14 @@ class NotRun(Exception):
 
 
 COMPONENTS = "xyzw"
-TEXTURE = re.compile(
-    r"uniform (\w+) (\w+);\s*// (?:\w+ : )?t(\d+)(?: with (?:\w+ : )?s(\d+))?"
-)
+TEXTURE = re.compile(r"uniform (\w+) (\w+);\s*// (?:\w+ : )?t(\d+)(?: with (?:\w+ : )?s(\d+))?")
 BLOCK = re.compile(r"layout\(std140[^)]*\) uniform (\w+) \{\s*// b(\d+)")
 INPUT = re.compile(
     r"^(?:layout\(location = (\d+)\) )((?:\w+ )*?)in (\w+) (\w+);\s*// \S+ : (\w+?)(\d+)$", re.M
 )
 OUTPUT = re.compile(r"^layout\(location = 0\) out (\w+) (\w+);.*$", re.M)
 OUTPUTS = re.compile(r"^layout\(location = (\d+)\) out (\w+) (\w+);.*$", re.M)
-SIGNATURE = re.compile(
-    r"^// (\w+)\s+(\d+)\s+([xyzw]+|N/A)\s+(\d+|oDepth)\s+(\w+)\s+(\w+)", re.M
-)
+SIGNATURE = re.compile(r"^// (\w+)\s+(\d+)\s+([xyzw]+|N/A)\s+(\d+|oDepth)\s+(\w+)\s+(\w+)", re.M)
 
 # An instruction: the kind of its operands, floats, ints or uints, and the GLSL with a, b and c.
 PLAIN = {
