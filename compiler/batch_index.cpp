@@ -20,19 +20,24 @@ constexpr Named<BatchStatus> kStatusNames[] = {{BatchStatus::kNotCompiled, "not-
                                                {BatchStatus::kCompiled, "compiled"},
                                                {BatchStatus::kFailed, "failed"}};
 
-// An index has a line for each permutation.
-std::string Render(const std::vector<Json>& shaders, ShardOfIndex shard) {
-  std::string text = "{\"version\": 1, ";
-  if (shard.parts != 1)
-    text += fmt::format("\"part\": {}, \"parts\": {}, ", shard.part, shard.parts);
-  text += "\"shaders\": [";
-  const char* separator = "\n";
-  for (const Json& json : shaders) {
-    text += separator + json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    separator = ",\n";
+// The text of an index, which has a line for each permutation.
+class IndexText {
+ public:
+  explicit IndexText(ShardOfIndex shard) {
+    if (shard.parts != 1)
+      text_ += fmt::format("\"part\": {}, \"parts\": {}, ", shard.part, shard.parts);
+    text_ += "\"shaders\": [";
   }
-  return text + "\n]}\n";
-}
+  void Add(const Json& shader) {
+    text_ += separator_ + shader.dump(-1, ' ', false, Json::error_handler_t::replace);
+    separator_ = ",\n";
+  }
+  std::string Finish() && { return std::move(text_) + "\n]}\n"; }
+
+ private:
+  std::string text_ = "{\"version\": 1, ";
+  const char* separator_ = "\n";
+};
 
 }  // namespace
 
@@ -48,7 +53,7 @@ void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
 }
 
 std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex shard) {
-  std::vector<Json> shaders;
+  IndexText index(shard);
   for (const BatchEntry& entry : entries) {
     Json json = {{"name", entry.name},
                  {"source", entry.source},
@@ -61,9 +66,9 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex sha
     for (const auto& [macro, value] : entry.defines)
       json["defines"][macro] = value ? Json(*value) : Json();
     for (const auto& [kind, file] : entry.files) json["files"][kind] = file;
-    shaders.push_back(std::move(json));
+    index.Add(json);
   }
-  return Render(shaders, shard);
+  return std::move(index).Finish();
 }
 
 MergedIndex MergeIndexes(const std::vector<std::string>& paths) {
@@ -100,12 +105,12 @@ MergedIndex MergeIndexes(const std::vector<std::string>& paths) {
       return {{}, fmt::format("the index of part {} of {} is missing", part, parts)};
   }
   // The parts take the permutations in turn.
-  std::vector<Json> shaders;
+  IndexText index({});
   for (std::size_t row = 0; row < by_part[1].size(); ++row) {
     for (unsigned part = 1; part <= parts && row < by_part[part].size(); ++part)
-      shaders.push_back(std::move(by_part[part][row]));
+      index.Add(by_part[part][row]);
   }
-  return {Render(shaders, {}), {}};
+  return {std::move(index).Finish(), {}};
 }
 
 }  // namespace clipc
