@@ -28,7 +28,7 @@ class BlockLayoutTest : public testing::Test {
   TypeId A(TypeId element, std::uint32_t count) {
     return shader_.program.types.Array(element, count);
   }
-  TypeId S(const std::vector<ShaderForTest::Member>& fields) {
+  TypeId S(const std::vector<ShaderForTest::NewMember>& fields) {
     ir::Struct structure;
     structure.name = "S";
     for (const auto& field : fields) {
@@ -40,7 +40,7 @@ class BlockLayoutTest : public testing::Test {
     }
     return shader_.program.types.Of(shader_.program.types.AddStruct(structure));
   }
-  BlockLayout Layout(const std::vector<ShaderForTest::Member>& members,
+  BlockLayout Layout(const std::vector<ShaderForTest::NewMember>& members,
                      std::string_view target = "glsl450",
                      ir::CbufferKind kind = ir::CbufferKind::kCbuffer,
                      std::string_view unread = "") {
@@ -55,8 +55,8 @@ class BlockLayoutTest : public testing::Test {
   }
   // What the block declares, "a b.words c.rows2", where the members whose names are letters of
   // `unread` are not read.
-  std::string Parts(const std::vector<ShaderForTest::Member>& members, std::string_view unread = "",
-                    std::string_view target = "glsl450") {
+  std::string Parts(const std::vector<ShaderForTest::NewMember>& members,
+                    std::string_view unread = "", std::string_view target = "glsl450") {
     const BlockLayout layout = Layout(members, target, ir::CbufferKind::kCbuffer, unread);
     if (layout.form != BlockForm::kStd140)
       return layout.form == BlockForm::kRows ? "rows" : "uniforms";
@@ -70,7 +70,7 @@ class BlockLayoutTest : public testing::Test {
     return text;
   }
   // Whether std140 can place every member.
-  bool Fits(const std::vector<ShaderForTest::Member>& members) {
+  bool Fits(const std::vector<ShaderForTest::NewMember>& members) {
     return Layout(members).by_hand.empty();
   }
 
@@ -130,8 +130,8 @@ TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
 }
 
 TEST_F(BlockLayoutTest, GapsAreOffsetsOrPadding) {
-  const std::vector<ShaderForTest::Member> members = {{"b", F(1), false, 72},
-                                                      {"a", F(4), false, 16}};
+  const std::vector<ShaderForTest::NewMember> members = {{"b", F(1), false, 72},
+                                                         {"a", F(4), false, 16}};
   const BlockLayout offsets = Layout(members, "glsl440");
   EXPECT_EQ(offsets.form, BlockForm::kStd140);
   EXPECT_EQ(offsets.members[0].offset, 16u) << "in order of offset";
@@ -163,7 +163,7 @@ TEST_F(BlockLayoutTest, WhatIsReadByHand) {
 }
 
 TEST_F(BlockLayoutTest, LargeBlocksEndWithWhatIsRead) {
-  const std::vector<ShaderForTest::Member> large = {
+  const std::vector<ShaderForTest::NewMember> large = {
       {"a", F(4)}, {"b", A(F(4), 1000)}, {"c", A(F(4), 23)}, {"d", F(4)}};
   EXPECT_EQ(Parts(large), "a b c d");
   EXPECT_EQ(Parts(large, "d"), "a b c") << "16 KB";
@@ -317,7 +317,7 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
     RandomCbuffers random(round * 977 + 1);
     std::vector<Leaf> leaves;
     for (int i = 0; i < 40; ++i) {
-      std::vector<ShaderForTest::Member> members;
+      std::vector<ShaderForTest::NewMember> members;
       for (int m = 0, count = 1 + random.Below(4); m < count; ++m) {
         const std::string name = "m" + std::to_string(i) + "_" + std::to_string(m);
         members.push_back({name, random.Type(shader, 2), random.Below(2) == 0});

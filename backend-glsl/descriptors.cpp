@@ -86,7 +86,7 @@ Descriptors::Taken Descriptors::TakeFromOther(const ir::Program& program, const 
     taken.emplace(place.set.value_or(0), *place.binding);
     if (reg) moved_.emplace(reg, ir::Descriptor{*place.binding, place.set.value_or(0)});
   };
-  for (const GlslInfo::Block& block : other.written->blocks) {
+  for (const GlslInfo::UniformBlock& block : other.written->blocks) {
     const ir::Register* shared = nullptr;
     for (const ir::CbufferId id : program.cbuffers.ids()) {
       if (other.cbuffers[id.index] == block.cbuffer) shared = &program.cbuffers[id].reg;

@@ -43,21 +43,21 @@ class ShaderForTest {
   }
 
   // A member of a cbuffer that AddCbuffer adds.
-  struct Member {
+  struct NewMember {
     std::string name;
     ir::TypeId type;
     bool row_major = false;
     std::optional<std::uint32_t> packoffset = {};
   };
   // Adds a cbuffer b<n> with these members, laid out by HLSL's rules.
-  ir::CbufferId AddCbuffer(std::string name, const std::vector<Member>& members,
+  ir::CbufferId AddCbuffer(std::string name, const std::vector<NewMember>& members,
                            ir::CbufferKind kind = ir::CbufferKind::kCbuffer) {
     ir::Cbuffer cbuffer;
     cbuffer.name = std::move(name);
     cbuffer.kind = kind;
     cbuffer.reg = {'b', program.cbuffers.size(), 0, true};
     const ir::CbufferId id{program.cbuffers.size()};
-    for (const Member& member : members) {
+    for (const NewMember& member : members) {
       ir::Var var;
       var.name = member.name;
       var.type = member.type;

@@ -67,7 +67,7 @@ WrittenGlsl WriteGlsl(const Program& program, const Target& target, const WriteO
   code.names = NameEverything(code);
   code.names.functions = NameFunctions(code);
   code.texture_uses = FindTextureUses(code);
-  Blocks blocks = WriteBlocks(code);
+  UniformBlocks blocks = WriteBlocks(code);
   Objects objects = WriteObjects(code);
   Inputs inputs = WriteInputs(code);
   Outputs outputs = WriteOutputs(code);

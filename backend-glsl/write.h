@@ -49,7 +49,7 @@ struct GlslInfo {
     // so that the same vertex layout fits.
     bool is_used = true;
   };
-  struct Member {
+  struct UniformMember {
     ir::VarId var;
     int field = -1;  // of a ConstantBuffer<T> with an instance name: the field of T
     // The name by which the host asks for the member: "world"; "Camera.view" of a block `Camera`
@@ -74,7 +74,7 @@ struct GlslInfo {
     std::optional<std::uint32_t> set, binding;
     std::uint32_t count = 1;  // of an array: so many bindings of OpenGL from `binding` on
   };
-  struct Block : Binding {
+  struct UniformBlock : Binding {
     ir::CbufferId cbuffer;
     BlockForm form = BlockForm::kStd140;
     std::string name;               // of the block; empty where there is none
@@ -82,7 +82,7 @@ struct GlslInfo {
     std::string rows;               // kRows: the array of rows
     bool is_push_constant = false;  // a push constant of Vulkan: no buffer is bound
     bool is_shared = false;         // the other stage of a pair has the block too
-    std::vector<Member> members;
+    std::vector<UniformMember> members;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
   struct Object : Binding {
@@ -93,7 +93,7 @@ struct GlslInfo {
   };
 
   std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs, one for one
-  std::vector<Block> blocks;              // reached ones, in order of declaration
+  std::vector<UniformBlock> blocks;       // reached ones, in order of declaration
   std::vector<Object> objects;
   std::uint32_t clip_distance_mask = 0;  // bit i: gl_ClipDistance[i] is written
   std::uint32_t cull_distance_mask = 0;
@@ -102,8 +102,8 @@ struct GlslInfo {
   std::string framebuffer_height;
 
   // The block of a cbuffer; null if the shader does not reach the cbuffer.
-  const Block* BlockOf(ir::CbufferId cbuffer) const {
-    const auto found = std::ranges::find(blocks, cbuffer, &Block::cbuffer);
+  const UniformBlock* BlockOf(ir::CbufferId cbuffer) const {
+    const auto found = std::ranges::find(blocks, cbuffer, &UniformBlock::cbuffer);
     return found == blocks.end() ? nullptr : &*found;
   }
 };

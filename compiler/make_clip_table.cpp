@@ -11,7 +11,7 @@
 namespace clipc {
 namespace {
 
-using Block = glsl::GlslInfo::Block;
+using UniformBlock = glsl::GlslInfo::UniformBlock;
 using ir::Program;
 using ir::Type;
 using ir::TypeId;
@@ -58,8 +58,8 @@ std::string BufferIndex(const TypeTable& types, TypeId& type, std::uint32_t elem
 
 // The GLSL name of what lies `offset` bytes into one buffer: a member of it, or a field of a
 // ConstantBuffer's struct.
-std::string MemberName(const Program& program, const Block& block, const ir::Cbuffer& cbuffer,
-                       std::uint32_t element, std::uint32_t offset) {
+std::string MemberName(const Program& program, const UniformBlock& block,
+                       const ir::Cbuffer& cbuffer, std::uint32_t element, std::uint32_t offset) {
   const TypeTable& types = program.types;
   for (const ir::CbufferMember& member : cbuffer.members) {
     if (offset < member.offset || offset - member.offset >= std::max(member.size, 1u)) continue;
@@ -67,8 +67,8 @@ std::string MemberName(const Program& program, const Block& block, const ir::Cbu
     TypeId type = var.type;
     const std::string index = BufferIndex(types, type, element, cbuffer.count);
     const std::uint32_t rest = offset - member.offset;
-    const glsl::GlslInfo::Member* found = nullptr;
-    for (const glsl::GlslInfo::Member& named : block.members) {
+    const glsl::GlslInfo::UniformMember* found = nullptr;
+    for (const glsl::GlslInfo::UniformMember& named : block.members) {
       if (named.var != member.var) continue;
       if (!named.function.empty()) return named.NameAt(offset);
       if (named.field < 0) return named.name + index + PathTo(types, type, var.row_major, rest);
@@ -86,7 +86,7 @@ std::string MemberName(const Program& program, const Block& block, const ir::Cbu
 
 void NameInGlsl(const Program& program, const ir::ClipPlane& plane, const glsl::GlslInfo& info,
                 clip_table::Constant& constant) {
-  const Block* block = info.BlockOf(plane.cbuffer);
+  const UniformBlock* block = info.BlockOf(plane.cbuffer);
   if (!block) return;
   const ir::Cbuffer& cbuffer = program.cbuffers[plane.cbuffer];
   constant.glsl_block = block->name;

@@ -83,7 +83,7 @@ void ForgetNames(link::Interface& half, bool is_glsl) {
   for (link::Input& input : half.inputs) {
     if (!input.group && (input.location || !is_glsl)) input.name.clear();
   }
-  for (link::Block& block : half.blocks) {
+  for (link::UniformBlock& block : half.blocks) {
     if (!is_glsl) block.name.clear();
   }
 }

@@ -97,7 +97,8 @@ std::string InitialBytes(const Program& program, const ir::CbufferMember& member
   return text;
 }
 
-Json Member(const Program& program, const ir::CbufferMember& member, const GlslInfo::Block* block) {
+Json Member(const Program& program, const ir::CbufferMember& member,
+            const GlslInfo::UniformBlock* block) {
   const ir::Var& var = program.vars[member.var];
   Json json = {{"name", var.name},
                {"type", program.types.Name(var.type)},
@@ -106,7 +107,7 @@ Json Member(const Program& program, const ir::CbufferMember& member, const GlslI
   if (var.row_major) json["rowMajor"] = true;
   if (!member.initial.empty()) json["default"] = InitialBytes(program, member);
   if (!block) return json;
-  for (const GlslInfo::Member& named : block->members) {
+  for (const GlslInfo::UniformMember& named : block->members) {
     if (named.var != member.var) continue;
     // A ConstantBuffer's fields are members of the GLSL block.
     Json& entry =
@@ -154,7 +155,7 @@ void AddBinding(const std::optional<std::uint32_t>& set,
 
 Json CbufferJson(const Program& program, ir::CbufferId id, const GlslInfo& info) {
   const ir::Cbuffer& cbuffer = program.cbuffers[id];
-  const GlslInfo::Block* block = info.BlockOf(id);
+  const GlslInfo::UniformBlock* block = info.BlockOf(id);
   Json json = {{"name", cbuffer.name}, {"kind", NameIn<kCbufferKinds>(cbuffer.kind)}};
   json.update(ToJson(cbuffer.reg));
   json["size"] = cbuffer.size;

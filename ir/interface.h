@@ -60,12 +60,13 @@ struct BlockDeclaration {
   std::string instance;
   bool rows_on_block = false;  // row_major qualifies the block; else the members
   std::optional<std::uint32_t> set, binding;
-  struct Member {
+  struct DeclaredMember {
     std::string name;
     bool is_uint = false;  // a bool, which most compilers declare as the uint that it is in memory
     Precision precision = Precision::kHigh;
   };
-  std::vector<Member> members;  // in the order of Cbuffer::members, or of the fields of their T
+  std::vector<DeclaredMember>
+      members;  // in the order of Cbuffer::members, or of the fields of their T
 };
 struct Cbuffer {
   std::string name;
@@ -125,7 +126,7 @@ constexpr bool IsReadAnywhere(Builtin builtin) {
 // A block that inputs of the next stage are members of, `in Varyings { vec2 uv; } v`, or an input
 // that is a struct. A shader declares it alike, with the members that it does not write.
 struct OutputGroup {
-  struct Member {
+  struct GroupMember {
     std::string name;
     // The type in GLSL: a vector of `components`, a matrix of `columns` such vectors, or an array.
     Scalar scalar = Scalar::kFloat;
@@ -141,7 +142,7 @@ struct OutputGroup {
   std::string type;                            // the name of the block or the struct
   std::string instance;                        // empty: the members are global names
   std::optional<std::uint32_t> location = {};  // if the whole has one
-  std::vector<Member> members = {};
+  std::vector<GroupMember> members = {};
 };
 
 // The input of the next stage that an output matches, whose form the output takes.

@@ -14,7 +14,7 @@ namespace {
 // HLSL language specification, "Constant Buffer Layout", where a comment says so.
 class Packing : public testing::Test {
  protected:
-  struct Member {
+  struct NewMember {
     TypeId type;
     bool row_major = false;
     int packoffset = -1;
@@ -32,9 +32,9 @@ class Packing : public testing::Test {
     return types.Matrix(kind, rows, columns);
   }
   TypeId A(TypeId element, std::uint32_t count) { return types.Array(element, count); }
-  TypeId StructOf(const std::vector<Member>& members) {
+  TypeId StructOf(const std::vector<NewMember>& members) {
     Struct structure;
-    for (const Member& member : members) {
+    for (const NewMember& member : members) {
       Field field;
       field.name = "f" + std::to_string(structure.fields.size());
       field.type = member.type;
@@ -43,11 +43,11 @@ class Packing : public testing::Test {
     }
     return types.Of(types.AddStruct(std::move(structure)));
   }
-  Cbuffer Buffer(const std::vector<Member>& members, CbufferKind kind = CbufferKind::kCbuffer,
+  Cbuffer Buffer(const std::vector<NewMember>& members, CbufferKind kind = CbufferKind::kCbuffer,
                  bool whole_registers = false) {
     Cbuffer buffer;
     buffer.kind = kind;
-    for (const Member& member : members) {
+    for (const NewMember& member : members) {
       Var var;
       var.type = member.type;
       var.row_major = member.row_major;
@@ -60,7 +60,7 @@ class Packing : public testing::Test {
     LayOut(types, vars, buffer, whole_registers);
     return buffer;
   }
-  std::vector<std::uint32_t> Offsets(const std::vector<Member>& members) {
+  std::vector<std::uint32_t> Offsets(const std::vector<NewMember>& members) {
     std::vector<std::uint32_t> offsets;
     for (const CbufferMember& member : Buffer(members).members) offsets.push_back(member.offset);
     return offsets;
@@ -105,7 +105,7 @@ TEST_F(Packing, ScalarFollowsInsideTheLastRowOfAnArray) {
 }
 
 TEST_F(Packing, WholeRegistersAreNotShared) {
-  const std::vector<Member> members = {{A(F(3), 2), false, 16}, {F()}, {F()}};
+  const std::vector<NewMember> members = {{A(F(3), 2), false, 16}, {F()}, {F()}};
   const auto later = Buffer(members, CbufferKind::kGlobals).members;
   EXPECT_EQ(later[1].offset, 44u);
   const auto direct3d9 = Buffer(members, CbufferKind::kGlobals, true).members;

@@ -46,21 +46,21 @@ std::vector<std::uint32_t> DimensionsOf(const glslang::TType& type) {
   return dimensions;
 }
 
-std::optional<Shape> ShapeOfType(const glslang::TType& type) {
-  Shape shape;
+std::optional<GlslType> GlslTypeFrom(const glslang::TType& type) {
+  GlslType result;
   switch (type.getBasicType()) {
     case glslang::EbtFloat: break;
-    case glslang::EbtDouble: shape.scalar = ir::Scalar::kDouble; break;
-    case glslang::EbtInt: shape.scalar = ir::Scalar::kInt; break;
-    case glslang::EbtUint: shape.scalar = ir::Scalar::kUint; break;
-    case glslang::EbtBool: shape.scalar = ir::Scalar::kBool; break;
+    case glslang::EbtDouble: result.scalar = ir::Scalar::kDouble; break;
+    case glslang::EbtInt: result.scalar = ir::Scalar::kInt; break;
+    case glslang::EbtUint: result.scalar = ir::Scalar::kUint; break;
+    case glslang::EbtBool: result.scalar = ir::Scalar::kBool; break;
     default: return std::nullopt;
   }
-  shape.components =
+  result.components =
       static_cast<std::uint8_t>(type.isMatrix() ? type.getMatrixRows() : type.getVectorSize());
-  shape.columns = static_cast<std::uint8_t>(type.isMatrix() ? type.getMatrixCols() : 1);
-  shape.dimensions = DimensionsOf(type);
-  return shape;
+  result.columns = static_cast<std::uint8_t>(type.isMatrix() ? type.getMatrixCols() : 1);
+  result.dimensions = DimensionsOf(type);
+  return result;
 }
 
 ir::MatrixLayout LayoutOf(const glslang::TQualifier& qualifier) {
@@ -77,12 +77,12 @@ ir::Precision PrecisionOf(const glslang::TType& type) {
   }
 }
 
-std::vector<Member> MembersIn(const glslang::TType& type) {
-  std::vector<Member> members;
+std::vector<UniformMember> MembersIn(const glslang::TType& type) {
+  std::vector<UniformMember> members;
   for (const glslang::TTypeLoc& field : *type.getStruct()) {
-    Member& member = members.emplace_back();
+    UniformMember& member = members.emplace_back();
     member.name = field.type->getFieldName();
-    member.shape = ShapeOfType(*field.type);
+    member.type = GlslTypeFrom(*field.type);
     member.matrices = LayoutOf(field.type->getQualifier());
     member.precision = PrecisionOf(*field.type);
     if (field.type->getQualifier().hasOffset())
@@ -236,11 +236,11 @@ class GlslReader {
     if (qualifier.storage == glslang::EvqVaryingIn) return AddInput(symbol, qualifier);
     if (qualifier.storage != glslang::EvqUniform) return;
     if (symbol.getBasicType() == glslang::EbtBlock) return AddBlock(symbol, qualifier);
-    Member uniform;
+    UniformMember uniform;
     uniform.name = symbol.getName();
-    uniform.shape = ShapeOfType(symbol.getType());
+    uniform.type = GlslTypeFrom(symbol.getType());
     uniform.precision = PrecisionOf(symbol.getType());
-    if (uniform.shape || symbol.getType().isStruct()) result_.interface.uniforms.push_back(uniform);
+    if (uniform.type || symbol.getType().isStruct()) result_.interface.uniforms.push_back(uniform);
   }
 
   void AddInput(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
@@ -255,9 +255,9 @@ class GlslReader {
 
   void AddInput(Input input, const glslang::TType& type, const glslang::TQualifier& qualifier,
                 std::uint32_t components) {
-    const std::optional<Shape> shape = ShapeOfType(type);
-    if (!shape) return Refuse(input.where, input.name, "a struct in a struct or block");
-    input.shape = *shape;
+    const std::optional<GlslType> known = GlslTypeFrom(type);
+    if (!known) return Refuse(input.where, input.name, "a struct in a struct or block");
+    input.type = *known;
     if (qualifier.flat) input.interpolation = ir::Interpolation::kNoInterpolation;
     if (qualifier.nopersp) input.interpolation = ir::Interpolation::kNoPerspective;
     input.centroid = qualifier.centroid;
@@ -294,7 +294,7 @@ class GlslReader {
       AddInput(std::move(input), *field.type, group.is_block ? own : qualifier,
                reads_.Of(symbol, member++));
       if (!result_.problems.empty()) return;
-      if (next) *next += result_.interface.inputs.back().shape.Elements();
+      if (next) *next += result_.interface.inputs.back().type.Elements();
     }
     result_.interface.groups.push_back(std::move(group));
   }
@@ -306,7 +306,7 @@ class GlslReader {
   }
 
   void AddBlock(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
-    Block block;
+    UniformBlock block;
     block.name = symbol.getType().getTypeName();
     block.has_instance = !glslang::IsAnonymous(symbol.getName());
     if (block.has_instance) block.instance = symbol.getName();

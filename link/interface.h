@@ -20,21 +20,21 @@ inline constexpr std::uint32_t kMaxElements = 256;
 
 // A numeric type, or an array of one, in GLSL's words: HLSL's float3x4 has three columns of four
 // components.
-struct Shape {
+struct GlslType {
   ir::Scalar scalar = ir::Scalar::kFloat;  // one of BaseOf's
   std::uint8_t components = 1;             // of a vector, or of a matrix's column
   std::uint8_t columns = 1;                // of a matrix; else 1
   std::vector<std::uint32_t> dimensions;   // of an array, outermost first
 
-  // The number of vectors in the shape, at most kMaxElements + 1: each takes one location, and is
+  // The number of vectors in the type, at most kMaxElements + 1: each takes one location, and is
   // one output of an HLSL vertex shader.
   std::uint32_t Elements() const;
-  friend bool operator==(const Shape&, const Shape&) = default;
+  friend bool operator==(const GlslType&, const GlslType&) = default;
 };
-// The shape in GLSL's spelling: "mat3x4[2]".
-std::string NameOf(const Shape& shape);
-// The shape of a numeric type, or of arrays of one; std::nullopt for any other type.
-std::optional<Shape> ShapeOf(const ir::TypeTable& types, ir::TypeId type);
+// The type in GLSL's spelling: "mat3x4[2]".
+std::string NameOf(const GlslType& type);
+// GLSL's type of a numeric type, or of arrays of one; std::nullopt for any other type.
+std::optional<GlslType> GlslTypeOf(const ir::TypeTable& types, ir::TypeId type);
 
 // A block of inputs, `in Varyings { vec2 uv; } v`, or an input that is a struct.
 struct Group {
@@ -53,7 +53,7 @@ struct Input {
   std::uint32_t index = 0;
   std::optional<std::uint32_t> location;
   bool is_placed = false;  // of HLSL: [[vk::location]] gives the location
-  Shape shape;
+  GlslType type;
   ir::Interpolation interpolation = ir::Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
@@ -66,24 +66,24 @@ struct Input {
   bool has_own_location = true;  // a member has a location itself, not only its group
 };
 
-struct Member {
+struct UniformMember {
   std::string name;
-  std::optional<Shape> shape;  // none: a struct or an array of structs
-  std::vector<Member> fields;  // of that struct
+  std::optional<GlslType> type;       // none: a struct or an array of structs
+  std::vector<UniformMember> fields;  // of that struct
   std::vector<std::uint32_t> struct_dimensions;
   std::optional<std::uint32_t> offset;  // bytes, where it is known
   ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
   ir::Precision precision = ir::Precision::kHigh;
 };
 
-struct Block {
+struct UniformBlock {
   std::string name;
   // Members are reached through the name of an instance, which GLSL lets differ between stages;
   // both stages must have one, or neither.
   bool has_instance = false;
   std::string instance;        // empty: unknown
   bool rows_on_block = false;  // `row_major` is a qualifier of the block, and not of its members
-  std::vector<Member> members;
+  std::vector<UniformMember> members;
   std::optional<std::uint32_t> set, binding;
   std::string where;
 };
@@ -91,8 +91,8 @@ struct Block {
 struct Interface {
   std::vector<Input> inputs;  // those that are not built in, in order of declaration
   std::vector<Group> groups;
-  std::vector<Block> blocks;
-  std::vector<Member> uniforms;  // outside blocks
+  std::vector<UniformBlock> blocks;
+  std::vector<UniformMember> uniforms;  // outside blocks
 };
 
 }  // namespace clipc::link

@@ -25,10 +25,10 @@ class Applier {
     std::uint32_t place = 0;
     for (const Input& input : pixel.inputs) {
       places_.push_back(input.location.value_or(place));
-      place += input.shape.Elements();
+      place += input.type.Elements();
       if (!input.group) continue;
       std::uint32_t& end = group_ends_[*input.group];
-      end = std::max(end, places_.back() + input.shape.Elements());
+      end = std::max(end, places_.back() + input.type.Elements());
     }
   }
 
@@ -69,23 +69,23 @@ class Applier {
         pixel_.inputs.begin(), pixel_.inputs.begin() + static_cast<std::ptrdiff_t>(number),
         input.group, &Input::group));
     reader.has_location = input.location.has_value();
-    reader.columns = input.shape.columns;
-    reader.dimensions = input.shape.dimensions;
+    reader.columns = input.type.columns;
+    reader.dimensions = input.type.dimensions;
     reader.element = element;
     output.location = places_[number] + element;
     output.interpolation = input.interpolation;
     output.centroid = input.centroid;
     output.sample = input.sample;
-    Reshape(output.var, input.shape);
+    SetType(output.var, input.type);
   }
 
   // Adds outputs that are 0 for an input that nothing writes.
   void AddZeros(const Input& input, std::size_t number, std::vector<IoVar>& outputs) {
     const Span span = program_.functions[program_.entry].span;
-    const TypeId type = TypeOfElement(input.shape);
+    const TypeId type = TypeOfElement(input.type);
     Builder builder(program_, span);
     std::vector<StmtId> body(MainBody(program_).begin(), MainBody(program_).end());
-    for (std::uint32_t i = 0; i < input.shape.Elements(); ++i) {
+    for (std::uint32_t i = 0; i < input.type.Elements(); ++i) {
       IoVar output;
       output.var = program_.vars.Add(
           {.name = input.name, .type = type, .storage = Storage::kOutput, .span = span});
@@ -128,13 +128,12 @@ class Applier {
     return input ? pixel_.inputs[*input].group : std::nullopt;
   }
 
-  std::vector<OutputGroup::Member> MembersOfGroup(std::size_t group) const {
-    std::vector<OutputGroup::Member> members;
+  std::vector<OutputGroup::GroupMember> MembersOfGroup(std::size_t group) const {
+    std::vector<OutputGroup::GroupMember> members;
     for (const Input& input : pixel_.inputs) {
       if (input.group != group) continue;
-      members.push_back({input.name, input.shape.scalar, input.shape.components,
-                         input.shape.columns, input.shape.dimensions, input.interpolation,
-                         input.centroid, input.sample,
+      members.push_back({input.name, input.type.scalar, input.type.components, input.type.columns,
+                         input.type.dimensions, input.interpolation, input.centroid, input.sample,
                          input.has_own_location ? input.location : std::nullopt});
     }
     return members;
@@ -148,15 +147,15 @@ class Applier {
     return (group.is_block ? group.type : group.instance) + "." + input.name;
   }
 
-  TypeId TypeOfElement(const Shape& shape) {
-    const Scalar kind = shape.scalar == Scalar::kBool ? Scalar::kUint : shape.scalar;
-    return shape.components == 1 ? program_.types.Make(kind)
-                                 : program_.types.Vector(kind, shape.components);
+  TypeId TypeOfElement(const GlslType& type) {
+    const Scalar kind = type.scalar == Scalar::kBool ? Scalar::kUint : type.scalar;
+    return type.components == 1 ? program_.types.Make(kind)
+                                : program_.types.Vector(kind, type.components);
   }
 
   // Gives the output the type of one element of the input, and makes its value fit.
-  void Reshape(VarId var, const Shape& shape) {
-    const TypeId type = TypeOfElement(shape);
+  void SetType(VarId var, const GlslType& wanted) {
+    const TypeId type = TypeOfElement(wanted);
     const Scalar kind = program_.types[type].scalar;
     if (program_.vars[var].type == type) return;
     program_.vars[var].type = type;
@@ -165,7 +164,7 @@ class Applier {
       if (!evaluated) continue;
       Assign assign = *As<Assign>(program_, evaluated);
       program_.exprs[assign.target].type = type;
-      assign.value = Fitted(assign.value, type, kind, shape.components);
+      assign.value = Fitted(assign.value, type, kind, wanted.components);
       program_.exprs[evaluated].node = assign;
       program_.exprs[evaluated].type = type;
     }
@@ -206,7 +205,7 @@ class Applier {
       declared.members.push_back({.name = {}, .precision = precision});
   }
 
-  void Buffer(Cbuffer& cbuffer, const Block& block) const {
+  void Buffer(Cbuffer& cbuffer, const UniformBlock& block) const {
     BlockDeclaration& declared = cbuffer.declared.emplace();
     declared.name = block.name;
     declared.has_instance = block.has_instance;
@@ -220,12 +219,12 @@ class Applier {
     declared.rows_on_block = block.rows_on_block;
     declared.set = block.set;
     declared.binding = block.binding;
-    const std::vector<Member> ours = MembersOf(program_, cbuffer);
+    const std::vector<UniformMember> ours = MembersOf(program_, cbuffer);
     for (std::size_t i = 0; i < ours.size(); ++i) {
-      const Member& member = block.members[i];
-      const bool is_bool = ours[i].shape && ours[i].shape->scalar == Scalar::kBool;
+      const UniformMember& member = block.members[i];
+      const bool is_bool = ours[i].type && ours[i].type->scalar == Scalar::kBool;
       declared.members.push_back(
-          {member.name, is_bool && member.shape != ours[i].shape, member.precision});
+          {member.name, is_bool && member.type != ours[i].type, member.precision});
     }
   }
 

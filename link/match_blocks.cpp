@@ -27,26 +27,27 @@ std::string BlockKey(std::string_view name) {
   return key == "Globals" ? "Global" : key;
 }
 
-// Whether both members have one shape. A bool is a uint in memory, and most compilers declare it
+// Whether both members have one type. A bool is a uint in memory, and most compilers declare it
 // so.
-bool IsSameShape(const Member& ours, const Member& theirs) {
-  if (ours.shape == theirs.shape) return true;
-  if (!ours.shape || ours.shape->scalar != ir::Scalar::kBool || !ours.shape->dimensions.empty())
+bool IsSameType(const UniformMember& ours, const UniformMember& theirs) {
+  if (ours.type == theirs.type) return true;
+  if (!ours.type || ours.type->scalar != ir::Scalar::kBool || !ours.type->dimensions.empty())
     return false;
-  Shape as_uint = *ours.shape;
+  GlslType as_uint = *ours.type;
   as_uint.scalar = ir::Scalar::kUint;
-  return theirs.shape == as_uint;
+  return theirs.type == as_uint;
 }
 
 // Names the first member that differs; empty if both lists are the same.
-std::string Difference(const std::vector<Member>& ours, const std::vector<Member>& theirs) {
+std::string Difference(const std::vector<UniformMember>& ours,
+                       const std::vector<UniformMember>& theirs) {
   for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
     if (i >= theirs.size()) return ours[i].name;
     if (i >= ours.size()) return theirs[i].name;
-    const Member& a = ours[i];
-    const Member& b = theirs[i];
-    const bool is_same = Stem(GlslNameOf(a.name)) == Stem(GlslNameOf(b.name)) &&
-                         IsSameShape(a, b) && a.struct_dimensions == b.struct_dimensions &&
+    const UniformMember& a = ours[i];
+    const UniformMember& b = theirs[i];
+    const bool is_same = Stem(GlslNameOf(a.name)) == Stem(GlslNameOf(b.name)) && IsSameType(a, b) &&
+                         a.struct_dimensions == b.struct_dimensions &&
                          (!b.offset || a.offset == b.offset) &&
                          (a.matrices == b.matrices || a.matrices == ir::MatrixLayout::kNone);
     if (!is_same) return a.name;
@@ -58,8 +59,8 @@ std::string Difference(const std::vector<Member>& ours, const std::vector<Member
 
 // Returns whether the members are the same; if not, reports the first that differs, except for
 // Vulkan.
-bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours, const Block& theirs,
-            const MatchOptions& options, Diagnostics& diagnostics) {
+bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<UniformMember>& ours,
+            const UniformBlock& theirs, const MatchOptions& options, Diagnostics& diagnostics) {
   const std::string difference = Difference(ours, theirs.members);
   if (difference.empty() || options.is_vulkan) return difference.empty();
   const bool is_of_file = cbuffer.kind == ir::CbufferKind::kGlobals;
@@ -71,16 +72,16 @@ bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours, const B
 }
 
 // Matches members that the pixel shader has as variables, which must have their types.
-Matches::Buffer MatchLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
-                           const std::vector<Member>& uniforms, Diagnostics& diagnostics) {
+Matches::Buffer MatchLoose(const ir::Cbuffer& cbuffer, const std::vector<UniformMember>& ours,
+                           const std::vector<UniformMember>& uniforms, Diagnostics& diagnostics) {
   Matches::Buffer match;
-  for (const Member& member : ours) {
-    const auto found = std::ranges::find(uniforms, member.name, &Member::name);
+  for (const UniformMember& member : ours) {
+    const auto found = std::ranges::find(uniforms, member.name, &UniformMember::name);
     const bool is_loose = found != uniforms.end();
     match.precisions.push_back(is_loose ? found->precision : ir::Precision::kHigh);
     if (!is_loose) continue;
     match.is_loose = true;
-    if (found->shape != member.shape)
+    if (found->type != member.type)
       diagnostics.Report(cbuffer.span, diag::PixelBlockDiffers, cbuffer.name, member.name);
   }
   return match;
@@ -99,7 +100,7 @@ std::vector<bool> Mentioned(const ir::Program& program) {
 
 // Reports the first used member below `highp`: in OpenGL ES both stages declare a variable with one
 // precision, by which a vertex shader may lose digits.
-void ReportPrecision(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
+void ReportPrecision(const ir::Cbuffer& cbuffer, const std::vector<UniformMember>& ours,
                      const std::vector<ir::Precision>& theirs, const std::vector<bool>& is_used,
                      Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < ours.size(); ++i) {
@@ -120,16 +121,18 @@ std::vector<Matches::Buffer> MatchBlocks(const ir::Program& program, const Inter
   const std::vector<bool> is_used = options.is_es ? Mentioned(program) : std::vector<bool>();
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     const ir::Cbuffer& cbuffer = program.cbuffers[id];
-    const std::vector<Member> members = MembersOf(program, cbuffer);
+    const std::vector<UniformMember> members = MembersOf(program, cbuffer);
     const std::string key = BlockKey(cbuffer.name);
-    const auto block = std::ranges::find_if(
-        pixel.blocks, [&](const Block& candidate) { return BlockKey(candidate.name) == key; });
+    const auto block = std::ranges::find_if(pixel.blocks, [&](const UniformBlock& candidate) {
+      return BlockKey(candidate.name) == key;
+    });
     Matches::Buffer& buffer = buffers[id.index];
     if (block == pixel.blocks.end()) {
       buffer = MatchLoose(cbuffer, members, pixel.uniforms, diagnostics);
     } else if (IsSame(cbuffer, members, *block, options, diagnostics)) {
       buffer.block = static_cast<std::size_t>(block - pixel.blocks.begin());
-      for (const Member& member : block->members) buffer.precisions.push_back(member.precision);
+      for (const UniformMember& member : block->members)
+        buffer.precisions.push_back(member.precision);
     }
     if (options.is_es && (buffer.block || buffer.is_loose))
       ReportPrecision(cbuffer, members, buffer.precisions, is_used, diagnostics);

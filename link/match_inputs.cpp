@@ -48,7 +48,7 @@ std::size_t ByToolName(const Input& input, const OutputNames& output) {
   for (const std::string_view prefix : {"in_var_", "vs_", "out_var_"}) {
     std::string_view name = input.name;
     // HLSLcc has the columns of a matrix, and the outputs are its rows.
-    if (!name.starts_with(prefix) || (output.is_row && input.shape.columns == 1)) continue;
+    if (!name.starts_with(prefix) || (output.is_row && input.type.columns == 1)) continue;
     name.remove_prefix(prefix.size());
     if (EqualIgnoringCase(name, output.semantic) || EqualIgnoringCase(name, output.bare))
       return 2 * input.name.size();
@@ -57,7 +57,7 @@ std::size_t ByToolName(const Input& input, const OutputNames& output) {
 }
 std::size_t ByMemberName(const Input& input, const OutputNames& output) {
   const std::size_t member = Ending(input.name, output.member);
-  return member > 0 || input.shape.Elements() == 1 ? member : Ending(input.name, output.array);
+  return member > 0 || input.type.Elements() == 1 ? member : Ending(input.name, output.array);
 }
 std::size_t BySemanticName(const Input& input, const OutputNames& output) {
   return std::max(Ending(input.name, output.semantic), Ending(input.name, output.bare));
@@ -156,7 +156,7 @@ class InputMatcher {
       // A place proves little where the types differ.
       const bool is_there = IsFree(i) && output.location == *input.location &&
                             (input.semantic.empty() || output.is_placed) &&
-                            ShapeAt(i) == ElementShape(input);
+                            GlslTypeAt(i) == ElementType(input);
       if (is_there && TryMatch(number, i)) return;
     }
   }
@@ -174,7 +174,7 @@ class InputMatcher {
     }
     const bool fit =
         std::ranges::equal(inputs, outputs, [&](std::size_t input, std::size_t output) {
-          return pixel_.inputs[input].shape == ShapeAt(output);
+          return pixel_.inputs[input].type == GlslTypeAt(output);
         });
     for (std::size_t i = 0; fit && i < inputs.size(); ++i) TryMatch(inputs[i], outputs[i]);
   }
@@ -186,16 +186,16 @@ class InputMatcher {
     const ir::IoVar& io = program_.outputs[output];
     return io.builtin == ir::Builtin::kNone && !io.is_unwritten && !outputs_[output].input;
   }
-  Shape ShapeAt(std::size_t output) const {
-    return link::ShapeOf(program_.types, program_.vars[program_.outputs[output].var].type)
-        .value_or(Shape{});
+  GlslType GlslTypeAt(std::size_t output) const {
+    return link::GlslTypeOf(program_.types, program_.vars[program_.outputs[output].var].type)
+        .value_or(GlslType{});
   }
 
-  static Shape ElementShape(const Input& input) {
-    Shape shape = input.shape;
-    shape.columns = 1;
-    shape.dimensions.clear();
-    return shape;
+  static GlslType ElementType(const Input& input) {
+    GlslType type = input.type;
+    type.columns = 1;
+    type.dimensions.clear();
+    return type;
   }
 
   // The output that is `element` elements after the first in one matrix or array; if there is none,
@@ -226,7 +226,7 @@ class InputMatcher {
   bool TryMatch(std::size_t number, std::size_t first) {
     if (!IsFree(first)) return false;
     std::vector<std::size_t> elements{first};
-    for (std::uint32_t i = 1; i < pixel_.inputs[number].shape.Elements(); ++i) {
+    for (std::uint32_t i = 1; i < pixel_.inputs[number].type.Elements(); ++i) {
       const auto next = ElementAfter(first, i);
       if (!next) return false;
       elements.push_back(*next);
@@ -264,22 +264,22 @@ class InputMatcher {
   void CheckType(const Input& input, std::size_t number) {
     const ir::IoVar& output = program_.outputs[number];
     const Span span = program_.vars[output.var].span;
-    const Shape shape = ShapeAt(number);
-    const bool is_float = shape.scalar == ir::Scalar::kFloat || shape.scalar == ir::Scalar::kDouble;
+    const GlslType type = GlslTypeAt(number);
+    const bool is_float = type.scalar == ir::Scalar::kFloat || type.scalar == ir::Scalar::kDouble;
     const bool fits =
-        is_float ? shape.scalar == input.shape.scalar : ir::IsInteger(input.shape.scalar);
+        is_float ? type.scalar == input.type.scalar : ir::IsInteger(input.type.scalar);
     const bool lacks_components =
         input.is_read &&
-        (input.components_read & ((1u << input.shape.components) - 1)) >> shape.components;
+        (input.components_read & ((1u << input.type.components) - 1)) >> type.components;
     if (fits && !lacks_components) return;
     const auto& kind = fits ? diag::PixelComponentsUnwritten : diag::PixelInputType;
-    NoteHere(diagnostics_.Report(span, kind, names_[number].semantic, NameOf(shape),
-                                 NameOf(input.shape)),
-             input);
+    NoteHere(
+        diagnostics_.Report(span, kind, names_[number].semantic, NameOf(type), NameOf(input.type)),
+        input);
   }
 
   void NoteHere(Diagnostic& report, const Input& input) const {
-    report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
+    report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.type));
   }
 
   Span EntrySpan() const { return program_.functions[program_.entry].span; }
@@ -288,7 +288,7 @@ class InputMatcher {
     const bool has_instance = input.group && !pixel_.groups[*input.group].instance.empty();
     return has_instance ? pixel_.groups[*input.group].instance + "." + input.name : input.name;
   }
-  static std::string NameOf(const Shape& shape) { return link::NameOf(shape); }
+  static std::string NameOf(const GlslType& type) { return link::NameOf(type); }
 
   const ir::Program& program_;
   const Interface& pixel_;

@@ -40,7 +40,7 @@ Input InputNamed(const char* name, std::optional<std::uint32_t> location = {},
   Input input;
   input.name = name;
   input.location = location;
-  input.shape.components = components;
+  input.type.components = components;
   input.is_read = true;
   return input;
 }
@@ -114,14 +114,14 @@ TEST(Match, TakesWhatIsLeftInOrder) {
 TEST(Match, MatchesMatricesAndArraysWhole) {
   const ir::Program program = ProgramWith({{"T", 0, "o.t"}, {"T", 1, "o.t"}, {"T", 2, "o.t"}});
   Input matrix = InputNamed("i_t");
-  matrix.shape.columns = 3;
+  matrix.type.columns = 3;
   EXPECT_THAT(MatchesOf(program, {matrix}), ElementsAre(0, 0, 0));
-  matrix.shape.columns = 4;
+  matrix.type.columns = 4;
   EXPECT_THAT(MatchesOf(program, {matrix}), ElementsAre(kNone, kNone, kNone));
   // The indices of two matrices overlap.
   const ir::Program two =
       ProgramWith({{"M", 0, "o.a"}, {"M", 1, "o.a"}, {"M", 1, "o.longer"}, {"M", 2, "o.longer"}});
-  matrix.shape.columns = 2;
+  matrix.type.columns = 2;
   Input longer = matrix;
   matrix.name = "i_a", longer.name = "i_longer";
   EXPECT_THAT(MatchesOf(two, {matrix, longer}), ElementsAre(0, 0, 1, 1));
@@ -130,7 +130,7 @@ TEST(Match, MatchesMatricesAndArraysWhole) {
   const ir::Program array = ProgramWith({{"W", 0, "o.w[0]"}, {"W", 1, "o.w[1]"}});
   EXPECT_THAT(MatchesOf(array, {InputNamed("i_w_1_"), InputNamed("i_w_0_")}), ElementsAre(1, 0));
   Input whole = InputNamed("i_w");
-  whole.shape.dimensions = {2};
+  whole.type.dimensions = {2};
   EXPECT_THAT(MatchesOf(array, {whole}), ElementsAre(0, 0));
 }
 

@@ -6,11 +6,11 @@
 namespace clipc::link {
 namespace {
 
-Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, bool row_major,
-                std::uint32_t offset);
+UniformMember MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type,
+                       bool row_major, std::uint32_t offset);
 
-std::vector<Member> FieldsOf(const ir::TypeTable& types, ir::StructId id) {
-  std::vector<Member> fields;
+std::vector<UniformMember> FieldsOf(const ir::TypeTable& types, ir::StructId id) {
+  std::vector<UniformMember> fields;
   for (std::uint32_t i = 0; i < types[id].fields.size(); ++i) {
     const ir::Field& field = types[id].fields[i];
     fields.push_back(
@@ -19,14 +19,14 @@ std::vector<Member> FieldsOf(const ir::TypeTable& types, ir::StructId id) {
   return fields;
 }
 
-Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, bool row_major,
-                std::uint32_t offset) {
-  Member member;
+UniformMember MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type,
+                       bool row_major, std::uint32_t offset) {
+  UniformMember member;
   member.name = std::move(name);
   member.offset = offset;
-  member.shape = ShapeOf(types, type);
-  if (member.shape) {
-    if (member.shape->columns > 1)
+  member.type = GlslTypeOf(types, type);
+  if (member.type) {
+    if (member.type->columns > 1)
       member.matrices = row_major ? ir::MatrixLayout::kColumnMajor : ir::MatrixLayout::kRowMajor;
     return member;
   }
@@ -39,8 +39,8 @@ Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, b
 
 }  // namespace
 
-std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer) {
-  std::vector<Member> members;
+std::vector<UniformMember> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer) {
+  std::vector<UniformMember> members;
   if (cbuffer.kind == ir::CbufferKind::kConstantBuffer) {
     ir::TypeId type = program.vars[cbuffer.members.front().var].type;
     while (program.types[type].kind == ir::TypeKind::kArray) type = program.types[type].element;

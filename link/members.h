@@ -10,6 +10,6 @@ namespace clipc::link {
 
 // The members of a constant buffer as GLSL has them: a ConstantBuffer<T> has those of T, and HLSL's
 // row_major is column_major.
-std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
+std::vector<UniformMember> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
 
 }  // namespace clipc::link

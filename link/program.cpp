@@ -20,7 +20,7 @@ Input InputOf(const Program& program, const IoVar& io, std::uint32_t mask, std::
           .index = io.index,
           .location = io.location,
           .is_placed = io.is_placed,
-          .shape = ShapeOf(program.types, program.vars[io.var].type).value_or(Shape{}),
+          .type = GlslTypeOf(program.types, program.vars[io.var].type).value_or(GlslType{}),
           .interpolation = io.interpolation,
           .centroid = io.centroid,
           .sample = io.sample,
@@ -56,7 +56,7 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
     // The input is the next row of one matrix.
     if (path && *path == io.path) {
       Input& whole = interface.inputs.back();
-      ++whole.shape.columns;
+      ++whole.type.columns;
       whole.is_read = whole.is_read || mask != 0;
       continue;
     }
@@ -72,10 +72,9 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
     const Cbuffer& cbuffer = program.cbuffers[id];
     // Push constants belong to one stage, and are not a block in GLSL for OpenGL.
     if (!is_used[id.index] || cbuffer.is_push_constant) continue;
-    std::vector<Member> members = MembersOf(program, cbuffer);
-    for (Member& member : members) {
-      if (member.shape && member.shape->scalar == Scalar::kBool)
-        member.shape->scalar = Scalar::kUint;
+    std::vector<UniformMember> members = MembersOf(program, cbuffer);
+    for (UniformMember& member : members) {
+      if (member.type && member.type->scalar == Scalar::kBool) member.type->scalar = Scalar::kUint;
     }
     const bool is_globals = cbuffer.kind == CbufferKind::kGlobals;
     interface.blocks.push_back({.name = is_globals ? "_Global" : GlslNameOf(cbuffer.name),

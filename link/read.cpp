@@ -48,7 +48,7 @@ std::string Problem(const Interface& interface) {
   constexpr std::uint32_t kMaxLocation = 1024;
   std::set<std::uint32_t> taken;
   for (const Input& input : interface.inputs) {
-    const std::uint32_t elements = input.shape.Elements();
+    const std::uint32_t elements = input.type.Elements();
     if (elements == 0 || elements > kMaxElements)
       return fmt::format("{}: an input is an array of 1 to {} vectors", input.where, kMaxElements);
     if (input.location && *input.location > kMaxLocation)

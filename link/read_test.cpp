@@ -84,17 +84,17 @@ TEST(Spirv, ReadsTheInterface) {
   EXPECT_EQ(uv.semantic, "TEXCOORD");
   EXPECT_EQ(uv.index, 2u);
   EXPECT_EQ(uv.location, 3u);
-  EXPECT_EQ(NameOf(uv.shape), "vec2");
+  EXPECT_EQ(NameOf(uv.type), "vec2");
   EXPECT_EQ(uv.interpolation, ir::Interpolation::kNoInterpolation);
   EXPECT_TRUE(uv.is_read);
   EXPECT_EQ(uv.components_read, 2u);
   const Input& tangents = result.interface.inputs[1];
-  EXPECT_EQ(NameOf(tangents.shape), "mat3[2]");
-  EXPECT_EQ(tangents.shape.Elements(), 6u);
+  EXPECT_EQ(NameOf(tangents.type), "mat3[2]");
+  EXPECT_EQ(tangents.type.Elements(), 6u);
   EXPECT_TRUE(tangents.is_read);
   EXPECT_FALSE(result.interface.inputs[2].is_read);
   ASSERT_EQ(result.interface.blocks.size(), 1u);
-  const Block& block = result.interface.blocks[0];
+  const UniformBlock& block = result.interface.blocks[0];
   EXPECT_EQ(block.name, "type_Frame");
   EXPECT_EQ(block.instance, "Frame");
   EXPECT_EQ(block.set, 1u);
@@ -136,7 +136,7 @@ TEST(Spirv, CountsMembersOfStructsThatNameThemselves) {
   };
   std::vector<std::uint32_t> structure(17, 20);
   add(15, {4, 4, 0x73, 21});  // the entry point "s"
-  add(71, {20, 2});           // a Block
+  add(71, {20, 2});           // a UniformBlock
   add(30, structure);
   add(32, {22, 2, 20});
   add(59, {22, 21, 2});
@@ -178,23 +178,23 @@ void main() { target = bones[1][0] * twice(frame.eye[1].x) * gl_FragCoord.x * lo
   ASSERT_THAT(result.problems, testing::IsEmpty());
   ASSERT_EQ(result.interface.inputs.size(), 3u);
   const Input& id = result.interface.inputs[0];
-  EXPECT_EQ(NameOf(id.shape), "uvec2");
+  EXPECT_EQ(NameOf(id.type), "uvec2");
   EXPECT_EQ(id.location, 2u);
   EXPECT_EQ(id.interpolation, ir::Interpolation::kNoInterpolation);
   EXPECT_EQ(id.components_read, 2u);
   EXPECT_EQ(id.where, "a.frag:2");
   const Input& bones = result.interface.inputs[1];
-  EXPECT_EQ(NameOf(bones.shape), "mat3x4[2]");
+  EXPECT_EQ(NameOf(bones.type), "mat3x4[2]");
   EXPECT_TRUE(bones.centroid);
   EXPECT_EQ(bones.interpolation, ir::Interpolation::kNoPerspective);
   EXPECT_FALSE(result.interface.inputs[2].is_read);
   ASSERT_EQ(result.interface.blocks.size(), 2u);
-  const Block& frame = result.interface.blocks[0];
+  const UniformBlock& frame = result.interface.blocks[0];
   EXPECT_EQ(frame.instance, "frame");
   EXPECT_EQ(frame.binding, 3u);
   EXPECT_FALSE(frame.rows_on_block);
   EXPECT_EQ(frame.members[0].matrices, ir::MatrixLayout::kRowMajor);
-  EXPECT_EQ(NameOf(*frame.members[1].shape), "vec3[2]");
+  EXPECT_EQ(NameOf(*frame.members[1].type), "vec3[2]");
   EXPECT_FALSE(result.interface.blocks[1].has_instance);
   EXPECT_TRUE(result.interface.blocks[1].rows_on_block);
   ASSERT_EQ(result.interface.uniforms.size(), 1u);
@@ -291,12 +291,12 @@ TEST(Problem, FindsInputsInOnePlace) {
   EXPECT_EQ(Problem(interface), "");
   interface.inputs[0].location = 1;
   EXPECT_EQ(Problem(interface), "some inputs have a location and some have none");
-  interface.inputs[0].shape.columns = 4;
+  interface.inputs[0].type.columns = 4;
   interface.inputs[1].location = 4;
   EXPECT_EQ(Problem(interface), "a.spv: `x`: location 4 is taken");
   interface.inputs[1].location = 5;
   EXPECT_EQ(Problem(interface), "");
-  interface.inputs[1].shape.dimensions = {70000, 70000};
+  interface.inputs[1].type.dimensions = {70000, 70000};
   EXPECT_THAT(Problem(interface), HasSubstr("an array of 1 to 256 vectors"));
 }
 

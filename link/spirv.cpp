@@ -162,7 +162,7 @@ class SpirvReader {
       if (variable.storage == spv::kInput) Variable(variable, pointer->element, *type);
       if (variable.storage == spv::kUniform && type->kind == SpirvKind::kStruct &&
           module_.Decoration({pointer->element}, spv::kBlock)) {
-        UniformBlock(variable, pointer->element);
+        AddBlock(variable, pointer->element);
       }
     }
     return std::move(interface_);
@@ -217,7 +217,7 @@ class SpirvReader {
       added.group = interface_.groups.size();
       added.has_own_location = own.has_value();
       if (!group.is_block && i == 0) Qualify(added, {variable.id});
-      next = *added.location + added.shape.Elements();
+      next = *added.location + added.type.Elements();
     }
     interface_.groups.push_back(std::move(group));
   }
@@ -234,18 +234,18 @@ class SpirvReader {
       input.semantic = semantic.name;
       input.index = semantic.index;
     }
-    const std::optional<Shape> known = ShapeAt(type);
+    const std::optional<GlslType> known = GlslTypeAt(type);
     if (!known && problem_.empty())
       problem_ = fmt::format(
           "{} is a struct in a struct or an array of structs; numbers, arrays of "
           "them, and structs and blocks of both can match outputs",
           Where(module_.NameOf(place)));
-    input.shape = known.value_or(Shape{});
+    input.type = known.value_or(GlslType{});
     Qualify(input, place);
     const std::optional<std::uint32_t> components = reads_.Of(read);
     input.is_read = components.has_value();
-    const SpirvType* shape = module_.TypeOf(type);
-    if (shape && shape->kind == SpirvKind::kVector)
+    const SpirvType* described = module_.TypeOf(type);
+    if (described && described->kind == SpirvKind::kVector)
       input.components_read = components.value_or(0xF);
     input.where = Where(module_.NameOf(place));
   }
@@ -262,39 +262,39 @@ class SpirvReader {
 
   // ---- types
 
-  std::optional<Shape> ShapeAt(SpirvId id) const {
-    Shape shape;
+  std::optional<GlslType> GlslTypeAt(SpirvId id) const {
+    GlslType result;
     const SpirvType* type = module_.TypeOf(id);
     for (int i = 0; type && type->kind == SpirvKind::kArray; ++i) {
       if (i == kMaxDepth) return std::nullopt;
-      shape.dimensions.push_back(type->count);
+      result.dimensions.push_back(type->count);
       type = module_.TypeOf(type->element);
     }
     if (type && type->kind == SpirvKind::kMatrix) {
-      shape.columns = static_cast<std::uint8_t>(std::clamp(type->count, 2u, 4u));
+      result.columns = static_cast<std::uint8_t>(std::clamp(type->count, 2u, 4u));
       type = module_.TypeOf(type->element);
     }
     if (type && type->kind == SpirvKind::kVector) {
-      shape.components = static_cast<std::uint8_t>(std::clamp(type->count, 2u, 4u));
+      result.components = static_cast<std::uint8_t>(std::clamp(type->count, 2u, 4u));
       type = module_.TypeOf(type->element);
     }
     if (!type) return std::nullopt;
     switch (type->kind) {
-      case SpirvKind::kBool: shape.scalar = ir::Scalar::kBool; break;
-      case SpirvKind::kInt: shape.scalar = ir::Scalar::kInt; break;
-      case SpirvKind::kUint: shape.scalar = ir::Scalar::kUint; break;
+      case SpirvKind::kBool: result.scalar = ir::Scalar::kBool; break;
+      case SpirvKind::kInt: result.scalar = ir::Scalar::kInt; break;
+      case SpirvKind::kUint: result.scalar = ir::Scalar::kUint; break;
       case SpirvKind::kFloat:
-        shape.scalar = type->count == 64 ? ir::Scalar::kDouble : ir::Scalar::kFloat;
+        result.scalar = type->count == 64 ? ir::Scalar::kDouble : ir::Scalar::kFloat;
         break;
       default: return std::nullopt;
     }
-    return shape;
+    return result;
   }
 
   // ---- uniform blocks
 
-  void UniformBlock(const SpirvVariable& variable, SpirvId type) {
-    Block block;
+  void AddBlock(const SpirvVariable& variable, SpirvId type) {
+    UniformBlock block;
     block.name = GlslNameOf(module_.NameOf({type}));
     block.has_instance = true;  // as SPIRV-Cross writes every block
     block.instance = GlslNameOf(module_.NameOf({variable.id}));
@@ -305,14 +305,14 @@ class SpirvReader {
     interface_.blocks.push_back(std::move(block));
   }
 
-  std::vector<Member> Members(SpirvId type, int depth) {
-    std::vector<Member> members;
+  std::vector<UniformMember> Members(SpirvId type, int depth) {
+    std::vector<UniformMember> members;
     const SpirvType* structure = module_.TypeOf(type);
     if (!structure || depth == kMaxDepth) return members;
     for (std::uint32_t i = 0; i < structure->members.size(); ++i) {
       if (member_count_++ >= kMaxMembers) return members;
       const SpirvPlace place{type, i};
-      Member member;
+      UniformMember member;
       member.name = GlslNameOf(module_.NameOf(place));
       member.offset = module_.Decoration(place, spv::kOffset);
       if (module_.Decoration(place, spv::kRowMajor)) member.matrices = ir::MatrixLayout::kRowMajor;
@@ -320,14 +320,14 @@ class SpirvReader {
         member.matrices = ir::MatrixLayout::kColumnMajor;
       if (module_.Decoration(place, spv::kRelaxedPrecision))
         member.precision = ir::Precision::kMedium;  // as SPIRV-Cross writes it
-      member.shape = ShapeAt(structure->members[i]);
-      if (!member.shape) Fields(structure->members[i], depth, member);
+      member.type = GlslTypeAt(structure->members[i]);
+      if (!member.type) Fields(structure->members[i], depth, member);
       members.push_back(std::move(member));
     }
     return members;
   }
 
-  void Fields(SpirvId id, int depth, Member& member) {
+  void Fields(SpirvId id, int depth, UniformMember& member) {
     const SpirvType* type = module_.TypeOf(id);
     for (int i = 0; type && type->kind == SpirvKind::kArray && i < kMaxDepth; ++i) {
       member.struct_dimensions.push_back(type->count);

@@ -35,7 +35,7 @@ constexpr std::size_t kBlock =
 
 // kSize boxes, and the facts found out about them.
 template <std::size_t kSize>
-struct Block {
+struct BoxBlock {
   const float* low[3];
   const float* high[3];
   float largest[3][kSize];  // max(|low|, |high|)
@@ -55,7 +55,7 @@ CLIPC_BLOCK_FUNCTION bool IsZero(const Float4& plane) {
 }
 
 template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void MeasureBlock(Block<kSize>& block) {
+CLIPC_BLOCK_FUNCTION void MeasureBlock(BoxBlock<kSize>& block) {
   for (std::size_t i = 0; i < kSize; ++i) block.in_order[i] = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const float *low = block.low[axis], *high = block.high[axis];
@@ -74,7 +74,7 @@ CLIPC_BLOCK_FUNCTION void MeasureBlock(Block<kSize>& block) {
 // them, roundings included; NaN, to which no distance compares, where sums are too large. `is_zero`
 // is for the zero plane alone, which nothing rounds.
 template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size, bool is_zero,
+CLIPC_BLOCK_FUNCTION void SetError(const BoxBlock<kSize>& block, const Float4& size, bool is_zero,
                                    float (&error)[kSize]) {
   const float x = size.x, y = size.y, z = size.z, w = size.w;
   // Bounds that are flushed to 0 lose this; the coefficients' own loss is in the block.
@@ -89,7 +89,7 @@ CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size
 }
 
 template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void SetCoarseError(Block<kSize>& block, const Float4* planes,
+CLIPC_BLOCK_FUNCTION void SetCoarseError(BoxBlock<kSize>& block, const Float4* planes,
                                          std::size_t plane_count) {
   Float4 size;
   for (std::size_t i = 0; i < plane_count; ++i) {
@@ -104,7 +104,7 @@ CLIPC_BLOCK_FUNCTION void SetCoarseError(Block<kSize>& block, const Float4* plan
 // Plans one plane for a block of boxes, with `error` for E. Returns whether a distance is nearer to
 // 0 than `error` for some box in order: then another error might give another answer.
 template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION bool PlanBlock(Block<kSize>& block, const Float4& plane, std::uint32_t bit,
+CLIPC_BLOCK_FUNCTION bool PlanBlock(BoxBlock<kSize>& block, const Float4& plane, std::uint32_t bit,
                                     const float (&error)[kSize]) {
   const bool up_x = plane.x >= 0, up_y = plane.y >= 0, up_z = plane.z >= 0;
   const float *near_x = up_x ? block.low[0] : block.high[0],
@@ -130,7 +130,7 @@ CLIPC_BLOCK_FUNCTION bool PlanBlock(Block<kSize>& block, const Float4& plane, st
 
 // Writes the plans of the first `count` boxes of a block.
 template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block<kSize>& block, const Float4* planes,
+CLIPC_BLOCK_FUNCTION void PlanFullBlock(BoxBlock<kSize>& block, const Float4* planes,
                                         std::size_t plane_count, BoxPlan* plans,
                                         std::size_t count) {
   MeasureBlock(block);
@@ -162,7 +162,7 @@ CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block<kSize>& block, const Float4* plane
   for (std::size_t i = 0; i < count; ++i) plans[i] = narrow[i];
 }
 
-using FullBlock = Block<kBlock>;
+using FullBlock = BoxBlock<kBlock>;
 using PlanFunction = void (*)(FullBlock&, const Float4*, std::size_t, BoxPlan*, std::size_t);
 
 void PlanForAnyProcessor(FullBlock& block, const Float4* planes, std::size_t plane_count,
@@ -254,7 +254,7 @@ std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_
 }  // namespace
 
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept {
-  Block<1> block;
+  BoxBlock<1> block;
   for (int axis = 0; axis < 3; ++axis) {
     block.low[axis] = &box.low[axis];
     block.high[axis] = &box.high[axis];

@@ -21,7 +21,7 @@ namespace {
 
 class BlockWriter {
  public:
-  BlockWriter(Context& context, CbufferId id, Bindings& bindings, Blocks& blocks)
+  BlockWriter(Context& context, CbufferId id, Bindings& bindings, UniformBlocks& blocks)
       : context_(context),
         bindings_(bindings),
         cbuffer_(context[id]),
@@ -281,7 +281,7 @@ class BlockWriter {
   Bindings& bindings_;
   const Cbuffer& cbuffer_;
   const BlockLayout& layout_;
-  GlslInfo::Block& info_;
+  GlslInfo::UniformBlock& info_;
   std::string& text_;
   std::string register_;
   std::unordered_set<std::string> part_names_;  // those in the block; filled for the first part
@@ -289,14 +289,14 @@ class BlockWriter {
 
 }  // namespace
 
-Blocks WriteBlocks(Context& context) {
-  Blocks blocks;
+UniformBlocks WriteBlocks(Context& context) {
+  UniformBlocks blocks;
   blocks.text.reserve(1024);
   blocks.info.reserve(context.program.cbuffers.size());
   Bindings bindings;
   const OtherStage* other = context.options.other;
   if (other && other->written) {
-    for (const GlslInfo::Block& block : other->written->blocks) bindings.Take(block);
+    for (const GlslInfo::UniformBlock& block : other->written->blocks) bindings.Take(block);
   }
   for (const CbufferId id : context.program.cbuffers.ids()) {
     if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);

@@ -8,11 +8,11 @@
 
 namespace clipc::glsl {
 
-struct Blocks {
-  std::string text;                   // the declarations
-  std::vector<GlslInfo::Block> info;  // of the reached ones, in order of declaration
+struct UniformBlocks {
+  std::string text;                          // the declarations
+  std::vector<GlslInfo::UniformBlock> info;  // of the reached ones, in order of declaration
 };
 // Declares all constant buffers that are reached, as uniform blocks or plain uniforms.
-Blocks WriteBlocks(Context& context);
+UniformBlocks WriteBlocks(Context& context);
 
 }  // namespace clipc::glsl

@@ -48,7 +48,7 @@ bool Context::IsWrittenAsUint(ir::VarId member) const {
              : LayoutOf(member).has_uints && !IsByHand(member);
 }
 
-const GlslInfo::Block* Context::WrittenBlock(ir::CbufferId id) const {
+const GlslInfo::UniformBlock* Context::WrittenBlock(ir::CbufferId id) const {
   return IsShared(id) && options.other->written
              ? options.other->written->BlockOf(options.other->cbuffers[id.index])
              : nullptr;

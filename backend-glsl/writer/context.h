@@ -111,7 +111,7 @@ struct Context {
   }
   // The block as the other stage wrote it before this one; null if it is not shared, or is written
   // here first.
-  const GlslInfo::Block* WrittenBlock(ir::CbufferId id) const;
+  const GlslInfo::UniformBlock* WrittenBlock(ir::CbufferId id) const;
   // The same for an object: the one of this texture with this sampler, either of which may be none.
   const GlslInfo::Object* WrittenObject(ir::VarId texture, ir::VarId sampler) const;
 

@@ -87,16 +87,16 @@ class Naming {
   void OtherNames() {
     const OtherStage* other = context_.options.other;
     if (!other || !other->written) return;
-    for (const GlslInfo::Block& block : other->written->blocks) {
+    for (const GlslInfo::UniformBlock& block : other->written->blocks) {
       if (!block.name.empty()) namer_.Global(block.name);
       if (!block.rows.empty()) namer_.Global(block.rows);
-      for (const GlslInfo::Member& member : block.members) {
+      for (const GlslInfo::UniformMember& member : block.members) {
         if (IsGlobal(block, member)) namer_.Global(member.name);
       }
     }
     for (const GlslInfo::Object& object : other->written->objects) namer_.Global(object.name);
     for (const CbufferId id : context_.program.cbuffers.ids()) {
-      const GlslInfo::Block* block = context_.WrittenBlock(id);
+      const GlslInfo::UniformBlock* block = context_.WrittenBlock(id);
       for (const CbufferMember& member : context_[id].members) {
         const VarId theirs = other->vars[member.var.index];
         for (std::size_t i = 0; block && i < block->members.size(); ++i) {
@@ -114,7 +114,7 @@ class Naming {
   }
 
   // Whether the name of the member is one of the whole program.
-  static bool IsGlobal(const GlslInfo::Block& block, const GlslInfo::Member& member) {
+  static bool IsGlobal(const GlslInfo::UniformBlock& block, const GlslInfo::UniformMember& member) {
     return member.name.find('.') == std::string::npos && member.function.empty() &&
            (block.form != BlockForm::kRows || member.is_uniform);
   }
@@ -153,7 +153,7 @@ class Naming {
       namer_.Global(group.type);
       names_.groups.push_back(group.instance.empty() ? "" : namer_.Global(group.instance));
       if (!group.instance.empty()) continue;
-      for (const OutputGroup::Member& member : group.members) namer_.Global(member.name);
+      for (const OutputGroup::GroupMember& member : group.members) namer_.Global(member.name);
     }
   }
 
@@ -235,7 +235,7 @@ class Naming {
     const Cbuffer& cbuffer = context_[id];
     const NameStyle& style = context_.options.names;
     std::string& name = names_.blocks[id.index];
-    if (const GlslInfo::Block* block = context_.WrittenBlock(id)) {
+    if (const GlslInfo::UniformBlock* block = context_.WrittenBlock(id)) {
       name = block->name;
       names_.rows[id.index] = block->rows;
       return;

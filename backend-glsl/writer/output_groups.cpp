@@ -34,7 +34,7 @@ bool IsPrecise(const Context& context, std::size_t group, std::size_t member) {
 std::string MemberText(Context& context, std::size_t group, std::size_t number,
                        bool has_locations) {
   const OutputGroup& whole = context.program.output_groups[group];
-  const OutputGroup::Member& member = whole.members[number];
+  const OutputGroup::GroupMember& member = whole.members[number];
   std::string text = "    ";
   if (whole.is_block) {
     if (member.location && has_locations) text += LocationText(*member.location);
@@ -54,9 +54,9 @@ std::string MemberText(Context& context, std::size_t group, std::size_t number,
 // The qualifiers of a struct, whose members have none: those of its first member, and `flat` where
 // one of them must be.
 std::string StructInterpolation(Context& context, const OutputGroup& group) {
-  const OutputGroup::Member& first = group.members.front();
+  const OutputGroup::GroupMember& first = group.members.front();
   Interpolated whole{first.scalar, first.interpolation, first.centroid, first.sample};
-  for (const OutputGroup::Member& member : group.members) {
+  for (const OutputGroup::GroupMember& member : group.members) {
     if (IsFlat(member.scalar)) whole.scalar = member.scalar;
   }
   return InterpolationText(context, whole);
@@ -64,7 +64,7 @@ std::string StructInterpolation(Context& context, const OutputGroup& group) {
 
 void WriteGroup(Context& context, std::size_t number, std::string& text) {
   const OutputGroup& group = context.program.output_groups[number];
-  const auto is_placed = [](const OutputGroup::Member& member) {
+  const auto is_placed = [](const OutputGroup::GroupMember& member) {
     return member.location.has_value();
   };
   const bool has_locations = context.Has(Feature::kOutputLocations) &&

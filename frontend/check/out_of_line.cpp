@@ -9,7 +9,7 @@ namespace clipc::check {
 std::vector<ast::DeclId> OutOfLine::Of(Context& context, Name name, ScopeId scope) {
   const auto found = members_.find(name.index);
   if (found == members_.end()) return {};
-  Member& member = found->second;
+  MemberDefinitions& member = found->second;
   const ViewSwitch in(context, {.scope = context.names.global()});
   // Looking at a struct may lead here again.
   while (member.placed < member.definitions.size()) {

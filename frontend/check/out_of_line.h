@@ -28,12 +28,12 @@ class OutOfLine {
     ast::QualifiedName owner;
     ast::DeclId decl;
   };
-  struct Member {
+  struct MemberDefinitions {
     std::vector<Definition> definitions;
     std::size_t placed = 0;  // the number of definitions, from the first on, in by_scope
     std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> by_scope;
   };
-  std::unordered_map<std::uint32_t, Member> members_;  // by Name
+  std::unordered_map<std::uint32_t, MemberDefinitions> members_;  // by Name
 };
 
 }  // namespace clipc::check

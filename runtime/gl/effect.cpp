@@ -57,11 +57,11 @@ struct clipc_gl_effect {
   gl::ClipSwitches switches;
   std::vector<unsigned> programs, buffers, samplers;  // of OpenGL
   std::vector<unsigned> textures;                     // what the application set
-  struct Block {
+  struct BlockContents {
     std::vector<unsigned char> bytes;
     bool is_changed = true;
   };
-  std::vector<Block> blocks;
+  std::vector<BlockContents> blocks;
 };
 // NOLINTEND(readability-identifier-naming)
 
@@ -177,7 +177,7 @@ void Set(clipc_gl_effect& effect, const clipc_gl_effect_parameter& parameter, co
          std::size_t size) {
   for (std::uint32_t i = 0; i < parameter.place_count; ++i) {
     const clipc_gl_effect_place& place = effect.table.places[parameter.first_place + i];
-    clipc_gl_effect::Block& block = effect.blocks[place.block];
+    clipc_gl_effect::BlockContents& block = effect.blocks[place.block];
     Place(parameter, place, static_cast<const unsigned char*>(values), size, block.bytes);
     block.is_changed = true;
   }
@@ -232,7 +232,7 @@ const clipc_gl_effect_program* ProgramOf(const clipc_gl_effect* effect, std::uin
 void BindBlocks(clipc_gl_effect& effect, const clipc_gl_effect_program& program) {
   for (std::uint32_t i = 0; i < program.use_count; ++i) {
     const std::uint32_t number = effect.table.uses[program.first_use + i].block;
-    clipc_gl_effect::Block& block = effect.blocks[number];
+    clipc_gl_effect::BlockContents& block = effect.blocks[number];
     effect.gl.BindBufferBase(kUniformBuffer, i, effect.buffers[number]);
     if (!block.is_changed) continue;
     effect.gl.BufferData(kUniformBuffer, static_cast<std::ptrdiff_t>(block.bytes.size()),

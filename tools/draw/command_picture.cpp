@@ -32,7 +32,7 @@ Inputs InputsOf(const Json& draw, const GlProgram& program) {
     inputs.blocks.push_back({name, BytesOf(words.get<Words>())});
   const Json textures = draw.value("textures", Json::object());
   for (const Active& uniform : program.Uniforms()) {
-    if (FindShape(uniform.type)) continue;
+    if (FindLayout(uniform.type)) continue;
     Inputs::Texture& texture = inputs.textures.emplace_back();
     texture.name = uniform.name;
     texture.target = GL_TEXTURE_2D;

@@ -30,11 +30,11 @@ Flag BlockFlag(Inputs& inputs) {
 }
 
 void Print(const Captured& output, int vertex) {
-  const int size = output.shape.Words() * output.count;
+  const int size = output.layout.Words() * output.count;
   std::printf("%d %s =", vertex, output.name.c_str());
   for (int i = 0; i < size; ++i) {
     const std::uint32_t word = output.words[vertex * size + i];
-    switch (output.shape.kind) {
+    switch (output.layout.kind) {
       case WordKind::kFloat:
         std::printf(" %.9g", static_cast<double>(std::bit_cast<float>(word)));
         break;
@@ -51,7 +51,7 @@ void AddMesh(const std::vector<Active>& attributes, Inputs& inputs) {
   inputs.vertices = static_cast<int>(mesh.size());
   const auto position = std::ranges::find(attributes, "in_POSITION0", &Active::name);
   if (position == attributes.end()) return;
-  const int components = ShapeOf(*position).rows;
+  const int components = LayoutOf(*position).rows;
   Words& words = inputs.attributes.emplace_back(Inputs::Attribute{position->name, {}}).words;
   for (const auto& [x, y, z, w] : mesh) {
     const float divisor = components == 4 ? 1 : w;

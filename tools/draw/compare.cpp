@@ -47,8 +47,8 @@ class Comparer {
       ++result_.missing;
       return Fail(expected.name + " is not written");
     }
-    const Shape& shape = captured.shape;
-    if (shape.Words() * captured.count != expected.components ||
+    const WordLayout& layout = captured.layout;
+    if (layout.Words() * captured.count != expected.components ||
         captured.words.size() != expected.words.size()) {
       return Fail(expected.name + " has another number of components");
     }
@@ -59,7 +59,7 @@ class Comparer {
         ++result_.undefined;
       } else if (expected.kind == Scalar::kFloat) {
         CompareFloat(expected, i, captured.words[i], largest);
-      } else if (captured.words[i] == (shape.kind == WordKind::kFloat
+      } else if (captured.words[i] == (layout.kind == WordKind::kFloat
                                            ? AsFloat(expected.words[i], expected.kind)
                                            : expected.words[i])) {
         ++result_.equal;

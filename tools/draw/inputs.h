@@ -38,7 +38,7 @@ inline Bytes BytesOf(std::span<const std::uint32_t> words) {
 enum class WordKind { kFloat, kInt, kUint };
 
 // The words of a GLSL type.
-struct Shape {
+struct WordLayout {
   WordKind kind = WordKind::kFloat;
   int columns = 1;  // of a matrix; 1 for every other type
   int rows = 1;     // components of a vector or of a matrix's column
@@ -94,9 +94,9 @@ struct Inputs {
 // The values of one output that transform feedback captured.
 struct Captured {
   std::string name;
-  Shape shape;    // of one element
-  int count = 1;  // elements of an array
-  Words words;    // of vertex 0, then of vertex 1, ...; instance by instance
+  WordLayout layout;  // of one element
+  int count = 1;      // elements of an array
+  Words words;        // of vertex 0, then of vertex 1, ...; instance by instance
 };
 
 }  // namespace clipc::draw

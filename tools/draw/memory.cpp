@@ -108,9 +108,9 @@ Words WordsOf(const Program& program, const CbufferMember& member, std::string_v
 
 // The words of the uniform that OpenGL calls `name`; empty when it is not a part of the block's
 // members.
-Words UniformOf(const Program& program, const GlslInfo::Block& block, const Bytes& bytes,
+Words UniformOf(const Program& program, const GlslInfo::UniformBlock& block, const Bytes& bytes,
                 const std::string& name) {
-  for (const GlslInfo::Member& member : block.members) {
+  for (const GlslInfo::UniformMember& member : block.members) {
     if (!name.starts_with(member.name)) continue;
     const std::string_view path = std::string_view(name).substr(member.name.size());
     if (!path.empty() && path[0] != '.' && path[0] != '[') continue;
@@ -176,7 +176,7 @@ void ForEachComponent(const TypeTable& types, TypeId type_id, bool row_major, st
 
 void GiveConstants(const Program& program, const GlslInfo& info, const std::vector<Bytes>& cbuffers,
                    Inputs& inputs) {
-  for (const GlslInfo::Block& block : info.blocks) {
+  for (const GlslInfo::UniformBlock& block : info.blocks) {
     const Cbuffer& declared = program.cbuffers[block.cbuffer];
     const Bytes& bytes = cbuffers[block.cbuffer.index];
     if (block.name.empty()) continue;
@@ -189,7 +189,7 @@ void GiveConstants(const Program& program, const GlslInfo& info, const std::vect
   }
   inputs.find_uniform = [&](const std::string& name) {
     Words words;
-    for (const GlslInfo::Block& block : info.blocks) {
+    for (const GlslInfo::UniformBlock& block : info.blocks) {
       if (!block.name.empty() || !words.empty()) continue;
       const Bytes& bytes = cbuffers[block.cbuffer.index];
       const bool is_rows = !block.rows.empty() && name == block.rows + "[0]";

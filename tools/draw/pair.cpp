@@ -28,16 +28,16 @@ std::uint64_t SeedOf(std::string_view name) {
   return seed;
 }
 
-Words PairAttribute(std::uint32_t location, const Shape& shape) {
+Words PairAttribute(std::uint32_t location, const WordLayout& layout) {
   harness::Random random(SeedOf("attribute") + location);
   Words words;
   for (const auto& [x, y, z, w] : FullTarget()) {
     const double position[] = {x / w, y / w, z / w, 1};
-    for (int i = 0; i < shape.rows; ++i) {
+    for (int i = 0; i < layout.rows; ++i) {
       const double value = random.Unit();
-      words.push_back(shape.kind != WordKind::kFloat ? static_cast<std::uint32_t>(4 * value)
-                      : location == 0                ? Bits(position[i])
-                                                     : Bits(value));
+      words.push_back(layout.kind != WordKind::kFloat ? static_cast<std::uint32_t>(4 * value)
+                      : location == 0                 ? Bits(position[i])
+                                                      : Bits(value));
     }
   }
   return words;

@@ -19,8 +19,8 @@ inline constexpr int kPairSize = 64;
 std::uint64_t SeedOf(std::string_view name);
 
 // The values of an attribute for each vertex of FullTarget(): the position at location 0; random
-// numbers elsewhere, small where they are integers. The shape is a scalar or a vector.
-Words PairAttribute(std::uint32_t location, const Shape& shape);
+// numbers elsewhere, small where they are integers. The layout is a scalar or a vector.
+Words PairAttribute(std::uint32_t location, const WordLayout& layout);
 
 // The bytes of a uniform block: the identity matrix first, so that the mesh stays in view if the
 // block begins with a matrix, and every value moved a little, so that every byte counts. A larger

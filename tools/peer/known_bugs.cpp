@@ -86,7 +86,7 @@ bool GiveInitialValues(const Program& program, const std::vector<PeerBlock>& blo
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& cbuffer = program.cbuffers[id];
     const PeerBlock* block = Find(blocks, cbuffer);
-    for (const Member& member : MembersOf(program, cbuffer)) {
+    for (const PlacedMember& member : MembersOf(program, cbuffer)) {
       if (cbuffer.kind != CbufferKind::kGlobals || (block && block->members.contains(member.name)))
         continue;
       std::smatch found;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace ir;
 
-Offsets BytesOf(const Program& program, const Member& member) {
+Offsets BytesOf(const Program& program, const PlacedMember& member) {
   Offsets bytes;
   ForEachComponent(program.types, member.type, member.row_major, member.offset,
                    [&](Scalar, std::uint32_t byte) { bytes.push_back(byte); });
@@ -34,7 +34,7 @@ Offsets BytesOf(const Program& program, VarId var) {
   return bytes;
 }
 
-const Offsets& PeerBytes(const PeerBlock& block, const Member& member, std::size_t count) {
+const Offsets& PeerBytes(const PeerBlock& block, const PlacedMember& member, std::size_t count) {
   const auto found = block.members.find(member.name);
   if (found == block.members.end())
     throw DrawError("the peer's " + block.name + " has no `" + member.name + "`");
@@ -44,14 +44,14 @@ const Offsets& PeerBytes(const PeerBlock& block, const Member& member, std::size
 }
 
 // Whether the peer made a global constant of the member, and not a uniform.
-bool IsCompiledIn(const Cbuffer& cbuffer, const PeerBlock& block, const Member& member) {
+bool IsCompiledIn(const Cbuffer& cbuffer, const PeerBlock& block, const PlacedMember& member) {
   return cbuffer.kind == CbufferKind::kGlobals && !block.members.contains(member.name);
 }
 
 }  // namespace
 
-std::vector<Member> MembersOf(const Program& program, const Cbuffer& cbuffer) {
-  std::vector<Member> members;
+std::vector<PlacedMember> MembersOf(const Program& program, const Cbuffer& cbuffer) {
+  std::vector<PlacedMember> members;
   if (cbuffer.kind != CbufferKind::kConstantBuffer) {
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program.vars[member.var];
@@ -82,7 +82,7 @@ const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const Cbuffer& cbuff
 
 void Relocate(const Program& program, const Cbuffer& cbuffer, const PeerBlock& block,
               const std::uint8_t* from, Bytes& to) {
-  for (const Member& member : MembersOf(program, cbuffer)) {
+  for (const PlacedMember& member : MembersOf(program, cbuffer)) {
     if (IsCompiledIn(cbuffer, block, member)) continue;
     const Offsets ours = BytesOf(program, member);
     const Offsets& theirs = PeerBytes(block, member, ours.size());

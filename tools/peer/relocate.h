@@ -14,13 +14,13 @@
 namespace clipc::draw::peer {
 
 // A variable of a cbuffer, or a field of a ConstantBuffer<T>, with its place in clipc's layout.
-struct Member {
+struct PlacedMember {
   std::string name;
   ir::TypeId type;
   bool row_major = false;
   std::uint32_t offset = 0;
 };
-std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
+std::vector<PlacedMember> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
 
 // The peer's block of that cbuffer; null when the peer has none. $Globals and the `uniform`
 // parameters are one block.

@@ -66,7 +66,7 @@ class Registers {
       for (const Json& field : *fields) sum += CountOf(TypeOf(field));
       return sum;
     }
-    return ShapeOf(type).registers;
+    return RegisterCountOf(type).registers;
   }
 
   void Place(std::string type, std::uint32_t byte, std::uint32_t number) {
@@ -83,9 +83,9 @@ class Registers {
       }
       return;
     }
-    const Shape shape = ShapeOf(type);
-    for (std::uint32_t i = 0; i < shape.registers; ++i) {
-      for (std::uint32_t k = 0; k < shape.components; ++k) {
+    const RegisterCount count = RegisterCountOf(type);
+    for (std::uint32_t i = 0; i < count.registers; ++i) {
+      for (std::uint32_t k = 0; k < count.components; ++k) {
         buffer_.components.push_back({byte + 16 * i + 4 * k, 4 * (number + i) + k,
                                       type.find("bool") != type.npos  ? 'b'
                                       : type.find("int") != type.npos ? 'i'
@@ -94,7 +94,7 @@ class Registers {
     }
   }
 
-  struct Shape {
+  struct RegisterCount {
     std::uint32_t registers = 1, components = 1;
   };
 
@@ -112,14 +112,15 @@ class Registers {
   }
 
   // Of a scalar, a vector or a matrix: "row_major float3x4".
-  static Shape ShapeOf(const std::string& type) {
+  static RegisterCount RegisterCountOf(const std::string& type) {
     const std::size_t by = type.rfind('x');
     const bool is_matrix = by != type.npos && by + 2 == type.size() && by > 0 &&
                            std::isdigit(static_cast<unsigned char>(type[by - 1])) != 0;
     const auto digit = [&](std::size_t at) { return static_cast<std::uint32_t>(type[at] - '0'); };
     if (is_matrix) {
       const std::uint32_t rows = digit(by - 1), columns = digit(by + 1);
-      return type.starts_with("row_major") ? Shape{rows, columns} : Shape{columns, rows};
+      return type.starts_with("row_major") ? RegisterCount{rows, columns}
+                                           : RegisterCount{columns, rows};
     }
     const bool is_vector = std::isdigit(static_cast<unsigned char>(type.back())) != 0 &&
                            !type.ends_with("16") && !type.ends_with("10") && !type.ends_with("12");
@@ -137,8 +138,8 @@ class Registers {
         bytes = std::max(bytes, field.at("offset").get<std::uint32_t>() + BytesOf(TypeOf(field)));
       return bytes;
     }
-    const Shape shape = ShapeOf(type);
-    return 16 * (shape.registers - 1) + 4 * shape.components;
+    const RegisterCount count = RegisterCountOf(type);
+    return 16 * (count.registers - 1) + 4 * count.components;
   }
 
   const Json& structs_;

@@ -11,7 +11,7 @@
 #include "base/not_copied.h"
 #include "tools/values/script.h"
 
-// What a [srv], [uav], [rtv], [dsv], [vb] or [sampler] block describes, and its place in OpenGL.
+// What a [srv], [uav], [rtv], [dsv], [vb] or [sampler] section describes, and its place in OpenGL.
 namespace clipc::values {
 
 struct Format {
@@ -41,15 +41,16 @@ struct ResourceText {
 };
 // The role and the slot of "srv 2". Throws std::runtime_error for another word.
 ResourceText TakeReference(Scanner& line);
-// Reads the resource of a block. Throws std::runtime_error at a line that the format does not have.
-ResourceText ReadResource(const Block& block);
+// Reads the resource of a section. Throws std::runtime_error at a line that the format does not
+// have.
+ResourceText ReadResource(const Section& section);
 
 struct SamplerText {
   GLenum least = GL_NEAREST_MIPMAP_NEAREST, greatest = GL_NEAREST;  // filters
   std::array<GLenum, 3> wraps = {GL_REPEAT, GL_REPEAT, GL_REPEAT};
   GLenum comparison = GL_NONE;
 };
-SamplerText ReadSampler(const Block& block);
+SamplerText ReadSampler(const Section& section);
 // "less equal" as OpenGL's name.
 GLenum TakeComparison(Scanner& line);
 

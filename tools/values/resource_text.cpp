@@ -23,11 +23,11 @@ constexpr Format kFormats[] = {
     {"unknown", GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1},
 };
 
-struct Shape {
+struct DimensionName {
   std::string_view name;
   Dimension dimension;
 };
-constexpr Shape kShapes[] = {
+constexpr DimensionName kDimensions[] = {
     {"buffer", Dimension::kBuffer},
     {"raw_buffer", Dimension::kBuffer},
     {"counter_buffer", Dimension::kBuffer},
@@ -48,13 +48,13 @@ void TakeSize(Scanner& line, ResourceText& resource) {
   const std::size_t comma = std::min(line.rest().find(','), line.rest().size());
   std::string name(line.rest().substr(0, comma));
   while (name.ends_with(' ')) name.pop_back();
-  const auto* shape = std::ranges::find(kShapes, name, &Shape::name);
-  if (shape == std::end(kShapes)) Refuse("size", line);
+  const auto* found = std::ranges::find(kDimensions, name, &DimensionName::name);
+  if (found == std::end(kDimensions)) Refuse("size", line);
   for (std::size_t i = 0; i < comma; ++i) line.TakeMark(line.rest().front());
   std::vector<std::uint32_t> numbers;
   while (line.TakeMark(',')) numbers.push_back(line.TakeCount());
   line.ExpectMark(')');
-  resource.dimension = shape->dimension;
+  resource.dimension = found->dimension;
   resource.is_raw = name == "raw_buffer";
   resource.is_counter = name == "counter_buffer";
   if (resource.is_counter) resource.stride = 4;
@@ -63,10 +63,10 @@ void TakeSize(Scanner& line, ResourceText& resource) {
     numbers.erase(numbers.begin());
   }
   resource.width = numbers.at(0);
-  resource.height = shape->dimension == Dimension::kCube ? resource.width
+  resource.height = found->dimension == Dimension::kCube ? resource.width
                     : numbers.size() > 1                 ? numbers[1]
                                                          : 1;
-  resource.depth = shape->dimension == Dimension::kCube ? 6 : numbers.size() > 2 ? numbers[2] : 1;
+  resource.depth = found->dimension == Dimension::kCube ? 6 : numbers.size() > 2 ? numbers[2] : 1;
 }
 
 GLenum TakeWrap(Scanner& line) {
@@ -119,10 +119,10 @@ ResourceText TakeReference(Scanner& line) {
   return resource;
 }
 
-ResourceText ReadResource(const Block& block) {
-  Scanner header(block.header.text);
+ResourceText ReadResource(const Section& section) {
+  Scanner header(section.header.text);
   ResourceText resource = TakeReference(header);
-  for (const Line& each : block.lines) {
+  for (const Line& each : section.lines) {
     Scanner line(each.text);
     if (line.Take("format")) {
       resource.format = TakeFormat(line);
@@ -141,9 +141,9 @@ ResourceText ReadResource(const Block& block) {
   return resource;
 }
 
-SamplerText ReadSampler(const Block& block) {
+SamplerText ReadSampler(const Section& section) {
   SamplerText sampler;
-  for (const Line& each : block.lines) {
+  for (const Line& each : section.lines) {
     Scanner line(each.text);
     if (line.Take("address")) {
       for (GLenum& wrap : sampler.wraps) wrap = TakeWrap(line);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kQuadShader[] = "float4 main(float4 pos : POSITION) : SV_Position { return pos; }\n";
 
-// What a shader block says of its shader, with its text.
+// What a shader section says of its shader, with its text.
 struct StagedShader {
   std::string text;
   int line = 0;
@@ -28,11 +28,11 @@ class Session {
   }
 
   void Run(const std::string& text) {
-    for (const Block& block : ReadBlocks(text)) {
+    for (const Section& section : ReadSections(text)) {
       try {
-        RunBlock(block);
+        RunSection(section);
       } catch (const std::runtime_error& error) {
-        listener_.on_probe({Verdict::kNotDrawn, block.header.number, error.what()});
+        listener_.on_probe({Verdict::kNotDrawn, section.header.number, error.what()});
       }
     }
   }
@@ -46,20 +46,20 @@ class Session {
     missing_.clear();
   }
 
-  void RunBlock(const Block& block) {
-    Scanner header(block.header.text);
+  void RunSection(const Section& section) {
+    Scanner header(section.header.text);
     for (const char* stage : {"pixel", "vertex", "compute", "geometry", "hull", "domain"}) {
       if (!header.Take(stage)) continue;
-      if (header.Take("shader")) ReadShader(stage, header, block);
+      if (header.Take("shader")) ReadShader(stage, header, section);
       return;
     }
-    if (header.Take("require")) return Require(block);
+    if (header.Take("require")) return Require(section);
     if (header.Take("sampler")) {
-      scene_.samplers[header.TakeCount()] = ReadSampler(block);
+      scene_.samplers[header.TakeCount()] = ReadSampler(section);
     } else if (header.Take("input")) {
-      ReadLayout(block);
+      ReadLayout(section);
     } else if (header.Take("test")) {
-      for (const Line& line : block.lines) {
+      for (const Line& line : section.lines) {
         try {
           RunLine(line);
         } catch (const std::runtime_error& error) {
@@ -68,13 +68,13 @@ class Session {
       }
     } else if (!header.Take("effect") && !header.Take("preproc") &&
                !header.Take("preproc-invalid")) {
-      Set(ReadResource(block));
+      Set(ReadResource(section));
     }
   }
 
-  void Require(const Block& block) {
+  void Require(const Section& section) {
     Allow();
-    for (const Line& each : block.lines) {
+    for (const Line& each : section.lines) {
       Scanner line(each.text);
       if (line.at_end()) continue;
       if (line.Take("shader")) {
@@ -95,9 +95,9 @@ class Session {
     }
   }
 
-  void ReadLayout(const Block& block) {
+  void ReadLayout(const Section& section) {
     scene_.elements.clear();
-    for (const Line& each : block.lines) {
+    for (const Line& each : section.lines) {
       Scanner line(each.text);
       if (line.at_end()) continue;
       Element& element = scene_.elements.emplace_back();
@@ -113,8 +113,8 @@ class Session {
     scene_.resources[key] = std::make_unique<Resource>(std::move(text));
   }
 
-  void ReadShader(const std::string& stage, Scanner& header, const Block& block) {
-    StagedShader shader{block.Text(), block.header.number};
+  void ReadShader(const std::string& stage, Scanner& header, const Section& section) {
+    StagedShader shader{section.Text(), section.header.number};
     while (!header.at_end()) {
       // `todo` and `notimpl` are about vkd3d's compiler.
       const bool fails = header.Take("fail");

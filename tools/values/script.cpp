@@ -26,14 +26,14 @@ auto ReadWith(std::string_view& rest, Read&& read) {
 
 }  // namespace
 
-std::string Block::Text() const {
+std::string Section::Text() const {
   std::string text;
   for (const Line& line : lines) text += line.text + "\n";
   return text;
 }
 
-std::vector<Block> ReadBlocks(const std::string& text) {
-  std::vector<Block> blocks;
+std::vector<Section> ReadSections(const std::string& text) {
+  std::vector<Section> sections;
   std::istringstream stream(text);
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
@@ -41,12 +41,12 @@ std::vector<Block> ReadBlocks(const std::string& text) {
     if (line.ends_with('\r')) line.pop_back();
     if (line.starts_with('%')) continue;
     if (line.starts_with('[') && line.ends_with(']')) {
-      blocks.push_back({{number, line.substr(1, line.size() - 2)}, {}});
-    } else if (!blocks.empty()) {
-      blocks.back().lines.push_back({number, line});
+      sections.push_back({{number, line.substr(1, line.size() - 2)}, {}});
+    } else if (!sections.empty()) {
+      sections.back().lines.push_back({number, line});
     }
   }
-  return blocks;
+  return sections;
 }
 
 void Scanner::SkipSpaces() {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-// The text of vkd3d's shader_test files: blocks with a header in brackets, and the words in them.
+// The text of vkd3d's shader_test files: sections with a header in brackets, and the words in them.
 namespace clipc::values {
 
 // The shader models that a file may name, by number.
@@ -31,14 +31,14 @@ struct Line {
   int number = 0;  // from 1 on
   std::string text;
 };
-struct Block {
+struct Section {
   Line header;  // "pixel shader fail(sm<4)", without its brackets
   std::vector<Line> lines;
 
   std::string Text() const;  // all lines, each with a newline
 };
-// The blocks of a file, without the lines that begin with `%`, which are comments.
-std::vector<Block> ReadBlocks(const std::string& text);
+// The sections of a file, without the lines that begin with `%`, which are comments.
+std::vector<Section> ReadSections(const std::string& text);
 
 // "(sm>=4 & sm<6 | !llvmpipe)" after a word such as `if`, `fail` or `todo`.
 struct Qualifier {

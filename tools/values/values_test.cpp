@@ -90,12 +90,13 @@ TEST(Script, ReadsQualifiers) {
 }
 
 TEST(Script, ReadsBlocksAndWords) {
-  const std::vector<Block> blocks = ReadBlocks("[a]\none\n% no\n\n[b c(sm<4)]\n1.5 -2 0x10 ; x\n");
-  ASSERT_EQ(blocks.size(), 2u);
-  EXPECT_EQ(blocks[0].Text(), "one\n\n");
-  EXPECT_EQ(blocks[1].header.text, "b c(sm<4)");
-  EXPECT_EQ(blocks[1].lines[0].number, 6);
-  Scanner scanner(blocks[1].lines[0].text);
+  const std::vector<Section> sections =
+      ReadSections("[a]\none\n% no\n\n[b c(sm<4)]\n1.5 -2 0x10 ; x\n");
+  ASSERT_EQ(sections.size(), 2u);
+  EXPECT_EQ(sections[0].Text(), "one\n\n");
+  EXPECT_EQ(sections[1].header.text, "b c(sm<4)");
+  EXPECT_EQ(sections[1].lines[0].number, 6);
+  Scanner scanner(sections[1].lines[0].text);
   std::vector<std::uint32_t> words;
   while (const auto word = scanner.TakeWord()) words.push_back(*word);
   EXPECT_THAT(words, ElementsAre(0x3fc00000u, 0xfffffffeu, 16u));

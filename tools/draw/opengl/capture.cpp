@@ -29,7 +29,7 @@ std::vector<Captured> CapturedOf(GLuint program, std::size_t count) {
     glGetTransformFeedbackVarying(program, i, sizeof name, nullptr, &active.count, &active.type,
                                   name);
     active.name = name;
-    all[i] = {name, ShapeOf(active), active.count, {}};
+    all[i] = {name, LayoutOf(active), active.count, {}};
   }
   return all;
 }
@@ -38,7 +38,7 @@ std::vector<Captured> CapturedOf(GLuint program, std::size_t count) {
 void Distribute(const std::uint32_t* words, int vertices, std::vector<Captured>& outputs) {
   for (int vertex = 0; vertex < vertices; ++vertex) {
     for (Captured& output : outputs) {
-      const int size = output.shape.Words() * output.count;
+      const int size = output.layout.Words() * output.count;
       output.words.insert(output.words.end(), words, words + size);
       words += size;
     }
@@ -69,7 +69,7 @@ std::vector<Captured> CaptureAtOnce(const std::string& vertex, std::span<const s
   std::vector<Captured> outputs = CapturedOf(program.id(), names.size());
   std::size_t words = 0;
   for (const Captured& output : outputs)
-    words += static_cast<std::size_t>(output.shape.Words()) * output.count;
+    words += static_cast<std::size_t>(output.layout.Words()) * output.count;
   const int vertices = inputs.vertices * inputs.instances;
   const std::size_t bytes = 4 * words * vertices;
 

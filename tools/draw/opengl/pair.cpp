@@ -16,7 +16,7 @@ Inputs InputsOf(const GlProgram& program) {
     inputs.blocks.push_back({block.name, PairBlock(SeedOf(block.name), size)});
   }
   for (const Active& uniform : program.Uniforms()) {
-    if (FindShape(uniform.type)) throw DrawError("`" + uniform.name + "` is a plain uniform");
+    if (FindLayout(uniform.type)) throw DrawError("`" + uniform.name + "` is a plain uniform");
     inputs.textures.push_back(PairTexture(SeedOf(uniform.name)));
     inputs.textures.back().name = uniform.name;
   }
@@ -42,7 +42,7 @@ Inputs MeshInputs(const GlProgram& program) {
   inputs.vertices = static_cast<int>(FullTarget().size());
   for (const Active& attribute : program.Attributes()) {
     const auto location = static_cast<std::uint32_t>(attribute.location);
-    inputs.attributes.push_back({attribute.name, PairAttribute(location, ShapeOf(attribute))});
+    inputs.attributes.push_back({attribute.name, PairAttribute(location, LayoutOf(attribute))});
   }
   return inputs;
 }

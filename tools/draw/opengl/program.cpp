@@ -39,18 +39,18 @@ std::vector<Active> List(GLuint program, GLenum count_of, decltype(glGetActiveUn
   return all;
 }
 
-void SetUniform(const Active& active, const Shape& shape, const std::uint32_t* words) {
+void SetUniform(const Active& active, const WordLayout& layout, const std::uint32_t* words) {
   const int at = active.location, n = active.count;
   const auto* f = reinterpret_cast<const GLfloat*>(words);
   const auto* i = reinterpret_cast<const GLint*>(words);
-  const int size = shape.rows - 1;
-  if (shape.columns > 1) {
+  const int size = layout.rows - 1;
+  if (layout.columns > 1) {
     const std::array set{glUniformMatrix2fv,   glUniformMatrix2x3fv, glUniformMatrix2x4fv,
                          glUniformMatrix3x2fv, glUniformMatrix3fv,   glUniformMatrix3x4fv,
                          glUniformMatrix4x2fv, glUniformMatrix4x3fv, glUniformMatrix4fv};
-    return set[3 * (shape.columns - 2) + size - 1](at, n, GL_FALSE, f);
+    return set[3 * (layout.columns - 2) + size - 1](at, n, GL_FALSE, f);
   }
-  switch (shape.kind) {
+  switch (layout.kind) {
     case WordKind::kFloat:
       return std::array{glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv}[size](at, n, f);
     case WordKind::kInt:
@@ -80,7 +80,7 @@ Version VersionOf(const std::string& glsl) {
   return version;
 }
 
-std::optional<Shape> FindShape(GLenum type) {
+std::optional<WordLayout> FindLayout(GLenum type) {
   // The types of vectors, by kind and then by components; a bool counts as a uint.
   constexpr GLenum kVectors[][4] = {
       {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4},
@@ -94,19 +94,19 @@ std::optional<Shape> FindShape(GLenum type) {
   for (int kind = 0; kind < 4; ++kind) {
     for (int i = 0; i < 4; ++i) {
       if (type == kVectors[kind][i])
-        return Shape{static_cast<WordKind>(std::min(kind, 2)), 1, i + 1};
+        return WordLayout{static_cast<WordKind>(std::min(kind, 2)), 1, i + 1};
     }
   }
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) {
-      if (type == kMatrices[column][row]) return Shape{WordKind::kFloat, column + 2, row + 2};
+      if (type == kMatrices[column][row]) return WordLayout{WordKind::kFloat, column + 2, row + 2};
     }
   }
   return std::nullopt;
 }
 
-Shape ShapeOf(const Active& active) {
-  if (const std::optional<Shape> shape = FindShape(active.type)) return *shape;
+WordLayout LayoutOf(const Active& active) {
+  if (const std::optional<WordLayout> layout = FindLayout(active.type)) return *layout;
   throw DrawError("`" + active.name + "` has a type of OpenGL that no test draws with");
 }
 
@@ -162,35 +162,35 @@ GLuint GlProgram::NewBuffer(GLenum target, const void* data, std::size_t size) {
 
 void GlProgram::BindAttribute(const Active& active, const Inputs& inputs) {
   const auto& value = Find(inputs.attributes, active.name, "attribute");
-  const Shape shape = ShapeOf(active);
-  if (shape.columns != 1 || active.count != 1)
+  const WordLayout layout = LayoutOf(active);
+  if (layout.columns != 1 || active.count != 1)
     throw DrawError("attribute `" + active.name + "` is a matrix or an array");
-  if (value.words.size() != static_cast<std::size_t>(shape.rows) * inputs.vertices) {
-    throw DrawError("attribute `" + active.name + "` has " + std::to_string(shape.rows) +
+  if (value.words.size() != static_cast<std::size_t>(layout.rows) * inputs.vertices) {
+    throw DrawError("attribute `" + active.name + "` has " + std::to_string(layout.rows) +
                     " components; " + std::to_string(value.words.size()) + " words for " +
                     std::to_string(inputs.vertices) + " vertices");
   }
-  Words words(static_cast<std::size_t>(shape.rows) * inputs.first_vertex);
+  Words words(static_cast<std::size_t>(layout.rows) * inputs.first_vertex);
   words.insert(words.end(), value.words.begin(), value.words.end());
   NewBuffer(GL_ARRAY_BUFFER, words.data(), 4 * words.size());
   const GLuint index = active.location;
-  if (shape.kind == WordKind::kFloat) {
-    glVertexAttribPointer(index, shape.rows, GL_FLOAT, GL_FALSE, 0, nullptr);
+  if (layout.kind == WordKind::kFloat) {
+    glVertexAttribPointer(index, layout.rows, GL_FLOAT, GL_FALSE, 0, nullptr);
   } else {
-    const GLenum type = shape.kind == WordKind::kInt ? GL_INT : GL_UNSIGNED_INT;
-    glVertexAttribIPointer(index, shape.rows, type, 0, nullptr);
+    const GLenum type = layout.kind == WordKind::kInt ? GL_INT : GL_UNSIGNED_INT;
+    glVertexAttribIPointer(index, layout.rows, type, 0, nullptr);
   }
   glEnableVertexAttribArray(index);
 }
 
 void GlProgram::BindUniform(const Active& active, const Inputs& inputs) {
-  const Shape shape = ShapeOf(active);
+  const WordLayout layout = LayoutOf(active);
   Words words;
   if (inputs.find_uniform) words = inputs.find_uniform(active.name);
   if (words.empty()) words = Find(inputs.uniforms, active.name, "uniform").words;
-  words.resize(static_cast<std::size_t>(shape.Words()) *
+  words.resize(static_cast<std::size_t>(layout.Words()) *
                active.count);  // an array's unused tail may be cut
-  SetUniform(active, shape, words.data());
+  SetUniform(active, layout, words.data());
 }
 
 void GlProgram::BindSampler(const Active& active, const Inputs& inputs) {
@@ -213,7 +213,7 @@ void GlProgram::Bind(const Inputs& inputs) {
   glBindVertexArray(vertex_array_);
   for (const Active& attribute : Attributes()) BindAttribute(attribute, inputs);
   for (const Active& uniform : Uniforms()) {
-    FindShape(uniform.type) ? BindUniform(uniform, inputs) : BindSampler(uniform, inputs);
+    FindLayout(uniform.type) ? BindUniform(uniform, inputs) : BindSampler(uniform, inputs);
   }
   GLuint index = 0;
   for (const ActiveBlock& block : Blocks()) {

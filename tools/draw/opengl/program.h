@@ -29,10 +29,10 @@ struct Active {
   int count = 1;  // elements of an array
   int location = -1;
 };
-// Returns the shape of an OpenGL type, for bools that of uints; none for doubles and samplers.
-std::optional<Shape> FindShape(GLenum type);
-// Returns the shape of the variable's type. Throws DrawError where FindShape returns none.
-Shape ShapeOf(const Active& active);
+// Returns the layout of an OpenGL type, for bools that of uints; none for doubles and samplers.
+std::optional<WordLayout> FindLayout(GLenum type);
+// Returns the layout of the variable's type. Throws DrawError where FindLayout returns none.
+WordLayout LayoutOf(const Active& active);
 
 struct ActiveBlock {
   std::string name;

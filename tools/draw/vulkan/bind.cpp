@@ -30,7 +30,7 @@ class Binder {
   Binder(const Program& program, const Inputs& inputs, DrawCall& call)
       : program_(program), inputs_(inputs), call_(call) {}
 
-  void Bind(const GlslInfo::Block& block) {
+  void Bind(const GlslInfo::UniformBlock& block) {
     if (block.is_push_constant) {
       call_.push_constants = Find(inputs_.blocks, block.name).bytes;
       return;
@@ -110,7 +110,7 @@ DrawCall MakeDrawCall(const Program& program, const GlslInfo& info, const Inputs
   call.base_instance = inputs.base_instance;
   AddAttributes(program, info, inputs, call);
   Binder binder(program, inputs, call);
-  for (const GlslInfo::Block& block : info.blocks) binder.Bind(block);
+  for (const GlslInfo::UniformBlock& block : info.blocks) binder.Bind(block);
   for (const GlslInfo::Object& object : info.objects) binder.Bind(object);
   return call;
 }

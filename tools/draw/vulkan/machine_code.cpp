@@ -20,13 +20,13 @@ constexpr vk::ShaderStageFlags kBoth =
     vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
 // The GLSL type of one element, `vec3` or `mat4x3`.
-std::string GlslTypeOf(const Shape& shape) {
+std::string GlslTypeOf(const WordLayout& layout) {
   constexpr const char* kScalars[] = {"float", "int", "uint"};
   constexpr const char* kVectors[] = {"vec", "ivec", "uvec"};
-  const auto kind = static_cast<int>(shape.kind);
-  if (shape.columns > 1)
-    return "mat" + std::to_string(shape.columns) + "x" + std::to_string(shape.rows);
-  return shape.rows == 1 ? kScalars[kind] : kVectors[kind] + std::to_string(shape.rows);
+  const auto kind = static_cast<int>(layout.kind);
+  if (layout.columns > 1)
+    return "mat" + std::to_string(layout.columns) + "x" + std::to_string(layout.rows);
+  return layout.rows == 1 ? kScalars[kind] : kVectors[kind] + std::to_string(layout.rows);
 }
 
 // A fragment shader that adds up all that the vertex shader gives to it.
@@ -36,18 +36,18 @@ Spirv ReaderOf(const std::vector<Output>& outputs) {
     if (!output.location) continue;
     const std::string name = "i" + std::to_string(inputs.size());
     inputs += "layout(location = " + std::to_string(*output.location) + ") ";
-    if (output.shape.kind != WordKind::kFloat) inputs += "flat ";
-    inputs += "in " + GlslTypeOf(output.shape) + " " + name;
+    if (output.layout.kind != WordKind::kFloat) inputs += "flat ";
+    inputs += "in " + GlslTypeOf(output.layout) + " " + name;
     if (output.count > 1) inputs += "[" + std::to_string(output.count) + "]";
     inputs += ";\n";
     for (int i = 0; i < output.count; ++i) {
       const std::string element = output.count > 1 ? name + "[" + std::to_string(i) + "]" : name;
-      for (int column = 0; column < output.shape.columns; ++column) {
+      for (int column = 0; column < output.layout.columns; ++column) {
         const std::string vector =
-            output.shape.columns > 1 ? element + "[" + std::to_string(column) + "]" : element;
-        for (int row = 0; row < output.shape.rows; ++row) {
+            output.layout.columns > 1 ? element + "[" + std::to_string(column) + "]" : element;
+        for (int row = 0; row < output.layout.rows; ++row) {
           const std::string component =
-              output.shape.rows > 1 ? vector + "[" + std::to_string(row) + "]" : vector;
+              output.layout.rows > 1 ? vector + "[" + std::to_string(row) + "]" : vector;
           sum += "  color += float(" + component + ");\n";
         }
       }
@@ -64,7 +64,7 @@ Spirv ReaderOf(const std::vector<Output>& outputs) {
 Spirv WriterOf(const Reads& fragment) {
   std::string outputs, values;
   for (const Reads::Attribute& read : fragment.attributes) {
-    Shape part = read.shape;
+    WordLayout part = read.layout;
     part.columns = 1;
     if (part.rows < 1) throw DrawError("an input is a scalar, a vector or a matrix");
     for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {

@@ -42,7 +42,7 @@ DrawCall CallOf(const SpirvPair& pair) {
   const Reads vertex = ReadsOf(pair.vertex);
   for (const Reads::Attribute& read : vertex.attributes) {
     for (std::uint32_t at = read.location; at < read.location + read.locations; ++at)
-      call.attributes.push_back({at, read.shape.kind, PairAttribute(at, read.shape)});
+      call.attributes.push_back({at, read.layout.kind, PairAttribute(at, read.layout)});
   }
   for (const Reads::Binding& read : vertex.bindings) AddBinding(read, call);
   for (const Reads::Binding& read : ReadsOf(pair.fragment).bindings) AddBinding(read, call);

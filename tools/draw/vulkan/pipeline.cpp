@@ -21,8 +21,8 @@ vk::Format FormatOf(WordKind kind, std::size_t components) {
 
 }  // namespace
 
-vk::Format FormatOf(const Shape& shape) {
-  return FormatOf(shape.kind, static_cast<std::size_t>(shape.rows));
+vk::Format FormatOf(const WordLayout& layout) {
+  return FormatOf(layout.kind, static_cast<std::size_t>(layout.rows));
 }
 
 Attributes UploadAttributes(const Device& device, const DrawCall& call) {
@@ -45,8 +45,8 @@ Attributes AttributesOf(const Reads& vertex) {
   std::uint32_t offset = 0;
   for (const Reads::Attribute& read : vertex.attributes) {
     for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {
-      attributes.places.emplace_back(at, 0, FormatOf(read.shape), offset);
-      offset += 4 * static_cast<std::uint32_t>(read.shape.rows);
+      attributes.places.emplace_back(at, 0, FormatOf(read.layout), offset);
+      offset += 4 * static_cast<std::uint32_t>(read.layout.rows);
     }
   }
   if (offset > 0) attributes.bindings.emplace_back(0, offset);
@@ -65,7 +65,7 @@ PipelineTargets TargetsOf(const Spirv& fragment) {
     if (!output.location) continue;
     const std::size_t end = *output.location + static_cast<std::size_t>(output.count);
     targets.colors.resize(std::max(targets.colors.size(), end), vk::Format::eUndefined);
-    const vk::Format format = FormatOf({output.shape.kind, 4, 1});
+    const vk::Format format = FormatOf({output.layout.kind, 4, 1});
     for (std::size_t i = *output.location; i < end; ++i) targets.colors[i] = format;
   }
   return targets;

@@ -17,7 +17,7 @@ struct Attributes {
   std::vector<Buffer> buffers;
 };
 // The format of an attribute's values at one location.
-vk::Format FormatOf(const Shape& shape);
+vk::Format FormatOf(const WordLayout& layout);
 // Descriptions without buffers, of all that the vertex shader reads.
 Attributes AttributesOf(const Reads& vertex);
 Attributes UploadAttributes(const Device& device, const DrawCall& call);

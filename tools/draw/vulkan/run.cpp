@@ -68,7 +68,7 @@ std::vector<Captured> Gather(const Device& device, const Layout& layout,
   std::vector<Captured> all;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     Captured& captured =
-        all.emplace_back(Captured{outputs[i].name, outputs[i].shape, outputs[i].count, {}});
+        all.emplace_back(Captured{outputs[i].name, outputs[i].layout, outputs[i].count, {}});
     const FeedbackSlot& place = layout.places[i];
     for (int run = 0; run < call.vertices * call.instances; ++run) {
       const auto first =

@@ -16,7 +16,7 @@ using spirv_cross::SPIRType;
 
 constexpr std::size_t kHeaderWords = 5;
 
-Shape ShapeOf(const SPIRType& type, const std::string& name) {
+WordLayout LayoutOf(const SPIRType& type, const std::string& name) {
   using enum WordKind;
   const auto columns = static_cast<int>(type.columns), rows = static_cast<int>(type.vecsize);
   switch (type.basetype) {
@@ -50,7 +50,7 @@ Output Make(const Compiler& compiler, const Resource& resource, spirv_cross::Typ
             std::string name) {
   const SPIRType& type = compiler.get_type(type_id);
   Output output;
-  output.shape = ShapeOf(type, name);
+  output.layout = LayoutOf(type, name);
   output.count = CountOf(type);
   output.name = std::move(name);
   output.variable = resource.id;
@@ -124,7 +124,7 @@ Reads ReflectReads(const Compiler& compiler) {
          compiler.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE),
          compiler.get_decoration(resource.id, spv::DecorationLocation),
          static_cast<std::uint32_t>(CountOf(type)) * type.columns,
-         type.basetype == SPIRType::Struct ? Shape{} : ShapeOf(type, resource.name)});
+         type.basetype == SPIRType::Struct ? WordLayout{} : LayoutOf(type, resource.name)});
   }
   return reads;
 }

@@ -27,12 +27,12 @@ struct Output {
   std::string name;
   std::string semantic;                   // of the HLSL, if the compiler wrote it down: "TEXCOORD3"
   std::optional<std::uint32_t> location;  // none: built in
-  Shape shape;
+  WordLayout layout;
   int count = 1;                         // elements of an array
   std::uint32_t variable = 0, type = 0;  // ids
   std::optional<std::uint32_t> member;   // of gl_PerVertex
 
-  int Words() const { return shape.Words() * count; }
+  int Words() const { return layout.Words() * count; }
 };
 std::vector<Output> OutputsOf(const Spirv& spirv);
 
@@ -56,7 +56,7 @@ struct Reads {
     std::string name, semantic;  // as those of an output
     std::uint32_t location;
     std::uint32_t locations;  // their number: elements of arrays and columns of matrices
-    Shape shape;              // of one element; of a block or a struct, nothing
+    WordLayout layout;        // of one element; of a block or a struct, nothing
   };
   std::vector<Binding> bindings;
   std::vector<Attribute> attributes;
