@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Draws pairs of a vertex shader of clipc's and a pixel shader of other tools by WebGL 2 in headless Chromium.
+// Draws pairs by WebGL 2 in headless Chromium: of a vertex shader of clipc's and a pixel shader of other tools, and both of clipc's.
 //   node pairs_test.mjs CLIPC CLIPC-DRAW CHROMIUM FOLDER       FOLDER: testdata/draw/pairs
 // glslang and SPIRV-Cross translate both entry points of a shader to ES 3.00; clipc translates `vs` for the target webgl2 to fit
 // the pixel shader, given as GLSL and as SPIR-V. Its picture is that of the tools' own two halves, whose varyings SPIRV-Cross
-// names by location; and the desktop's OpenGL ES draws the same. A swapped name and a swapped member give another picture.
+// names by location; and the desktop's OpenGL ES draws the same. A swapped name and a swapped member give another picture. So do both halves by
+// clipc, that of examples/water too, but where a pixel reads its place: Direct3D counts rows from the top, the others leave that out.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -103,7 +104,25 @@ function withSwappedMembers(vertex) {
   return names && exchanged(blocks, names) + rest;
 }
 
+/** Both halves of the shader by clipc; null where the target or the browser cannot say them. */
+function bothHalves(path) {
+  const [vertex, fragment] = ['both.vert', 'both.frag'].map((file) => join(scratch, file));
+  try {
+    run(
+      clipc,
+      ...['-w', '-T', 'vs_5_0', '-E', 'vs', '--pixel-entry=ps', '--target=webgl2', path],
+      ...['-o', vertex, `--pixel-output=${fragment}`],
+    );
+  } catch (error) {
+    assert.match(error.stderr, /\[target-no-perspective\]/);
+    return null;
+  }
+  const halves = [vertex, fragment].map((file) => readFileSync(file, 'utf8'));
+  return /GL_ANGLE_clip_cull_distance/.test(halves[0]) ? null : halves;
+}
+
 let pairs = 0;
+let both = 0;
 const noticed = { name: 0, member: 0 };
 for (const name of readdirSync(folder)
   .filter((file) => file.endsWith('.hlsl'))
@@ -111,7 +130,8 @@ for (const name of readdirSync(folder)
   const path = join(folder, name);
   const text = readFileSync(path, 'utf8');
   const [line] = text.match(/^\/\/ RUN:.*/m);
-  if (/--targets/.test(line)) continue; // the others cannot say it in ES 3.00
+  const halves = bothHalves(path);
+  if (!halves) continue;
   const { fragment, spirv, own } = peersOf(path, /--peer (\w+)/.exec(line)?.[1] ?? 'vs');
   const theirs = await drawn(...own);
   assert.equal(theirs.problem, undefined, `${name}, the others' halves`);
@@ -119,6 +139,13 @@ for (const name of readdirSync(folder)
     Array.from({ length: 4096 }, (_, i) => theirs.colors.slice(4 * i, 4 * i + 4).join()),
   );
   assert.ok(colors.size > 64, `${name}: the picture shows too little`);
+  const ours = await drawn(...halves);
+  assert.equal(ours.problem, undefined, `${name}, both halves\n${halves.join('\n')}`);
+  if (!/gl_FragCoord/.test(halves[1])) {
+    assert.equal(differing(ours.colors, theirs.colors), 0, `${name}: pixels of both halves`);
+    both += 1;
+  }
+  if (/--targets/.test(line)) continue; // not every form of the pixel shader is for ES 3.00
   for (const pixelShader of [fragment, spirv]) {
     const vertex = run(
       clipc,
@@ -164,10 +191,10 @@ for (const name of readdirSync(folder)
   }
 }
 console.log(
-  `${pairs} pairs drawn by WebGL 2; ${noticed.name} with names and ${noticed.member} with members swapped are noticed`,
+  `${pairs} pairs and ${both} of clipc alone drawn by WebGL 2; ${noticed.name} with names and ${noticed.member} with members swapped are noticed`,
 );
 assert.ok(
-  pairs >= 20 && noticed.name >= 2 && noticed.member >= 1,
+  pairs >= 20 && both >= 19 && noticed.name >= 2 && noticed.member >= 1,
   'too few pairs to show anything',
 );
 await page.close();
