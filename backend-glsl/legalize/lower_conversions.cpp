@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "backend-glsl/legalize/float_range.h"
 #include "backend-glsl/legalize/index_uses.h"
 #include "backend-glsl/legalize/legalize.h"
 #include "ir/evaluate.h"
@@ -65,15 +66,11 @@ class ConversionLowering {
 
   // Whether the operand has a component that is not known to fit into the integer.
   bool MayNotFit(ExprId expr) const {
-    const ExprId operand = As<Convert>(program_, expr)->operand;
-    const auto bits = ConstantBits(program_, operand);
-    if (!bits) return true;
+    const std::optional<FloatRange> range = RangeOf(program_, As<Convert>(program_, expr)->operand);
+    if (!range) return true;
     const bool is_int = BaseOf(legalizer_.TypeOf(expr).scalar) == Scalar::kInt;
-    const Scalar kind = legalizer_.TypeOf(operand).scalar;
-    return !std::ranges::all_of(*bits, [&](std::uint64_t word) {
-      const double value = NumberOf(word, kind);
-      return is_int ? value >= -kTwoTo31 && value < kTwoTo31 : value >= 0 && value < kTwoTo32;
-    });
+    return is_int ? range->low < -kTwoTo31 || range->high >= kTwoTo31
+                  : range->low < 0 || range->high >= kTwoTo32;
   }
 
   bool IsDone(ExprId expr) const { return expr.index < done_.size() && done_[expr.index]; }

@@ -1,4 +1,4 @@
-// A float becomes an integer by a helper function, which saturates, unless the value is known and fits, or nothing but an index
+// A float becomes an integer by a helper function, which saturates, unless the value is known to fit, or nothing but an index
 // comes of it: an int may be one that is out of every array, a uint is 0 at the least.
 // RUN: %clipc -T vs_5_0 --verify --dump-after=lower-conversions --stop-after=lower-conversions %s | FileCheck %s
 // RUN: %draw compare %s -T vs_5_0
@@ -13,8 +13,12 @@ float4 main(float4 p : POSITION, float2 i : INDEX) : SV_Position {
   uint byte = kScale + 0.5;
   int4 places = int4(saturate(i.xyxy) * 4);
   uint place = saturate(i.x) - 0.5;
+  uint4 packed = uint4(round(saturate(i.xyxy) * 255)) << uint4(0, 8, 16, 24);
+  int2 between = i.x > 0 ? -saturate(p.xy) * 3 + 1.5 : 2;
+  int far = saturate(i.y) * 2147483520.0 + 100, near = saturate(i.y) * 2147483392.0;
+  uint below = saturate(i.y) - 0.5, unknown = frac(i.y) * 4;
   float4 sum = bones[places.x + 1] + bones[place];
-  return sum + any + positive.x + byte + kFits + kTooLarge;
+  return sum + any + positive.x + packed + between.xyxy + far + near + below + unknown + byte + kFits + kTooLarge;
 }
 
 // CHECK: program vs_5_0 form inlined
@@ -35,8 +39,14 @@ float4 main(float4 p : POSITION, float2 i : INDEX) : SV_Position {
 // CHECK-NEXT:   uint byte = convert<uint>(kScale + 0.5)
 // CHECK-NEXT:   int4 places = convert<int4>(saturate(in_INDEX0.xyxy) * splat<float4>(4.0))
 // CHECK-NEXT:   uint place = convert<uint>(max(0.0, saturate(in_INDEX0.x) - 0.5))
+// CHECK-NEXT:   uint4 packed = convert<uint4>(round(saturate(in_INDEX0.xyxy) * splat<float4>(255.0))) << uint4(0u, 8u, 16u, 24u)
+// CHECK-NEXT:   int2 between = convert<int2>((in_INDEX0.x > 0.0) ? (((-saturate(in_POSITION0.xy)) * splat<float2>(3.0)) + splat<float2>(1.5)) : splat<float2>(2.0))
+// CHECK-NEXT:   int far = to_int((saturate(in_INDEX0.y) * 2147483520.0) + 100.0)
+// CHECK-NEXT:   int near = convert<int>(saturate(in_INDEX0.y) * 2147483392.0)
+// CHECK-NEXT:   uint below = to_uint.1(saturate(in_INDEX0.y) - 0.5)
+// CHECK-NEXT:   uint unknown = to_uint.1(frac(in_INDEX0.y) * 4.0)
 // CHECK-NEXT:   float4 sum = bones[places.x + 1] + bones[place]
-// CHECK-NEXT:   vs_SV_POSITION0 = ((((sum + splat<float4>(convert<float>(any))) + splat<float4>(convert<float>(positive.x))) + splat<float4>(convert<float>(byte))) + splat<float4>(convert<float>(kFits))) + splat<float4>(convert<float>(kTooLarge))
+// CHECK-NEXT:   vs_SV_POSITION0 = ((((((((((sum + splat<float4>(convert<float>(any))) + splat<float4>(convert<float>(positive.x))) + convert<float4>(packed)) + convert<float4>(between.xyxy)) + splat<float4>(convert<float>(far))) + splat<float4>(convert<float>(near))) + splat<float4>(convert<float>(below))) + splat<float4>(convert<float>(unknown))) + splat<float4>(convert<float>(byte))) + splat<float4>(convert<float>(kFits))) + splat<float4>(convert<float>(kTooLarge))
 // CHECK-NEXT: }
 // CHECK-NEXT: helper int to_int(float x) {
 // CHECK-NEXT:   return (abs(x) < 2147483648.0) ? convert<int>(x) : ((x > 0.0) ? 2147483647 : ((x < 0.0) ? -2147483648 : zero<int>))
