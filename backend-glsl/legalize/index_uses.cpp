@@ -54,6 +54,7 @@ void IndexUses::MarkPlaces() {
       Mark(index->index);
     } else if (const auto* call = As<ObjectCall>(program_, expr); call && IsOfPlace(call->op)) {
       Mark(program_.expr_lists[call->arguments][1]);
+      if (call->op == ObjectOp::kTextureLoad) Mark(program_.expr_lists[call->arguments][2]);  // level
     }
   });
 }
