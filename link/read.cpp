@@ -11,23 +11,22 @@
 namespace clipc::link {
 namespace {
 
-// The words of a text, comments left out.
-std::set<std::string_view> WordsOf(std::string_view text) {
-  std::set<std::string_view> words;
+// Calls visit(word) for the words of a text, comments left out, until it returns true.
+template <typename OnWord>
+void ForEachWord(std::string_view text, OnWord&& visit) {
   for (std::size_t at = 0; at < text.size();) {
-    if (text.substr(at, 2) == "//") {
+    if (text[at] == '/' && text.substr(at, 2) == "//") {
       at = std::min(text.find('\n', at), text.size());
-    } else if (text.substr(at, 2) == "/*") {
+    } else if (text[at] == '/' && text.substr(at, 2) == "/*") {
       at = std::min(text.find("*/", at), text.size());
     } else if (IsWordCharacter(text[at])) {
       const std::size_t start = at;
       while (at < text.size() && IsWordCharacter(text[at])) ++at;
-      words.insert(text.substr(start, at - start));
+      if (visit(text.substr(start, at - start))) return;
       continue;
     }
     ++at;
   }
-  return words;
 }
 
 }  // namespace
@@ -36,12 +35,16 @@ Language LanguageOf(std::string_view bytes) {
   for (const std::string_view magic : {"\x03\x02\x23\x07", "\x07\x23\x02\x03"}) {
     if (bytes.starts_with(magic)) return Language::kSpirv;
   }
-  const std::set<std::string_view> words = WordsOf(bytes);
-  const auto has_one_of = [&](auto... names) { return (words.contains(names) || ...); };
-  if (has_one_of("version") && bytes.find("#version") != bytes.npos) return Language::kGlsl;
-  const bool is_hlsl = has_one_of("float2", "float3", "float4", "half4", "cbuffer", "SV_Target");
-  const bool is_glsl = has_one_of("vec2", "vec3", "vec4", "gl_FragColor", "gl_FragCoord");
-  return is_glsl && !is_hlsl ? Language::kGlsl : Language::kHlsl;
+  const bool may_have_version = bytes.find("#version") != bytes.npos;
+  bool is_hlsl = false, is_glsl = false, has_version = false;
+  ForEachWord(bytes, [&](std::string_view word) {
+    const auto is_one_of = [&](auto... names) { return ((word == names) || ...); };
+    is_hlsl |= is_one_of("float2", "float3", "float4", "half4", "cbuffer", "SV_Target");
+    is_glsl |= is_one_of("vec2", "vec3", "vec4", "gl_FragColor", "gl_FragCoord");
+    has_version = may_have_version && word == "version";
+    return has_version || (is_hlsl && !may_have_version);
+  });
+  return has_version || (is_glsl && !is_hlsl) ? Language::kGlsl : Language::kHlsl;
 }
 
 std::string Problem(const Interface& interface) {
