@@ -53,13 +53,35 @@ Bytes PairBlock(std::uint64_t seed, std::size_t size) {
   return BytesOf(words);
 }
 
-Inputs::Texture PairTexture(std::uint64_t seed) {
+Inputs::Texture PairTexture(std::uint64_t seed, const TextureForm& form) {
   harness::Random random(seed);
   Inputs::Texture texture;
-  texture.target = GL_TEXTURE_2D;
-  Inputs::Texture::Level& level = texture.levels.emplace_back();
-  level.size = {8, 8, 1};
-  for (int i = 0; i < 4 * 8 * 8; ++i) level.words.push_back(Bits(random.Unit()));
+  texture.target = form.target, texture.kind = form.kind, texture.compares = form.compares;
+  const auto word = [&] {
+    if (form.kind == WordKind::kFloat) return Bits(random.Unit());
+    const auto number = static_cast<std::uint32_t>(200 * random.Unit());
+    return form.kind == WordKind::kInt ? number - 100 : number;
+  };
+  const auto add_level = [&](std::array<std::uint32_t, 3> size, std::uint32_t faces) {
+    Inputs::Texture::Level& level = texture.levels.emplace_back();
+    level.size = size;
+    const std::uint32_t texels = size[0] * size[1] * size[2] * faces;
+    for (std::uint32_t i = 0; i < (form.compares ? 1 : 4) * texels; ++i)
+      level.words.push_back(word());
+  };
+  const std::uint32_t faces = form.target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+  for (std::uint32_t width = 8; width != 0; width /= 2) {
+    switch (form.target) {
+      case GL_TEXTURE_1D: add_level({width, 1, 1}, faces); break;
+      case GL_TEXTURE_1D_ARRAY: add_level({width, 3, 1}, faces); break;
+      case GL_TEXTURE_2D_ARRAY: add_level({width, width, 3}, faces); break;
+      case GL_TEXTURE_CUBE_MAP_ARRAY: add_level({width, width, 12}, faces); break;
+      case GL_TEXTURE_3D: add_level({width, width, width}, faces); break;
+      case GL_TEXTURE_BUFFER: add_level({512, 1, 1}, faces); return texture;
+      case GL_TEXTURE_2D_MULTISAMPLE: add_level({8, 8, 1}, faces); return texture;
+      default: add_level({width, width, 1}, faces); break;
+    }
+  }
   return texture;
 }
 

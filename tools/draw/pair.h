@@ -27,8 +27,15 @@ Words PairAttribute(std::uint32_t location, const WordLayout& layout);
 // block of the same seed begins with the bytes of a smaller one.
 Bytes PairBlock(std::uint64_t seed, std::size_t size);
 
-// A texture of two dimensions, of random texels.
-Inputs::Texture PairTexture(std::uint64_t seed);
+// The kind of a texture, as GLSL's type of the sampler says it.
+struct TextureForm {
+  GLenum target = GL_TEXTURE_2D;
+  WordKind kind = WordKind::kFloat;
+  bool compares = false;
+};
+// A texture of random texels, a level for each size down to 1. Integers are small, and negative
+// where they have a sign.
+Inputs::Texture PairTexture(std::uint64_t seed, const TextureForm& form = {});
 
 struct PairDifference {
   int pixels = 0;

@@ -156,6 +156,27 @@ std::vector<ActiveBlock> GlProgram::Blocks() const {
   return all;
 }
 
+std::vector<ActiveMember> GlProgram::Members() const {
+  const std::vector<ActiveBlock> blocks = Blocks();
+  GLint count = 0;
+  glGetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
+  std::vector<ActiveMember> all;
+  for (GLint i = 0; i < count; ++i) {
+    const auto index = static_cast<GLuint>(i);
+    const auto get = [&](GLenum what) {
+      GLint value = 0;
+      glGetActiveUniformsiv(program_, 1, &index, what, &value);
+      return value;
+    };
+    const GLint block = get(GL_UNIFORM_BLOCK_INDEX);
+    if (block < 0) continue;
+    all.push_back({blocks[static_cast<std::size_t>(block)].name,
+                   static_cast<GLenum>(get(GL_UNIFORM_TYPE)), get(GL_UNIFORM_OFFSET),
+                   get(GL_UNIFORM_SIZE), get(GL_UNIFORM_ARRAY_STRIDE)});
+  }
+  return all;
+}
+
 GLuint GlProgram::NewBuffer(GLenum target, const void* data, std::size_t size) {
   return buffers_.emplace_back(harness::NewBuffer(target, data, size));
 }

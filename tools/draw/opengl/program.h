@@ -39,6 +39,15 @@ struct ActiveBlock {
   int size = 0;
 };
 
+// A member of a uniform block.
+struct ActiveMember {
+  std::string block;
+  GLenum type = 0;
+  int offset = 0;  // in bytes
+  int count = 1;   // elements of an array
+  int stride = 0;  // of an array, in bytes
+};
+
 // A linked program with buffers for its inputs, in the context that was current when it was made.
 class GlProgram : NotCopied {
  public:
@@ -53,6 +62,7 @@ class GlProgram : NotCopied {
   std::vector<Active> Attributes() const;
   std::vector<Active> Uniforms() const;
   std::vector<ActiveBlock> Blocks() const;
+  std::vector<ActiveMember> Members() const;
 
   // Makes the program current with these inputs.
   void Bind(const Inputs& inputs);
