@@ -8,6 +8,7 @@
 #include "frontend/check/init.h"
 #include "frontend/check/type.h"
 #include "frontend/check/vulkan.h"
+#include "frontend/rules/registers.h"
 #include "ir/evaluate.h"
 #include "ir/packing.h"
 
@@ -50,6 +51,30 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   if (var.init) KeepInitial(context, var, result);
 }
 
+// Adds the letters of the registers that the objects in a struct take.
+void AddObjectLetters(const Context& context, TypeId type, std::string& letters) {
+  type = context.types.Innermost(type);
+  if (context[type].kind == TypeKind::kObject) {
+    const char letter = RegisterLetter(context[type].object);
+    if (letters.find(letter) == letters.npos) letters += letter;
+  }
+  if (context[type].kind != TypeKind::kStruct) return;
+  for (const Field& field : context.types.StructOf(type).fields)
+    AddObjectLetters(context, field.type, letters);
+}
+
+// Keeps the registers of the objects in a uniform struct, one for each letter: vkd3d's
+// register-reservations-resources.shader_test, line 213.
+void KeepObjectRegisters(Context& context, const ast::VarDecl& var, VarId made,
+                         std::string_view letters) {
+  for (const char letter : letters) {
+    const auto* binding = BindingOf(context, context[var.name], var.registers, letter);
+    if (!binding || binding->letter != letter) continue;
+    context.globals.struct_registers[made].push_back(
+        {letter, NumberOf(context, *binding), binding->space, true});
+  }
+}
+
 void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& var,
                   CbufferMember& member) {
   const Var& made = context[member.var];
@@ -72,7 +97,10 @@ void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& va
     return;
   }
   if (IsBuffer(context, var)) return;  // its registers are the buffer's
-  CheckRegisterKinds(context, made.name, var.registers, "cbi");
+  std::string letters = "cbi";
+  if (!var.registers.empty()) AddObjectLetters(context, made.type, letters);
+  CheckRegisterKinds(context, made.name, var.registers, letters);
+  KeepObjectRegisters(context, var, member.var, std::string_view(letters).substr(3));
   if (const ast::RegisterBinding* binding = BindingOf(context, made.name, var.registers, 'c');
       binding && binding->letter == 'c') {
     if (buffer.kind != CbufferKind::kGlobals && !context.program.profile.IsDirect3D9()) {
@@ -82,15 +110,6 @@ void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& va
     }
     start_at(NumberOf(context, *binding), 0, binding->span);
   }
-}
-
-// The number of elements of an array: 6 for T[2][3], 1 for T, 0 for T[].
-std::uint32_t CountOfArray(const Context& context, TypeId type) {
-  std::uint32_t count = 1;
-  for (; context[type].kind == TypeKind::kArray; type = context[type].element) {
-    count *= context[type].count;
-  }
-  return count;
 }
 
 // Reports a member without a packoffset in a cbuffer or tbuffer with a member that has one.
@@ -196,7 +215,7 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
     FinishMember(context, buffer, context.Get<ast::VarDecl>(context[symbol].decl), member);
     context[var].cbuffer = id;
     if (buffer.kind == CbufferKind::kConstantBuffer) {
-      result.count = CountOfArray(context, context[var].type);
+      result.count = RegisterCount(context.types, context[var].type);
       member.has_packoffset = false;
     }
     result.members.push_back(member);

@@ -12,6 +12,7 @@
 #include "frontend/check/entry_point.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
+#include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/rules/build_main.h"
 #include "frontend/rules/check_gradients.h"
@@ -67,12 +68,13 @@ void Run(Context& context) {
   const bool is_specialised = !context.options.entry_call.empty();
   if (is_specialised && !context.diagnostics.has_errors()) FoldArguments(program);
   if (!context.diagnostics.has_errors()) FoldObjectChoices(program);
-  if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
+  if (!context.diagnostics.has_errors())
+    ResolveObjects(program, context.globals.struct_registers, context.diagnostics);
   if (!context.diagnostics.has_errors()) MakeCounters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);
-  AssignRegisters(program, context.diagnostics);
+  AssignRegisters(program, RegistersOfUnused(context), context.diagnostics);
   if (!context.diagnostics.has_errors())
     CheckLevel9(program, context.options.has_preshader, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);

@@ -21,6 +21,7 @@
 #include "frontend/check/symbols.h"
 #include "frontend/parse/ast.h"
 #include "frontend/rules/conversion.h"
+#include "frontend/rules/resolve_objects.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/program.h"
@@ -71,6 +72,7 @@ struct Globals {
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
   std::unordered_map<std::uint32_t, Register> registers;              // by VarId of a resource
+  StructRegisters struct_registers;                                   // of uniform structs
   std::unordered_map<std::uint32_t, std::string> formats;             // by VarId of an image
   std::unordered_map<std::uint32_t, std::uint32_t> attachments;       // by VarId of a subpass input
   std::unordered_map<std::uint32_t, std::uint32_t> counter_bindings;  // by VarId of a buffer

@@ -85,10 +85,12 @@ ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, T
   return var.init ? CheckInit(context, var.init, type) : CheckOutOfLine(context, id, var, type);
 }
 
-// Whether the binding counts under this profile: register(vs_5_0, b0) does under one only.
+// Whether the binding counts under this profile: register(vs_5_0, b0) does under one only, up to
+// 5.0.
 bool IsForProfile(const Context& context, const ast::RegisterBinding& binding) {
   const std::string_view profile = context[binding.profile];
-  return !binding.profile || EqualIgnoringCase(profile, context.options.profile.name) ||
+  return !binding.profile || context.program.profile.IsAtLeast(5, 1) ||
+         EqualIgnoringCase(profile, context.options.profile.name) ||
          EqualIgnoringCase(profile, context.options.profile.Prefix());
 }
 
@@ -97,22 +99,27 @@ std::string TextOf(const ast::RegisterBinding& binding) {
   return fmt::format("`{}{}`", binding.letter, binding.number);
 }
 
-// The last binding, which dxc takes whatever its profile says (vkd3d's
-// register-reservations-profile.shader_test, checked against dxc).
-const ast::RegisterBinding* LastBinding(Context& context, std::string_view name,
-                                        List<ast::RegisterBinding> bindings, char letter) {
-  const ast::RegisterBinding* last = nullptr;
+// The binding that counts where their profiles do not: the first one in 5.1, the last one from 6.0
+// on (vkd3d's register-reservations-space.shader_test and -profile, checked against fxc and dxc).
+const ast::RegisterBinding* OfAnyProfile(Context& context, std::string_view name,
+                                         List<ast::RegisterBinding> bindings, char letter,
+                                         bool is_used) {
+  const bool takes_last = context.program.profile.IsAtLeast(6, 0);
+  const ast::RegisterBinding *taken = nullptr, *before = nullptr;
   for (const ast::RegisterBinding& binding : context[bindings]) {
     if (binding.letter != 0 && binding.letter != letter) continue;
-    if (last && binding.profile == last->profile && binding.number != last->number) {
-      context.Report(binding.span, diag::RegisterConflict, name, TextOf(*last), TextOf(binding));
-    } else if (last) {
-      context.Report(last->span, diag::RegisterWithoutEffect,
-                     "from shader model 6 on the last one counts, whatever its profile");
+    if (!is_used) {
+    } else if (before && binding.profile == before->profile && binding.number != before->number) {
+      context.Report(binding.span, diag::RegisterConflict, name, TextOf(*before), TextOf(binding));
+    } else if (taken) {
+      context.Report((takes_last ? *taken : binding).span, diag::RegisterWithoutEffect,
+                     takes_last ? "from shader model 6 on the last one counts, whatever its profile"
+                                : "in shader model 5.1 the first one counts, whatever its profile");
     }
-    last = &binding;
+    before = &binding;
+    if (!taken || takes_last) taken = &binding;
   }
-  return last;
+  return taken;
 }
 
 }  // namespace
@@ -204,17 +211,18 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
 }
 
 const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
-                                      List<ast::RegisterBinding> bindings, char letter) {
+                                      List<ast::RegisterBinding> bindings, char letter,
+                                      bool is_used) {
   const bool has_profiles = std::ranges::any_of(
       context[bindings], [](const ast::RegisterBinding& binding) { return bool{binding.profile}; });
-  if (has_profiles && context.program.profile.IsAtLeast(6, 0))
-    return LastBinding(context, name, bindings, letter);
+  if (has_profiles && context.program.profile.IsAtLeast(5, 1))
+    return OfAnyProfile(context, name, bindings, letter, is_used);
   const ast::RegisterBinding* best = nullptr;
   for (const ast::RegisterBinding& binding : context[bindings]) {
     if (binding.letter != 0 && binding.letter != letter) continue;
     if (!IsForProfile(context, binding)) continue;
     const Profile& profile = context.program.profile;
-    if (binding.has_space && !profile.IsAtLeast(5, 1)) {
+    if (is_used && binding.has_space && !profile.IsAtLeast(5, 1)) {
       context.Report(binding.span, diag::SpaceProfile, name,
                      fmt::format("{}_5_1", InfoOf(context.program.stage).prefix), profile.name);
     }
@@ -223,7 +231,8 @@ const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
       continue;
     }
     const bool same = binding.number == best->number && binding.space == best->space;
-    if (binding.profile == best->profile && !same && !binding.subcomponent && !best->subcomponent)
+    if (is_used && binding.profile == best->profile && !same && !binding.subcomponent &&
+        !best->subcomponent)
       context.Report(binding.span, diag::RegisterConflict, name, TextOf(*best), TextOf(binding));
   }
   return best;

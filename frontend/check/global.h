@@ -23,9 +23,10 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
 Register RegisterOf(Context& context, std::string_view name, List<ast::RegisterBinding> bindings,
                     List<ast::Attr> attributes, char letter);
 // The binding of `name` with the letter, or without one, that counts under this profile; null if
-// there is none. Reports two that say different things.
+// there is none. Reports two that say different things, unless nothing uses `name`.
 const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
-                                      List<ast::RegisterBinding> bindings, char letter);
+                                      List<ast::RegisterBinding> bindings, char letter,
+                                      bool is_used = true);
 // Reports the bindings of `name` with a letter that is not one of `letters`, the first of which is
 // the one that it takes.
 void CheckRegisterKinds(Context& context, std::string_view name,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frontend/rules/object_slots.h"
+#include "frontend/rules/resolve_objects.h"
 #include "ir/builder.h"
 
 namespace clipc::rules {
@@ -16,8 +17,8 @@ namespace clipc::rules {
 // The state of one ResolveObjects. Its methods are spread over resolve_objects*.cpp by subject.
 class ObjectResolver {
  public:
-  ObjectResolver(Program& program, Diagnostics& diagnostics)
-      : program_(program), diagnostics_(diagnostics) {}
+  ObjectResolver(Program& program, const StructRegisters& registers, Diagnostics& diagnostics)
+      : program_(program), registers_(registers), diagnostics_(diagnostics) {}
   void Run();
 
  private:
@@ -57,8 +58,10 @@ class ObjectResolver {
 
   // ---- variables outside functions
   void SplitUniform(VarId id);
-  // Makes a resource of each object in `whole`, the part of a uniform at `path`.
-  void AddResources(const Var& whole, const SlotPath& path, Slots& slots);
+  // Makes a resource of each object in `whole`, the part of a uniform at `path`, and moves
+  // `registers` past those that it takes.
+  void AddResources(const Var& whole, const SlotPath& path, std::vector<Register>& registers,
+                    Slots& slots);
   void PrepareGlobal(VarId id);
 
   // ---- functions
@@ -107,6 +110,7 @@ class ObjectResolver {
   void ReportChoice(const std::string& name, TypeId type, Span span);
 
   Program& program_;
+  const StructRegisters& registers_;
   Diagnostics& diagnostics_;
   std::map<TypeId, bool> holds_;
   // The numbers of fields after the objects are removed, by StructId and field; ~0 for an object.

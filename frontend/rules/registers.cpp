@@ -35,10 +35,11 @@ class Allocator {
         first_view_(profile.IsAtLeast(5, 1) ? 0 : targets),
         diagnostics_(diagnostics) {}
 
-  void Run(std::vector<Taker>& takers) {
+  void Run(std::vector<Taker>& takers, std::span<const ReservedRegisters> reserved) {
     for (Taker& taker : takers) {
       if (taker.reg->is_explicit) Occupy(taker);
     }
+    for (const ReservedRegisters& each : reserved) Reserve(each);
     for (Taker& taker : takers) {
       if (!taker.reg->is_explicit && taker.count != 0) Choose(taker);
     }
@@ -49,6 +50,11 @@ class Allocator {
 
  private:
   using Key = std::tuple<char, std::uint32_t, std::uint32_t>;  // letter, space, first register
+  struct Range {
+    std::uint32_t first, count;
+    const Taker* taker;  // null: the registers are reserved
+    std::uint64_t End() const { return std::uint64_t{first} + count; }
+  };
 
   static std::string Written(const Register& reg) {
     std::string text = fmt::format("{}{}", reg.letter, reg.number);
@@ -56,17 +62,37 @@ class Allocator {
     return text;
   }
 
-  // The Taker that has a register of [first, first + count); null if there is none.
-  const Taker* Overlap(char letter, std::uint32_t space, std::uint64_t first,
+  // What has a register of [first, first + count); null if nothing has.
+  const Range* Overlap(char letter, std::uint32_t space, std::uint64_t first,
                        std::uint64_t count) const {
     auto next =
         taken_.upper_bound(Key{letter, space, static_cast<std::uint32_t>(first + count - 1)});
     if (next == taken_.begin()) return nullptr;
     --next;
     const auto& [next_letter, next_space, start] = next->first;
-    const bool shares = next_letter == letter && next_space == space &&
-                        std::uint64_t{start} + next->second.count > first;
+    const bool shares = next_letter == letter && next_space == space && next->second.End() > first;
     return shares ? &next->second : nullptr;
+  }
+
+  // Takes what is still free of the registers.
+  void Reserve(const ReservedRegisters& reserved) {
+    const Register& reg = reserved.first;
+    const std::uint64_t beyond = std::uint64_t{HighestRegister(reg.letter, profile_)} + 1;
+    const std::uint64_t end =
+        reserved.count == 0 ? beyond : std::min(beyond, std::uint64_t{reg.number} + reserved.count);
+    for (std::uint64_t at = reg.number; at < end;) {
+      if (const Range* other = Overlap(reg.letter, reg.space, at, 1)) {
+        at = other->End();
+        continue;
+      }
+      const auto first = static_cast<std::uint32_t>(at);
+      const auto next = taken_.upper_bound(Key{reg.letter, reg.space, first});
+      const bool is_near = next != taken_.end() && std::get<0>(next->first) == reg.letter &&
+                           std::get<1>(next->first) == reg.space;
+      at = is_near ? std::min(end, std::uint64_t{next->second.first}) : end;
+      taken_.emplace(Key{reg.letter, reg.space, first},
+                     Range{first, static_cast<std::uint32_t>(at - first), nullptr});
+    }
   }
 
   void Occupy(Taker& taker) {
@@ -78,12 +104,15 @@ class Allocator {
       diagnostics_.Report(taker.span, diag::RegisterTooHigh, Written(reg), taker.name, highest);
       return;
     }
-    if (const Taker* other = Overlap(reg.letter, reg.space, reg.number, taker.count)) {
+    if (const Range* range = Overlap(reg.letter, reg.space, reg.number, taker.count)) {
+      const Taker* other = range->taker;
+      // Of an array without a size only the beginning was chosen.
+      if (!other) return;
       diagnostics_.Report(taker.span, diag::RegisterTwice, other->name, taker.name, Written(reg))
           .Note(other->span, diag::DeclaredHere, other->name);
       return;
     }
-    taken_.emplace(Key{reg.letter, reg.space, reg.number}, taker);
+    taken_.emplace(Key{reg.letter, reg.space, reg.number}, Range{reg.number, taker.count, &taker});
   }
 
   void Choose(Taker& taker) {
@@ -91,9 +120,8 @@ class Allocator {
     const std::uint32_t least = std::max(taker.count, 1u);
     std::uint32_t& first = first_free_[Key{reg.letter, reg.space, least}];
     if (reg.letter == 'u') first = std::max(first, first_view_);
-    while (const Taker* other = Overlap(reg.letter, reg.space, first, least)) {
-      first = other->reg->number + other->count;
-    }
+    while (const Range* other = Overlap(reg.letter, reg.space, first, least))
+      first = static_cast<std::uint32_t>(other->End());
     reg.number = first;
     Occupy(taker);
   }
@@ -101,17 +129,10 @@ class Allocator {
   const Profile& profile_;
   std::uint32_t first_view_;
   Diagnostics& diagnostics_;
-  std::map<Key, Taker> taken_;
+  std::map<Key, Range> taken_;
   // The register before which no run of `count` free registers begins, by letter, space and count.
   std::map<Key, std::uint32_t> first_free_;
 };
-
-std::uint32_t CountOf(const TypeTable& types, TypeId type) {
-  std::uint32_t count = 1;
-  for (; types[type].kind == TypeKind::kArray; type = types[type].element)
-    count *= types[type].count;
-  return count;
-}
 
 // One more than the highest number of a render target.
 std::uint32_t TargetCount(const Program& program) {
@@ -125,7 +146,15 @@ std::uint32_t TargetCount(const Program& program) {
 
 }  // namespace
 
-void AssignRegisters(Program& program, Diagnostics& diagnostics) {
+std::uint32_t RegisterCount(const TypeTable& types, TypeId type) {
+  std::uint32_t count = 1;
+  for (; types[type].kind == TypeKind::kArray; type = types[type].element)
+    count *= types[type].count;
+  return count;
+}
+
+void AssignRegisters(Program& program, std::span<const ReservedRegisters> reserved,
+                     Diagnostics& diagnostics) {
   // The order is fxc's, as far as it is known: $Globals, the others as declared, $Params.
   // Push constants need a register only if they become a buffer.
   const auto rank = [&](CbufferId id) {
@@ -146,9 +175,9 @@ void AssignRegisters(Program& program, Diagnostics& diagnostics) {
   }
   for (Resource& resource : program.resources) {
     const Var& var = program.vars[resource.var];
-    takers.push_back({&resource.reg, CountOf(program.types, var.type), var.name, var.span});
+    takers.push_back({&resource.reg, RegisterCount(program.types, var.type), var.name, var.span});
   }
-  Allocator(program.profile, TargetCount(program), diagnostics).Run(takers);
+  Allocator(program.profile, TargetCount(program), diagnostics).Run(takers, reserved);
 }
 
 }  // namespace clipc::rules

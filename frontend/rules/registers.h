@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
+
 #include "frontend/rules/rules.h"
 
 namespace clipc::rules {
 
+// Registers in a row that are not chosen for anything: `count` from `first` on, or all if `count`
+// is 0.
+struct ReservedRegisters {
+  Register first;
+  std::uint32_t count = 1;
+};
+
+// The number of registers that an object or an array of objects takes; 0: all from its first on.
+std::uint32_t RegisterCount(const TypeTable& types, TypeId type);
+
 // Gives a register to every cbuffer and resource to which the user gave none. Buffers take the free
 // registers in the order of their declarations, but $Globals comes first and $Params last; textures
-// and samplers follow the same rule. Reports two explicit bindings of one register, and numbers out
-// of range. Requires that only buffers that the shader reaches are in the program.
-void AssignRegisters(Program& program, Diagnostics& diagnostics);
+// and samplers follow the same rule. `reserved` are left alone. Reports two explicit bindings of one
+// register, and numbers out of range. Requires that only buffers that the shader reaches are in the
+// program.
+void AssignRegisters(Program& program, std::span<const ReservedRegisters> reserved,
+                     Diagnostics& diagnostics);
 
 }  // namespace clipc::rules

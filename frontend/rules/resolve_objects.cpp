@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frontend/rules/object_resolver.h"
+#include "frontend/rules/registers.h"
 #include "ir/access.h"
 #include "ir/packing.h"
 
@@ -105,10 +106,14 @@ void ObjectResolver::RemoveFields() {
 
 void ObjectResolver::SplitUniform(VarId id) {
   const Var whole = program_.vars[id];
-  AddResources(whole, {}, globals_[id]);
+  const auto written = registers_.find(id);
+  std::vector<Register> registers;
+  if (written != registers_.end()) registers = written->second;
+  AddResources(whole, {}, registers, globals_[id]);
 }
 
-void ObjectResolver::AddResources(const Var& whole, const SlotPath& path, Slots& slots) {
+void ObjectResolver::AddResources(const Var& whole, const SlotPath& path,
+                                  std::vector<Register>& registers, Slots& slots) {
   if (!Holds(whole.type)) return;
   if (IsObject(whole.type)) {
     const VarId resource = program_.vars.Add({.name = whole.name,
@@ -118,6 +123,11 @@ void ObjectResolver::AddResources(const Var& whole, const SlotPath& path, Slots&
                                               .row_major = whole.row_major});
     Register reg;
     reg.letter = RegisterLetter(program_.types[program_.types.Innermost(whole.type)].object);
+    if (const auto next = std::ranges::find(registers, reg.letter, &Register::letter);
+        next != registers.end()) {
+      reg = *next;
+      next->number += RegisterCount(program_.types, whole.type);
+    }
     program_.resources.push_back({resource, reg});
     slots[path] = {resource, {}};
     return;
@@ -136,7 +146,7 @@ void ObjectResolver::AddResources(const Var& whole, const SlotPath& path, Slots&
     } else {
       part.name += std::to_string(i);
     }
-    AddResources(part, longer, slots);
+    AddResources(part, longer, registers, slots);
   }
 }
 
@@ -279,8 +289,8 @@ bool ObjectResolver::IsReturnOnly(FunctionId id) const {
   return body.size() == 1 && As<Return>(program_, body[0]);
 }
 
-void ResolveObjects(Program& program, Diagnostics& diagnostics) {
-  ObjectResolver(program, diagnostics).Run();
+void ResolveObjects(Program& program, const StructRegisters& registers, Diagnostics& diagnostics) {
+  ObjectResolver(program, registers, diagnostics).Run();
 }
 
 }  // namespace clipc::rules

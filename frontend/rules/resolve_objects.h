@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "frontend/rules/rules.h"
 
 namespace clipc::rules {
+
+// The registers, one of a letter, from which the objects in a uniform struct take theirs in order.
+using StructRegisters = std::map<VarId, std::vector<Register>>;
 
 // Follows every texture, sampler and buffer to its global variable, which GLSL wants, while HLSL
 // passes them to functions, keeps them in local variables and structs, and returns them. Makes one
@@ -23,6 +29,6 @@ namespace clipc::rules {
 // Objects inside a uniform struct become resources. If the object is not the same on all paths
 // it reports ObjectNotGlobal, as fxc (X3031) and DXC do. Afterwards an object occurs in an
 // ObjectCall only, as the path of a resource.
-void ResolveObjects(Program& program, Diagnostics& diagnostics);
+void ResolveObjects(Program& program, const StructRegisters& registers, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules

@@ -17,6 +17,8 @@ RWByteAddressBuffer written : register(t4);
 // CHECK-DAG: [[#@LINE+1]]:17: warning: register `t5` has no effect on `number`, which needs a register `c`
 float4 number : register(t5);
 bool flag : register(b0) : register(c7);
+// Shader model 5.1 takes the first register, whatever its profile.
+// CHECK-DAG: [[#@LINE+1]]:25: warning: register `u3` has no effect on `other_stage`, which needs a register `t`
 Texture2D other_stage : register(ps, u3) : register(vs, t7);
 AppendStructuredBuffer<float4> unused : register(u5);
 
@@ -24,7 +26,8 @@ AppendStructuredBuffer<float4> unused : register(u5);
 Texture2D twice : register(t4) : register(t5);
 // CHECK-DAG: [[#@LINE+1]]:31: error: `again` is bound to both `c8` and `c9`; remove one of them
 float4 again : register(c8) : register(c9);
-// CHECK-DAG: [[#@LINE+1]]:51: error: `stage` is bound to both `b5` and `b6`; remove one of them
+// CHECK-DAG: [[#@LINE+2]]:51: error: `stage` is bound to both `b5` and `b6`; remove one of them
+// CHECK-DAG: [[#@LINE+1]]:32: warning: the register has no effect: in shader model 5.1 the first one counts, whatever its profile
 cbuffer stage : register(b4) : register(vs, b5) : register(vs, b6) { float4 d; }
 cbuffer same : register(b9) : register(b9) { float4 e; }
 float4 main(float4 p : P) : SV_Position {

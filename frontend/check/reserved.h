@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <vector>
+
+#include "frontend/check/context.h"
+#include "frontend/rules/registers.h"
+
+namespace clipc::check {
+
+// The registers that are written on objects and buffers which nothing reached uses. fxc and dxc
+// leave them alone when they choose registers: vkd3d's register-reservations-resources.shader_test,
+// checked against both.
+std::vector<ReservedRegisters> RegistersOfUnused(Context& context);
+
+}  // namespace clipc::check
