@@ -19,6 +19,7 @@ constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-matrix-functions", LowerMatrixFunctions, Form::kInlined},
     {"lower-written-arguments", LowerWrittenArguments, Form::kInlined},
     {"lower-conversions", LowerConversions, Form::kInlined},
+    {"lower-divisions", LowerDivisions, Form::kInlined},
     {"lower-choices", LowerChoices, Form::kInlined},
     {"lower-arithmetic", LowerArithmetic, Form::kInlined},
     {"lower-components", LowerComponents, Form::kLegalized},

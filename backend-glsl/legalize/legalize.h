@@ -73,6 +73,14 @@ void LowerWrittenArguments(Legalizer& legalizer);
 //   (int)x  =>  to_int(x) with abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0
 void LowerConversions(Legalizer& legalizer);
 
+// Replaces signed divisions of the least integer by -1, which has no result in GLSL and ends Mesa's
+// compiler; in Direct3D it is the least integer again, and the remainder is 0: fxc divides the
+// magnitudes by udiv and sets the sign (vkd3d's arithmetic-int.shader_test, line 95).
+//
+//   x / -1            =>  -x
+//   0x80000000 / y    =>  divide(0x80000000, y) with y == -1 ? -x : x / (y == -1 ? 1 : y)
+void LowerDivisions(Legalizer& legalizer);
+
 // Replaces logical operators and choices that evaluate both sides: GLSL evaluates the side that it
 // needs.
 //

@@ -19,10 +19,21 @@ bool IsMatrix(const Program& program, TypeId type) {
 }
 
 // Whether `left op right` or `left op= right` may differ from GLSL's, which has other operators of
-// matrices, evaluates one side of a logical operator first, and defines less of % and of shifts.
+// matrices, evaluates one side of a logical operator first, and defines less of divisions of
+// integers and of shifts.
 bool MayDiffer(const Program& program, BinaryOp op, ExprId left) {
+  const Type& type = program.types[program.exprs[left].type];
   return op == BinaryOp::kLogicalAnd || op == BinaryOp::kLogicalOr || op == BinaryOp::kMod ||
-         IsShift(op) || IsMatrix(program, program.exprs[left].type);
+         (op == BinaryOp::kDiv && !IsFloat(type.scalar)) || IsShift(op) ||
+         type.kind == TypeKind::kMatrix;
+}
+
+// Whether the expression is the least integer of 32 or 64 bits.
+bool IsLeastInteger(const Program& program, const Expr& expr) {
+  const auto* literal = std::get_if<Literal>(&expr.node);
+  if (!literal || literal->bits < std::uint64_t{1} << 31) return false;
+  const Scalar kind = program.types[expr.type].scalar;
+  return !IsFloat(kind) && literal->bits == std::uint64_t{1} << (IsWide(kind) ? 63 : 31);
 }
 
 // Whether a pass may change a call. No pass changes functions of scalars and vectors of floats that
@@ -77,6 +88,7 @@ Legalizer::Legalizer(Program& program, const Target& target)
     : program(program), target(target), first_new_(program.exprs.size()) {
   for (const ExprId expr : program.exprs.ids()) {
     if (MayChange(program, target, program.exprs[expr])) operations_.push_back(expr);
+    names_least_integer_ |= IsLeastInteger(program, program.exprs[expr]);
   }
 }
 
