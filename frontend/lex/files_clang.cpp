@@ -8,7 +8,10 @@
 
 #include <llvm/ADT/SmallString.h>
 #include <llvm/Support/FileSystem.h>
+#include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/Path.h>
+
+#include "frontend/lex/source_text.h"
 
 namespace clipc {
 namespace {
@@ -23,6 +26,39 @@ std::error_code NoSuchFile() { return std::make_error_code(std::errc::no_such_fi
 llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> RealFiles() {
   static const auto files = llvm::vfs::getRealFileSystem();
   return files;
+}
+
+// A file whose text is in memory.
+class TextFile : public File {
+ public:
+  TextFile(const Status& status, std::unique_ptr<llvm::MemoryBuffer> text)
+      : status_(Status::copyWithNewSize(status, text->getBufferSize())), text_(std::move(text)) {}
+
+  llvm::ErrorOr<Status> status() override { return status_; }
+  llvm::ErrorOr<std::string> getName() override { return status_.getName().str(); }
+  llvm::ErrorOr<std::unique_ptr<llvm::MemoryBuffer>> getBuffer(const llvm::Twine&, int64_t, bool,
+                                                               bool) override {
+    return std::move(text_);
+  }
+  std::error_code close() override { return {}; }
+
+ private:
+  Status status_;
+  std::unique_ptr<llvm::MemoryBuffer> text_;
+};
+
+// The file with its text as UTF-8.
+llvm::ErrorOr<std::unique_ptr<File>> AsUtf8(std::unique_ptr<File> file) {
+  const auto status = file->status();
+  if (!status || status->getSize() > kMaxSourceBytes) return file;
+  auto buffer = file->getBuffer(status->getName(), static_cast<int64_t>(status->getSize()));
+  if (!buffer) return buffer.getError();
+  if (const llvm::StringRef bytes = (*buffer)->getBuffer(); IsUtf16(bytes)) {
+    std::string text = bytes.str();
+    ConvertUtf16(text);
+    *buffer = llvm::MemoryBuffer::getMemBufferCopy(text, status->getName());
+  }
+  return std::make_unique<TextFile>(*status, std::move(*buffer));
 }
 
 class RegularFiles : public llvm::vfs::ProxyFileSystem {
@@ -45,11 +81,11 @@ class RegularFiles : public llvm::vfs::ProxyFileSystem {
   llvm::ErrorOr<std::unique_ptr<File>> openFileForRead(const llvm::Twine& path) override {
     if (auto found = status(path); !found) return found.getError();
     auto file = ProxyFileSystem::openFileForRead(path);
-    if (!file || !has_sandbox_) return file;
+    if (!file) return file;
     // The path may lead elsewhere by now; the name of an open file is where it lies.
     auto name = (*file)->getName();
-    if (!name || !MayRead(*name)) return NoSuchFile();
-    return file;
+    if (has_sandbox_ && (!name || !MayRead(*name))) return NoSuchFile();
+    return AsUtf8(std::move(*file));
   }
 
  private:

@@ -243,8 +243,9 @@ class Callbacks : public clang::PPCallbacks {
       const std::string path =
           folder.empty() || IsAbsolute(name) ? name : fmt::format("{}/{}", folder, name);
       if (const auto known = source_.shared.files->getOptionalFileRef(path)) return known;
-      const auto text = source_.input.read_include(path);
+      auto text = source_.input.read_include(path);
       if (!text || text->size() > kMaxSourceBytes) continue;
+      ConvertUtf16(*text);
       const auto entry =
           source_.shared.files->getVirtualFileRef(path, static_cast<off_t>(text->size()), 0);
       source_.sources.overrideFileContents(entry,

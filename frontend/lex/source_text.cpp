@@ -100,14 +100,21 @@ void DefineTarget(const SourceInput& input, std::string& out) {
 
 }  // namespace
 
+bool IsUtf16(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+}
+
+void ConvertUtf16(std::string& text) {
+  if (IsUtf16(text)) text = FromUtf16(text, text.front() == '\xfe');
+}
+
 std::string ReadText(const std::string& path, std::string& text) {
   const bool is_stdin = path == "-";
   const int file = is_stdin ? system::kStandardInput : system::OpenToRead(path);
   if (file < 0) return Reason(errno);
   std::string problem = ReadAll(file, text);
   if (!is_stdin) system::Close(file);
-  if (text.starts_with("\xff\xfe")) text = FromUtf16(text, false);
-  if (text.starts_with("\xfe\xff")) text = FromUtf16(text, true);
+  ConvertUtf16(text);
   return problem;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "frontend/lex/source.h"
 
@@ -11,6 +12,11 @@ namespace clipc {
 // The largest size of a source, in bytes: a Span has 31 bits for all files of a translation unit
 // and all macro expansions in them.
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{256} << 20;
+
+// Makes UTF-8 of UTF-16 with a byte order mark; leaves any other text as it is.
+void ConvertUtf16(std::string& text);
+// Whether the text begins with a byte order mark of UTF-16.
+bool IsUtf16(std::string_view text);
 
 // Reads a whole file, pipe or device as UTF-8; "-" is standard input. UTF-16 with a byte order mark
 // is converted. Returns an empty string on success, otherwise the reason of the failure, which
