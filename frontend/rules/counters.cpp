@@ -21,12 +21,13 @@ class CounterMaker {
       : program_(program), diagnostics_(diagnostics) {}
 
   void Run() {
-    if (!program_.calls_objects) return;
     std::vector<ExprId> changes;
-    ForEachLiveExpr(program_, [&](ExprId expr) {
-      const auto* call = As<ObjectCall>(program_, expr);
-      if (call && IsCounter(call->op)) changes.push_back(expr);
-    });
+    if (program_.calls_objects) {
+      ForEachLiveExpr(program_, [&](ExprId expr) {
+        const auto* call = As<ObjectCall>(program_, expr);
+        if (call && IsCounter(call->op)) changes.push_back(expr);
+      });
+    }
     for (const ExprId change : changes) Note(change);
     for (std::size_t i = 0, count = program_.resources.size(); i < count; ++i) Add(i);
     for (const ExprId change : changes) Replace(change);
@@ -57,7 +58,13 @@ class CounterMaker {
   void Add(std::size_t i) {
     const Resource counted = program_.resources[i];
     const auto found = counters_.find(counted.var);
-    if (found == counters_.end()) return;
+    if (found == counters_.end()) {
+      if (counted.counter_binding) {
+        const Var& var = program_.vars[counted.var];
+        diagnostics_.Report(var.span, diag::CounterBindingUnused, var.name);
+      }
+      return;
+    }
     const Var& var = program_.vars[counted.var];
     Var hidden = {.name = "counter_var_" + var.name,
                   .type = CounterType(var.type),

@@ -71,14 +71,14 @@ TEST_F(ObjectsTest, Samples) {
             "uint4: gather_blue(t, s, float3_1)");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmp", {"c", "float2", "float"}),
             "float4: gather_cmp(t, c, float2_1, float_2)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmpGreen", {"c", "float2", "float"}),
+            "float4: gather_cmp(t, c, float2_1, float_2)");
 }
 
 TEST_F(ObjectsTest, SamplesRefused) {
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "CalculateLevelOfDetail", {"s", "float2"}),
             "`CalculateLevelOfDetail` needs the level of detail of neighbouring pixels; a vertex "
             "shader has none [method-implicit-level, X4532]");
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmpGreen", {"c", "float2", "float"}),
-            "`GatherCmpGreen` of `Texture2D` is not supported by clipc [method-unsupported]");
   EXPECT_EQ(Call(ObjectKind::kTexture3D, "Gather", {"s", "float3"}),
             "`Texture3D` has no method `Gather` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "SampleLevel", {"s", "float2", "0"}),

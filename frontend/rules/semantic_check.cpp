@@ -46,7 +46,13 @@ bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const Syste
   // SPIR-V. An output that the pipeline reads cannot have two values.
   const std::string_view side = is_input ? "inputs" : "outputs";
   const bool can_share = is_input || value.use == SystemValue::Use::kPlain;
-  (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side)
+  // Up to 5.1 pixel inputs of one type are one input, without a message: vkd3d's
+  // entry-point-semantics.shader_test, line 279, checked against fxc and dxc.
+  const bool is_pixel_input = is_input && InfoOf(program_.stage).has_stage_before;
+  const bool is_dxc = is_pixel_input && program_.profile.IsAtLeast(6, 0);
+  const std::string_view how = is_pixel_input && !is_dxc ? ", with different types" : "";
+  (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side, how,
+                                   is_dxc ? "dxc" : "fxc")
              : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))
       .Note(found->second, diag::SemanticFirstUsed);
   return can_share;

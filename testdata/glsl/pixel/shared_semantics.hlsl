@@ -2,6 +2,8 @@
 // entry-point-semantics.shader_test, checked against fxc; dxc refuses them.
 // RUN: %clipc -T ps_5_0 -E main %s -o - 2>&1 | FileCheck --implicit-check-not=warning %s
 // RUN: %draw compare %s -T ps_5_0 -E main
+// RUN: %clipc -T ps_5_0 -E others %s -o /dev/null 2>&1 | FileCheck --check-prefix=OTHERS %s
+// RUN: %clipc -T ps_6_0 -E two %s -o /dev/null 2>&1 | FileCheck --check-prefix=DXC %s
 struct Pair {
   float4 first : TEXCOORD0;
   float2 second : TEXCOORD1;
@@ -17,3 +19,9 @@ float4 main(Pair pairs[2], float4 again : texcoord0) : SV_Target {
   again.x = 7;
   return pairs[0].first + pairs[1].first * pairs[0].second.x + pairs[1].second.y * again;
 }
+
+// OTHERS: warning: semantic `TEXCOORD0` is used twice among the inputs, with different types; each use gets its own location, fxc reports an error [-Wsemantic-shared]
+float4 others(float4 first : TEXCOORD0, float2 second : TEXCOORD0) : SV_Target { return first + second.xyxy; }
+
+// DXC: warning: semantic `TEXCOORD0` is used twice among the inputs; each use gets its own location, dxc reports an error [-Wsemantic-shared]
+float4 two(float4 first : TEXCOORD0, float4 second : TEXCOORD0) : SV_Target { return first + second; }
