@@ -20,12 +20,14 @@ struct Explanation {
   std::string_view rule;
   std::string_view options, example;
   std::string_view fixed_options, fixed;  // without a text: the example's
-};
+};  // without an example: what no short shader shows
 
 constexpr Explanation kExplanations[] = {
 #define EXPLANATION(Name, Rule, Options, Example, FixedOptions, Fixed) \
   {DiagId::k##Name, Rule, Options, Example, FixedOptions, Fixed},
+#define RULE(Name, Rule) {DiagId::k##Name, Rule, "", "", "", ""},
 #include "compiler/explanations.def"
+#undef RULE
 #undef EXPLANATION
 };
 
@@ -63,6 +65,7 @@ std::string PageOf(DiagId id) {
   const auto* const explanation = std::ranges::find(kExplanations, id, &Explanation::id);
   if (explanation == std::ranges::end(kExplanations)) return text;
   text += "\n" + Wrapped(explanation->rule);
+  if (explanation->example.empty()) return text;
   text += Shown("Example", explanation->options, explanation->example);
   return text + Shown("Fixed", explanation->fixed_options, explanation->fixed);
 }

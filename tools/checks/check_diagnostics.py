@@ -12,8 +12,8 @@ is the only one that names notes.
 
 Each section of the document has an example, tools/checks/snippets/diagnostics/SECTION.hlsl, whose first line is its command, and
 SECTION.txt, what clipc prints: --examples holds it against that, and writes it with --write.
-With --explanations, clipc must report the kind about each example of compiler/explanations.def, and
-accept the fixed one without it."""
+Each kind has an explanation in compiler/explanations/, but those that no user sees. With --explanations,
+clipc must report the kind about each example there, and accept the fixed one without it."""
 
 import pathlib
 import re
@@ -31,8 +31,8 @@ DIAG = re.compile(
     r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M
 )
 EXPLANATION = re.compile(
-    r'^EXPLANATION\((\w+),\s*((?:"(?:[^"\\]|\\.)*"\s*)+),'
-    r'\s*"([^"]*)", R"\((.*?)\)",\s*"([^"]*)", (?:R"\((.*?)\)"|"")\)$',
+    r'^(?:EXPLANATION|RULE)\((\w+),\s*((?:"(?:[^"\\]|\\.)*"\s*)+)'
+    r'(?:,\s*"([^"]*)", R"\((.*?)\)",\s*"([^"]*)", (?:R"\((.*?)\)"|""))?\)$',
     re.M | re.S,
 )
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
@@ -51,10 +51,12 @@ def kinds():
 
 def explanations():
     """(name, rule, options and text of an example, those of the fixed one) of each explained kind."""
-    text = (root / "compiler/explanations.def").read_text()
+    list_of_files = (root / "compiler/explanations.def").read_text()
+    files = re.findall(r'^#include "(.*)"$', list_of_files, re.M)
+    text = "\n".join((root / file).read_text() for file in files)
     found = list(EXPLANATION.finditer(text))
-    if len(found) != len(re.findall(r"^EXPLANATION\(", text, re.M)):
-        sys.exit("compiler/explanations.def: a row was not understood")
+    if len(found) != len(re.findall(r"^(?:EXPLANATION|RULE)\(", text, re.M)):
+        sys.exit("compiler/explanations: a row was not understood")
     for name, rule, options, example, fixed_options, fixed in (m.groups() for m in found):
         yield name, "".join(STRING.findall(rule)), options, example, fixed_options, fixed
 
@@ -62,6 +64,8 @@ def explanations():
 def wrong_explanations(clipc):
     """What clipc does not report about an example, or reports about a fixed one."""
     for name, _, options, example, fixed_options, fixed in explanations():
+        if example is None:
+            continue
         said = re.compile(rf"\[(-W)?{printed(name)}[],]")
         for words, text, is_wrong in (
             (options, example, True),
@@ -117,6 +121,7 @@ def render(all_kinds):
         "after an error, with fxc's code for the same rule where fxc has one. `{}` stands for what was seen.",
         "`-Wno-NAME` switches a warning off, `-WNAME` switches it on again, `-Werror` turns all warnings into errors.",
     ]
+    pages = {name for name, *_ in explanations()}
     current = None
     for section, name, severity, code, message in all_kinds:
         if severity == "note":
@@ -132,10 +137,16 @@ def render(all_kinds):
             ]
             current = section
         cell = message.replace("|", "\\|")
-        lines.append(f"| `{printed(name)}` | {severity} | {code} | {cell} |")
+        cell_of_name = (
+            f"[`{printed(name)}`](#{printed(name)})" if name in pages else f"`{printed(name)}`"
+        )
+        lines.append(f"| {cell_of_name} | {severity} | {code} | {cell} |")
     lines += ["", "## Explained", "", "`clipc --explain NAME` prints these pages too.", ""]
     for name, rule, options, broken, fixed_options, fixed in explanations():
         lines += [f"### {printed(name)}", "", rule]
+        if broken is None:
+            lines.append("")
+            continue
         for what, words, shader in (
             ("Example:", options, [broken]),
             ("Fixed:", fixed_options, [fixed] if fixed else []),
@@ -156,6 +167,9 @@ NOT_PROVOKED = {
     "SwitchWithoutBlock",
     "TargetClipVertex",
 }
+
+# No user sees these: what would bring them about is refused before.
+NOT_SEEN = {"InitListAsValue", "SwitchWithoutBlock", "TargetClipVertex"}
 
 # A printed name in an expected message.
 EXPECTED = re.compile(
@@ -187,6 +201,14 @@ def untested(all_kinds):
             yield name
 
 
+def unexplained(all_kinds):
+    """The kinds without a page, of those that a user can see."""
+    explained = {name for name, *_ in explanations()}
+    for _, name, severity, *_ in all_kinds:
+        if severity != "note" and name not in explained | NOT_SEEN:
+            yield name
+
+
 def main():
     all_kinds = list(kinds())
     problems = []
@@ -198,6 +220,10 @@ def main():
     if "--examples" in sys.argv:
         clipc = pathlib.Path(sys.argv[sys.argv.index("--examples") + 1]).resolve()
         problems += wrong_examples(clipc, "--write" in sys.argv)
+    problems += [
+        f"{name}: compiler/explanations has no page of `{printed(name)}`"
+        for name in unexplained(all_kinds)
+    ]
     text = render(all_kinds)
     if "--write" in sys.argv:
         document.write_text(text)
