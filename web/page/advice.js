@@ -10,6 +10,10 @@ const off = (pixels) =>
   pixels < 0.001
     ? 'less than 0.001 pixels'
     : `${short(pixels)} ${short(pixels) === '1' ? 'pixel' : 'pixels'}`;
+const about = (pixels) => `${pixels < 0.001 ? '' : 'about '}${off(pixels)}`;
+
+/** What a mesh shows of a displacement, with `found` of measure(): an edge is kept or dropped as a whole at most. */
+export const shownOf = (pixels, found) => (found ? Math.min(pixels, found.most) : pixels);
 
 /** {text, fix}: `fix` is {text, values}, values by the controls' ids, or null. `numbers`: what Pictures measured. */
 export function adviceFor(numbers, { view, lower, chain }) {
@@ -24,12 +28,12 @@ export function adviceFor(numbers, { view, lower, chain }) {
   const pixels = found ? found.displacement.p99 : predicted[space];
   if (!Number.isFinite(pixels))
     return { text: 'No edge in view is cut. Drag the round handle to move the plane.', fix: null };
-  const text = `The cut is off by ${off(pixels)}`;
+  const text = `The cut is off by ${found ? off(pixels) : about(pixels)}${found?.isLeast ? ' or more' : ''}`;
   if (pixels < FINE) return { text: `${text}: nobody sees that.`, fix: null };
   const best = SPACES.reduce((a, b) => (predicted[b] < predicted[a] ? b : a));
   if (predicted[best] * HELPS < Math.min(pixels, predicted[space]))
     return {
-      text: `${text}. With --plane-space=${best} it is off by ${off(predicted[best])}.`,
+      text: `${text}. With --plane-space=${best} it is off by ${about(predicted[best])}.`,
       fix: { text: `Use ${best}`, values: { space: best } },
     };
   if (chain === 'baked')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-import { adviceFor, short } from './advice.js';
+import { adviceFor, short, shownOf } from './advice.js';
 import { Chart } from './chart.js';
 import { Compiles } from './compile.js';
 import { planesOf } from './constants.js';
@@ -94,7 +94,8 @@ function showScene() {
 
 /** The cut's displacement in each plane space: measured in that of the shader, predicted in the others. */
 function pixelsOf({ space, predicted, found }) {
-  return found ? { ...predicted, [space]: found.displacement.p99 } : predicted;
+  const shown = Object.entries(predicted).map(([name, pixels]) => [name, shownOf(pixels, found)]);
+  return { ...Object.fromEntries(shown), ...(found && { [space]: found.displacement.p99 }) };
 }
 
 let numbersShown = null;
@@ -134,16 +135,24 @@ function showNumbers(numbers) {
   dataset.shows = dataset.compiled ?? '0'; // the compile whose pictures were measured
 }
 
-function sentences({ space, predicted, found, warning }) {
+function sentences({ space, predicted, found, problem, warning }) {
   const expected = Number.isFinite(predicted[space])
-    ? `Predicted displacement of the cut: ${short(predicted[space])} pixels.`
+    ? `Predicted displacement of the cut, for this view and others near it: ${short(shownOf(predicted[space], found))} pixels` +
+      `${found && predicted[space] > found.most ? ' or more' : ''}.`
     : 'No prediction.';
+  // The runtime knows neither the mesh nor the view: its number is that of an object as large as the image is high.
+  const advice = warning.split('; ').slice(1).join('; ');
   const measured = found
-    ? `Measured: ${short(found.displacement.p99)} pixels (99 of 100 of ${found.displacement.count} edges; median ` +
+    ? `Measured: ${short(found.displacement.p99)} pixels${found.isLeast ? ' or more' : ''} ` +
+      `(99 of 100 of ${found.displacement.count} edges; median ` +
       `${short(found.displacement.median)}, largest ${short(found.displacement.largest)}). ` +
       `Flicker while the camera pans: ${short(found.flicker.p99)} pixels a frame (median ${short(found.flicker.median)}).`
     : 'Nothing to measure: no edge in view is cut, or the shader moves the mesh by itself.';
-  return `Plane space ${space}. ${expected} ${measured} ${warning}`.trim();
+  const whole = found?.isLeast
+    ? 'An edge of the mesh that is kept or dropped as a whole counts with its length; vertices farther away may be wrong too. '
+    : '';
+  const said = advice && `The runtime's advice: ${advice}.`;
+  return `Plane space ${space}. ${expected} ${measured} ${whole}${said}${problem}`.trim();
 }
 
 // ---- compiling

@@ -6,9 +6,14 @@ import { Reference } from './reference.js';
 export const FRAMES = 8;
 export const PAN = 0.003; // radians a frame
 
+const MOST_WHOLE = 0.01; // of the edges: with more, the 99th percentile is known as "or more" only
+
+/** Whether the distances of both ends are on one side, so that all of the edge is kept or dropped. */
+const isWhole = (a, b) => a >= 0 === b >= 0;
+
 /** The share of an edge at which distances cut it; the end that is left over where they keep or drop all of it. */
 function cutShare(a, b, isAKept) {
-  if (a >= 0 !== b >= 0) return a / (a - b);
+  if (!isWhole(a, b)) return a / (a - b);
   return a >= 0 === isAKept ? 1 : 0;
 }
 
@@ -28,15 +33,18 @@ function summary(pixels) {
 /**
  * Measures one result of the lowering `discard`, whose planes are those of the scene with the indices `cutting`.
  * `constantsOf(matrices)` fills its constants, `matricesAt(pan)` are the scene's.
- * @returns {{displacement, flicker, cuts}} or null where nothing is cut, or the shader moves vertices by itself; `cuts` as
- * Reference.seenCut() has them, for each plane
+ * @returns {{displacement, most, isLeast, flicker, cuts}} or null where nothing is cut, or the shader moves vertices by itself. `most`
+ * is the displacement if every edge were kept or dropped as a whole, the most that a mesh shows; `isLeast` says that many are, so that
+ * vertices farther from the cut may be on the wrong side too. `cuts` as Reference.seenCut() has them, for each plane
  */
 export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width, height }) {
   let edges = null;
   let cuts = null;
   let before = null;
   const displaced = [];
+  const possible = [];
   const moved = [];
+  let whole = 0;
   for (let frame = 0; frame < FRAMES; ++frame) {
     const matrices = matricesAt(frame * PAN);
     const reference = new Reference(mesh, matrices, cutting);
@@ -50,19 +58,32 @@ export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width
     const now = edges.map((list, index) =>
       list.map(({ a, b }) => {
         const distance = (vertex) => captured.values[captured.stride * vertex + 4 + index];
+        if (!before && isWhole(distance(a), distance(b))) ++whole;
         return cutShare(distance(a), distance(b), reference.distances[index][a] >= 0);
       }),
     );
     edges.forEach((list, index) =>
       list.forEach(({ a, b, share }, i) => {
         const seen = reference.at(a, b, now[index][i]);
-        if (before)
-          moved.push(pixelsBetween(reference.at(a, b, before[index][i]), seen, width, height));
-        else displaced.push(pixelsBetween(reference.at(a, b, share), seen, width, height));
+        const pixelsTo = (place) => pixelsBetween(reference.at(a, b, place), seen, width, height);
+        if (before) return moved.push(pixelsTo(before[index][i]));
+        displaced.push(pixelsTo(share));
+        const exact = reference.at(a, b, share);
+        const pixelsToEnds = [0, 1].map((end) =>
+          pixelsBetween(reference.at(a, b, end), exact, width, height),
+        );
+        possible.push(Math.max(...pixelsToEnds));
       }),
     );
     before = now;
   }
   const displacement = summary(displaced);
-  return displacement && { displacement, flicker: summary(moved), cuts };
+  if (!displacement) return null;
+  return {
+    displacement,
+    most: summary(possible).p99,
+    isLeast: whole > MOST_WHOLE * displaced.length,
+    flicker: summary(moved),
+    cuts,
+  };
 }

@@ -164,7 +164,8 @@ export class Pictures {
       planes: planes.length,
       predicted,
       found,
-      warning: first.problem ?? first.warning,
+      problem: first.problem ?? '',
+      warning: first.warning ?? '',
     });
   }
 }

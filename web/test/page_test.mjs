@@ -133,21 +133,35 @@ await test('a preset sets every control, and its advice helps', async () => {
     page.until(
       `document.documentElement.dataset.shows === document.documentElement.dataset.compiled && ${words}.test(document.getElementById('sentence').textContent)`,
     );
+  /** What is predicted and measured of one cut is of one size, in every preset. */
+  const agree = async () => {
+    const told = await page.evaluate('document.getElementById("prediction").textContent');
+    const [predicted, measured] = [
+      /Predicted .*?: ([\d.e-]+) pixels/,
+      /Measured: ([\d.e-]+) pixels/,
+    ].map((pattern) => Number(pattern.exec(told)?.[1]));
+    assert.ok(predicted < 10 * measured && measured < 3 * predicted, told);
+    assert.doesNotMatch(told, /displaces the cut/, 'a third number');
+  };
   await compiled(() => press('presets button', 'Far plane'));
-  await advised('/off by [\\d.]+ pixels?. With --plane-space=/');
+  await advised('/off by [\\d.]+ pixels or more. With --plane-space=/');
+  await agree();
   assert.equal(await page.evaluate('document.getElementById("near").value'), '0.00001');
   await compiled(() => page.evaluate('document.getElementById("fix").click()'));
   await advised('/nobody sees/');
   await compiled(() => press('presets button', 'World far away'));
   await advised('/--plane-space=object/');
+  await agree();
   await compiled(() => page.evaluate('document.getElementById("fix").click()'));
   await advised('/nobody sees/');
   await compiled(() => press('presets button', 'Baked mesh'));
   await advised('/its own origin/');
+  await agree();
   await compiled(() => page.evaluate('document.getElementById("fix").click()'));
   await advised('/nobody sees/');
   await compiled(() => press('presets button', 'Near'));
   await advised('/nobody sees/');
+  await agree();
   assert.equal(
     await page.evaluate('document.querySelector("#presets [aria-pressed=true]").textContent'),
     'Near',
