@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/known_offsets.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "frontend/rules/object_slots.h"
 #include "ir/access.h"
 #include "ir/builder.h"
+#include "ir/call_order.h"
 #include "ir/counted_loop.h"
 #include "ir/evaluate.h"
 #include "ir/value_graph.h"
@@ -22,7 +25,7 @@
 namespace clipc::rules {
 namespace {
 
-constexpr std::size_t kMaxCopies = 4096;          // of loops' bodies
+constexpr std::size_t kMaxCopies = 4096;          // of loops' bodies and of functions
 constexpr std::size_t kMaxExpressions = 1 << 22;  // of the program with its copies
 
 std::string_view MethodOf(ObjectOp op) {
@@ -88,7 +91,16 @@ class OffsetFinder {
     const std::vector<FunctionId> functions = FunctionsWithOffsets();
     if (functions.empty()) return;
     FindSources();
-    for (const FunctionId id : functions) Read(program_.functions[id].body);
+    // Callers first, since a call gives the parameters that its function's offsets depend on.
+    std::vector<FunctionId> order = CalleesFirst(program_);
+    for (auto id = order.rbegin(); id != order.rend(); ++id) {
+      if (!IsCopied(*id)) ReadLater(*id);
+      while (!unread_.empty()) {
+        const FunctionId next = unread_.back();
+        unread_.pop_back();
+        Read(program_.functions[next].body);
+      }
+    }
     for (const auto& [var, before] : known_) Restore(var, before);
   }
 
@@ -103,6 +115,7 @@ class OffsetFinder {
     std::vector<FunctionId> found;
     if (!program_.calls_objects) return found;
     is_source_.resize(program_.vars.size());
+    must_be_known_.resize(program_.vars.size());
     for (const FunctionId id : program_.functions.ids()) {
       ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
         const auto* call = As<ObjectCall>(program_, expr);
@@ -111,8 +124,13 @@ class OffsetFinder {
         for (std::size_t i = FirstOffset(call->op); i < arguments.size(); ++i) {
           if (IsLiteralOffset(arguments[i])) continue;
           if (found.empty() || found.back() != id) found.push_back(id);
+          const bool must_be_known =
+              call->op != ObjectOp::kTextureLoad && !MayVary(call->op, call->arguments.size);
           ForEachExpr(program_, arguments[i], [&](ExprId part) {
-            if (const auto* ref = As<VarRef>(program_, part)) is_source_[ref->var.index] = true;
+            const auto* ref = As<VarRef>(program_, part);
+            if (!ref) return;
+            is_source_[ref->var.index] = true;
+            if (must_be_known) must_be_known_[ref->var.index] = true;
           });
         }
       });
@@ -134,9 +152,11 @@ class OffsetFinder {
       });
     }
     is_assigned_ = AssignedIn(program_, bodies);
-    is_source_.resize(graph.size());
-    graph.SpreadToSources(is_source_);
-    is_source_.resize(program_.vars.size());
+    for (std::vector<bool>* marks : {&is_source_, &must_be_known_}) {
+      marks->resize(graph.size());
+      graph.SpreadToSources(*marks);
+      marks->resize(program_.vars.size());
+    }
   }
 
   // ---- known values: a variable whose value is known is a constant until it is restored
@@ -168,6 +188,10 @@ class OffsetFinder {
   }
 
   // ---- statements
+  void ReadLater(FunctionId id) {
+    if (is_read_.insert(id).second) unread_.push_back(id);
+  }
+
   void Read(StmtId stmt) {
     if (const auto* loop = As<For>(program_, stmt); loop && Unroll(stmt, For(*loop))) return;
     ForEachPart(
@@ -181,6 +205,7 @@ class OffsetFinder {
   }
 
   void ReadExpr(ExprId expr) {
+    if (const auto* call = As<Call>(program_, expr)) return ReadCall(expr, Call(*call));
     const auto* call = As<ObjectCall>(program_, expr);
     if (!call) return;
     const List<ExprId> arguments = call->arguments;
@@ -233,11 +258,84 @@ class OffsetFinder {
     return Builder(program_, span).ValueOf(TypeIdOf(program_, offset), *bits);
   }
 
+  // ---- functions whose offsets depend on parameters
+
+  // Whether the calls say what an offset of the function, or of one that it calls, is.
+  bool IsCopied(FunctionId id) const {
+    return std::ranges::any_of(program_.functions[id].parameters,
+                               [&](VarId parameter) { return IsGiven(parameter); });
+  }
+  bool IsGiven(VarId parameter) const {
+    return must_be_known_[parameter.index] && !is_assigned_[parameter.index] &&
+           program_.vars[parameter].storage == Storage::kIn;
+  }
+
+  // Calls the copy of the function for the constants that the call gives:
+  //
+  //   Near(uv, int2(1, 0))  =>  Near(uv), with `int2(1, 0)` for the parameter
+  //
+  // fxc inlines every call, so it takes such an offset (its listing of FXAA 1.0). An argument that
+  // is not constant leaves the function as it is, whose offset is reported then.
+  void ReadCall(ExprId expr, const Call& call) {
+    if (!IsCopied(call.function)) return;
+    const std::vector<VarId> parameters = program_.functions[call.function].parameters;
+    std::vector<std::uint64_t> key{call.function.index};
+    std::vector<ExprId> kept;
+    std::map<VarId, ExprId> given;
+    for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
+      const ExprId argument = program_.expr_lists[call.arguments][i];
+      const auto bits = IsGiven(parameters[i]) ? ConstantBits(program_, argument) : std::nullopt;
+      if (IsGiven(parameters[i]) && !bits) {
+        return ReadLater(call.function);
+      }
+      if (!bits) {
+        kept.push_back(argument);
+        continue;
+      }
+      key.insert(key.end(), bits->begin(), bits->end());
+      given[parameters[i]] = argument;
+    }
+    const auto known = copies_.find(key);
+    if (known == copies_.end() && !MayCopy(program_.exprs[expr].span)) return;
+    const FunctionId copy = known != copies_.end() ? known->second : CopyFor(call.function, given);
+    copies_[key] = copy;
+    program_.exprs[expr].node = Call{copy, program_.expr_lists.Add(kept)};
+  }
+
+  FunctionId CopyFor(FunctionId id, const std::map<VarId, ExprId>& given) {
+    Function function = program_.functions[id];
+    BodyCloner cloner(program_);
+    std::vector<VarId> kept;
+    for (const VarId parameter : function.parameters) {
+      const VarId copy = cloner.CloneVar(parameter);
+      if (!given.contains(parameter)) kept.push_back(copy);
+    }
+    function.parameters = kept;
+    function.body = cloner.Clone(function.body);
+    CopyMarks(cloner);
+    std::map<VarId, ExprId> values;
+    for (const auto& [from, to] : cloner.vars()) {
+      if (const auto found = given.find(from); found != given.end()) values[to] = found->second;
+    }
+    ForEachExpr(program_, function.body, [&](ExprId part) {
+      const auto* ref = As<VarRef>(program_, part);
+      const auto found = ref ? values.find(ref->var) : values.end();
+      if (found == values.end()) return;
+      const auto bits = ConstantBits(program_, found->second);
+      const Span span = program_.exprs[part].span;
+      const ExprId value = Builder(program_, span).ValueOf(TypeIdOf(program_, part), *bits);
+      program_.exprs[part].node = program_.exprs[value].node;
+    });
+    const FunctionId copy = program_.functions.Add(std::move(function));
+    unread_.push_back(copy);
+    return copy;
+  }
+
   // ---- loops
   bool MayCopy(Span span) {
     if (program_.exprs.size() >= kMaxExpressions)
       return Refuse(span, kMaxExpressions, "expressions");
-    return ++made_ <= kMaxCopies || Refuse(span, kMaxCopies, "copies of loops");
+    return ++made_ <= kMaxCopies || Refuse(span, kMaxCopies, "copies of loops and functions");
   }
   bool Refuse(Span span, std::size_t limit, std::string_view of) {
     if (!std::exchange(is_reported_, true))
@@ -265,13 +363,14 @@ class OffsetFinder {
   StmtId CopyOf(StmtId body) {
     BodyCloner cloner(program_);
     const StmtId copy = cloner.Clone(body);
-    is_source_.resize(program_.vars.size());
-    is_assigned_.resize(program_.vars.size());
-    for (const auto& [from, to] : cloner.vars()) {
-      is_source_[to.index] = is_source_[from.index];
-      is_assigned_[to.index] = is_assigned_[from.index];
-    }
+    CopyMarks(cloner);
     return copy;
+  }
+  void CopyMarks(const BodyCloner& cloner) {
+    for (std::vector<bool>* marks : {&is_source_, &is_assigned_, &must_be_known_}) {
+      marks->resize(program_.vars.size());
+      for (const auto& [from, to] : cloner.vars()) (*marks)[to.index] = (*marks)[from.index];
+    }
   }
 
   // Unrolls for (int i = 0; i < 2; ++i) body  =>  { int i = 0; body ++i; body ++i; }. Returns false
@@ -305,7 +404,11 @@ class OffsetFinder {
 
   Program& program_;
   Diagnostics& diagnostics_;
-  std::vector<bool> is_source_, is_assigned_;  // by VarId: offsets depend on it; it is assigned to
+  // By VarId: offsets depend on it; it is assigned to; an offset that may not vary depends on it.
+  std::vector<bool> is_source_, is_assigned_, must_be_known_;
+  std::map<std::vector<std::uint64_t>, FunctionId> copies_;  // by function and constants
+  std::set<FunctionId> is_read_;
+  std::vector<FunctionId> unread_;
   std::map<VarId, Before> known_;
   std::size_t made_ = 0;
   bool is_reported_ = false;

@@ -12,7 +12,8 @@ namespace clipc::rules {
 //     sum += map.Gather(s, uv, int2(i, 0));   =>  sum += map.Gather(s, uv, int2(-1, 0)); ++i;
 //                                                 sum += map.Gather(s, uv, int2(0, 0)); ++i;
 //
-// Such offsets become literals, and a `for` loop whose counter they depend on is unrolled. Reports
+// Such offsets become literals, a `for` loop whose counter they depend on is unrolled, and a
+// function with a parameter that they depend on is copied for the constants of its calls. Reports
 // TextureOffsetNotConstant or TextureOffsetRange (fxc: X4566) where that does not help. The one
 // offset of a Gather may stay unknown from shader model 5 on. Requires ResolveObjects.
 void KnowOffsets(Program& program, Diagnostics& diagnostics);

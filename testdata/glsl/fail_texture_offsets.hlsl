@@ -1,15 +1,14 @@
-// Offsets that nothing makes known, and one that is too far: fxc X4566. clipc does not look into calls for the argument that a
-// parameter has, as fxc does.
+// Offsets that nothing makes known, and one that is too far: fxc X4566. One call of a function gives no constant.
 // RUN: not %clipc -T vs_5_0 %s -o %t 2>&1 | FileCheck %s
 // AUTOUPDATE
 Texture2D map; SamplerState s; int k;
 float4 Tap(float2 uv, int x) { return map.SampleLevel(s, uv, 0, int2(x, 0)); }
 float4 main(float2 uv : TEXCOORD) : SV_Position {
   const int2 away = int2(9, 0);
-// CHECK: fail_texture_offsets.hlsl:[[#@LINE+3]]:53: error: offset 9 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]
-// CHECK-NEXT:    [[#@LINE+2]] |   float4 r = Tap(uv, 1) + map.SampleLevel(s, uv, 0, away);
-// CHECK-NEXT:       |                                                     ^~~~
-  float4 r = Tap(uv, 1) + map.SampleLevel(s, uv, 0, away);
+// CHECK: fail_texture_offsets.hlsl:[[#@LINE+3]]:66: error: offset 9 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]
+// CHECK-NEXT:    [[#@LINE+2]] |   float4 r = Tap(uv, 1) + Tap(uv, k) + map.SampleLevel(s, uv, 0, away);
+// CHECK-NEXT:       |                                                                  ^~~~
+  float4 r = Tap(uv, 1) + Tap(uv, k) + map.SampleLevel(s, uv, 0, away);
 // CHECK-NEXT: fail_texture_offsets.hlsl:[[#@LINE+3]]:62: error: the offset given to `SampleLevel` is not constant; it must be known at compile time [texture-offset-not-constant, X4566]
 // CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < k; ++i) r += map.SampleLevel(s, uv, 0, int2(i, 0));
 // CHECK-NEXT:       |                                                              ^~~~~~~~~~
