@@ -17,14 +17,14 @@ namespace {
 using IntegerWords = std::map<std::string, std::set<std::size_t>>;
 const std::set<std::size_t> kNoWords;
 
-// The words of the program's blocks that it declares as ints, uints or bools. A vector of four
-// uints may hold the bits of other members.
+// The words of the program's blocks that it declares as ints, uints or bools. In an array of
+// vectors of four uints are the bits of other members.
 IntegerWords IntegersOf(const GlProgram& program) {
   IntegerWords words;
   for (const ActiveMember& member : program.Members()) {
     const std::optional<WordLayout> layout = FindLayout(member.type);
-    if (!layout || layout->kind == WordKind::kFloat || member.type == GL_UNSIGNED_INT_VEC4)
-      continue;
+    if (!layout || layout->kind == WordKind::kFloat) continue;
+    if (member.type == GL_UNSIGNED_INT_VEC4 && member.stride != 0) continue;
     for (int i = 0; i < member.count; ++i) {
       const auto first = static_cast<std::size_t>(member.offset + i * member.stride) / 4;
       for (int row = 0; row < layout->rows; ++row) words[member.block].insert(first + row);

@@ -199,7 +199,8 @@ class Translator:
         if not match:
             raise NotRun(text)
         op = match[1] or match[5]
-        offset = re.match(r"\(([^)]*)\)", match[3]) if "aoffimmi" in op else None
+        # Older compilers do not write `_aoffimmi`.
+        offset = re.match(r"\(\s*(-?\d+\s*,\s*-?\d+\s*,\s*-?\d+)\s*\)", match[3] or "")
         offset = offset and [part.strip() for part in offset[1].split(",")]
         op = op.replace("_indexable", "").replace("_aoffimmi", "")
         parts = split(match[4] or "")
