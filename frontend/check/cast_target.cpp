@@ -68,6 +68,18 @@ class Pieces {
 
 }  // namespace
 
+ast::ExprId PathOfCast(const Context& context, ExprId value, ast::ExprId operand, TypeId type) {
+  if (RootOf(context.program, value)) return operand;
+  const Type &inner = context.TypeOf(value), &outer = context[type];
+  if (!inner.IsNumeric() || !outer.IsNumeric()) return {};
+  // What is left of a matrix with fewer columns is not a run of its components.
+  const bool fits = inner.kind == TypeKind::kMatrix && inner.Components() > 4
+                        ? outer.kind == TypeKind::kMatrix && inner.rows >= outer.rows &&
+                              inner.columns >= outer.columns
+                        : inner.Components() >= outer.Components();
+  return fits ? CastOperand(context, value) : ast::ExprId{};
+}
+
 void NoteCast(Context& context, ExprId value, ast::ExprId operand) {
   context.casts.insert_or_assign(value.index, operand);
 }

@@ -8,6 +8,11 @@
 // functions of another.
 namespace clipc::check {
 
+// The path to a variable that `operand`, whose value is `value`, is or is cast from, if a cast of
+// it to `type` can be written; none otherwise. Casts inside others change nothing: vkd3d's
+// lhs-cast.shader_test, line 32, and lhs-partial-assignment.shader_test, line 115, checked against
+// fxc.
+ast::ExprId PathOfCast(const Context& context, ExprId value, ast::ExprId operand, TypeId type);
 // Remembers that `value` is `operand`, which is a path to a variable, cast to another type.
 void NoteCast(Context& context, ExprId value, ast::ExprId operand);
 // The operand of the cast that made `value`; none if none did.

@@ -175,9 +175,9 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
   if (!is_zero && RefusesBits(context, context.TypeIdOf(value), type, span))
     return context.ErrorExpr(span);
   if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
-    const bool is_path{RootOf(context.program, value)};
+    const ast::ExprId path = PathOfCast(context, value, expr.operand, type);
     const ExprId converted = ConvertExplicit(context.program, value, type, context);
-    if (is_path) NoteCast(context, converted, expr.operand);
+    if (path) NoteCast(context, converted, path);
     return converted;
   }
   if (DerivesFrom(context, context.TypeIdOf(value), type)) return Implicit(context, value, type);

@@ -85,6 +85,27 @@ ExprId CombineShift(Context& context, BinaryOp op, ExprId left, ExprId right, Ty
   return Combine(context, op, {left, type_of(left)}, {right, type_of(right)}, span);
 }
 
+// The value of an operation of two int literals that is below the range of an int, which is the
+// least int for fxc: vkd3d's sm1-const-folding.shader_test, line 104, where 3000000000 is the int
+// -1294967296 and its double is -2147483648. None for other operations.
+std::optional<std::int32_t> BelowInt(const Context& context, BinaryOp op, ExprId left,
+                                     ExprId right) {
+  const auto number = [&](ExprId side) -> std::optional<std::int64_t> {
+    const auto* literal = context.GetIf<Literal>(side);
+    if (!literal || context.TypeOf(side).scalar != Scalar::kInt) return std::nullopt;
+    return static_cast<std::int32_t>(literal->bits);
+  };
+  if (context.program.profile.IsAtLeast(6, 0)) return std::nullopt;
+  const auto a = number(left), b = number(right);
+  if (!a || !b) return std::nullopt;
+  constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
+  const std::int64_t value = op == BinaryOp::kAdd   ? *a + *b
+                             : op == BinaryOp::kSub ? *a - *b
+                             : op == BinaryOp::kMul ? *a * *b
+                                                    : 0;
+  return value < kLeast ? std::optional(kLeast) : std::nullopt;
+}
+
 }  // namespace
 
 ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
@@ -147,6 +168,7 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
   }
   const auto type = OperandType(context, op, left, right, op_span);
   if (!type) return context.ErrorExpr(span);
+  if (const auto least = BelowInt(context, op, left, right)) return context.At(span).Int(*least);
   if (IsLogical(op)) return CombineLogical(context, op, left, right, *type, span);
   if (IsShift(op)) return CombineShift(context, op, left, right, *type, span);
   return Combine(context, op, {left, *type}, {right, *type}, span);

@@ -66,6 +66,7 @@ constexpr auto kWords = [] {
       MayQualify("center"),
       MayQualify("noinline"),
       MayQualify("varying"),  // Cg
+      MayQualify("single"),   // of a cbuffer, in effects
       // Geometry and mesh shaders.
       MayQualify("point"),
       MayQualify("line"),

@@ -28,5 +28,14 @@ float4 main(float4 p : POSITION, float f : F) : SV_Position {
   // CHECK-NEXT: n[temporary_5] = to_int(temporary_6);
   (float)n[i++] += f;
   float sum = ((float)k = 2.5);
-  return q + b.p + b.t.xyxy + b.d + k + sum + n[0] * 4 + n[1] + i;
+  // Casts inside another change nothing: vkd3d's lhs-cast.shader_test, line 32, and lhs-partial-assignment.shader_test, line 101.
+  // CHECK: vec4 temporary_8 = vec4(1.25, -2.5, 3.5, in_F0);
+  // CHECK: q.xy = {{.*}}[0];
+  // CHECK-NEXT: q.zw = {{.*}}[1];
+  (float2x2)(int4)(half4)q = float4(1.25, -2.5, 3.5, f);
+  float4x4 m = 0;
+  // CHECK: m[0].xy = {{.*}}[0];
+  // CHECK-NEXT: m[1].xy = {{.*}}[1];
+  (float2x2)(float2x3)m = float4x4(p, p, q, q);
+  return q + b.p + b.t.xyxy + b.d + k + sum + n[0] * 4 + n[1] + i + m[1];
 }

@@ -12,6 +12,8 @@ float4 main(float4 p : POSITION, int i : I) : SV_Position {
   (float3)f = 1;
   // CHECK: [[#@LINE+1]]:9: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
   (int2)m._11_22 = 1;
+  // CHECK: [[#@LINE+1]]:20: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
+  (float)(float2x3)m = 1;
   // CHECK: [[#@LINE+1]]:3: error: {{.*}} [swizzle-repeats
   m._11_11[i] = 1;
   return p;
