@@ -11,6 +11,7 @@
 #include "frontend/check/struct.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
+#include "frontend/rules/objects.h"
 
 namespace clipc::check {
 namespace {
@@ -132,6 +133,10 @@ ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
       if (context[type].count == 0 || context[expr.name] != "Length") break;
       // fxc has this member; DXC calls it deprecated.
       return ArrayLength(context, base, span);
+    case TypeKind::kObject:
+      if (context[expr.name] != "Length") break;
+      if (const ExprId length = CheckLength(context.program, base, span)) return length;
+      break;
     default: break;
   }
   if (const ExprId field = FieldNamed(context, base, expr.name, span)) return field;

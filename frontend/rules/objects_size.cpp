@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frontend/rules/object_call.h"
+#include "frontend/rules/objects.h"
 
 // GetDimensions of textures and buffers: assignments to the arguments, chained with commas.
 namespace clipc::rules {
@@ -122,6 +123,23 @@ class SizeCheck : IntrinsicCheck {
 };
 
 }  // namespace
+
+ExprId CheckLength(Program& program, ExprId object, Span span) {
+  const Type type = TypeOf(program, object);
+  const Profile& profile = program.profile;
+  if (type.kind != TypeKind::kObject || !profile.IsAtLeast(4, 0) || profile.IsAtLeast(6, 0))
+    return {};
+  const int size = TraitsOf(type.object).size;
+  const bool is_buffer = HasElement(type.object) && HasNamedElements(type.object) && size == 0;
+  if (InfoOf(type.object).is_cube || (size == 0 && !is_buffer)) return {};
+  Builder at(program, span);
+  TypeTable& types = program.types;
+  const TypeId whole = size > 1 ? types.Vector(Scalar::kInt, size) : types.Make(Scalar::kInt);
+  std::vector<ExprId> arguments = {object};
+  if (!is_buffer) arguments.push_back(at.Uint(0));
+  const ObjectOp op = is_buffer ? ObjectOp::kBufferSize : ObjectOp::kTextureSize;
+  return at.ConvertTo(Scalar::kUint, MakeObjectCall(at, program, whole, op, arguments));
+}
 
 ExprId CheckGetDimensions(const IntrinsicCheck& call, ExprId object) {
   const ObjectKind kind = call.TypeOf(object).object;
