@@ -2,6 +2,7 @@
 #include "frontend/rules/conversion.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -54,8 +55,15 @@ std::uint8_t RankKind(Scalar from, Scalar to) {
 
 constexpr int kMaxSteps = 4 * kMaxLeaves;
 
-// A collector of the leaves of a type. It gives up at objects, after kMaxLeaves, and on types that
-// are nested too deeply or have too many parts without leaves.
+// A scalar or an object, of which the type counts.
+struct Leaf {
+  Scalar kind;
+  TypeId object = {};
+  friend bool operator==(const Leaf&, const Leaf&) = default;
+};
+
+// A collector of the leaves of a type. It gives up after kMaxLeaves, and on types that are nested
+// too deeply or have too many parts without leaves.
 class LeafCollector {
  public:
   explicit LeafCollector(const TypeTable& types) : types_(types) {}
@@ -68,7 +76,10 @@ class LeafCollector {
       case TypeKind::kScalar:
       case TypeKind::kVector:
       case TypeKind::kMatrix:
-        leaves_.insert(leaves_.end(), type.Components(), type.scalar);
+        leaves_.insert(leaves_.end(), type.Components(), Leaf{type.scalar});
+        return leaves_.size() <= kMaxLeaves;
+      case TypeKind::kObject:
+        leaves_.push_back({type.scalar, id});
         return leaves_.size() <= kMaxLeaves;
       case TypeKind::kArray:
         for (std::uint32_t i = 0; i < type.count; ++i) {
@@ -83,16 +94,23 @@ class LeafCollector {
       default: return false;
     }
   }
-  std::vector<Scalar> Take() { return std::move(leaves_); }
+  std::vector<Leaf> Take() { return std::move(leaves_); }
 
  private:
   const TypeTable& types_;
-  std::vector<Scalar> leaves_;
+  std::vector<Leaf> leaves_;
   int steps_ = 0;
 };
 
-// The number of leaves that Flatten finds, without a list of them; more than kMaxLeaves if
-// Flatten gives up.
+// The leaves of a type; nullopt if the collector gives up.
+std::optional<std::vector<Leaf>> LeavesOf(const TypeTable& types, TypeId type) {
+  LeafCollector collector(types);
+  if (!collector.Add(type)) return std::nullopt;
+  return collector.Take();
+}
+
+// The number of leaves that LeavesOf finds, without a list of them; more than kMaxLeaves if it
+// gives up.
 std::uint64_t LeafCount(const TypeTable& types, TypeId id, int& budget) {
   if (--budget < 0) return kMaxLeaves + 1;
   const Type& type = types[id];
@@ -166,9 +184,12 @@ Scalar CommonKind(Scalar left, Scalar right) {
 }
 
 std::optional<std::vector<Scalar>> Flatten(const TypeTable& types, TypeId type) {
-  LeafCollector collector(types);
-  if (!collector.Add(type)) return std::nullopt;
-  return collector.Take();
+  const auto leaves = LeavesOf(types, type);
+  if (!leaves || std::ranges::any_of(*leaves, [](Leaf leaf) { return bool{leaf.object}; }))
+    return std::nullopt;
+  std::vector<Scalar> kinds;
+  for (const Leaf& leaf : *leaves) kinds.push_back(leaf.kind);
+  return kinds;
 }
 
 std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from_id, TypeId to_id) {
@@ -193,8 +214,8 @@ std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from_i
   if (IsAggregate(from) && IsAggregate(to)) {
     if (IsBaseOf(types, to, from)) return ConversionRank{.kind = 1, .form = 1};
     if (!MayHaveSameLeaves(types, from_id, to_id)) return std::nullopt;
-    const auto have = Flatten(types, from_id);
-    if (!have || have->empty() || have != Flatten(types, to_id)) return std::nullopt;
+    const auto have = LeavesOf(types, from_id);
+    if (!have || have->empty() || have != LeavesOf(types, to_id)) return std::nullopt;
     return ConversionRank{.form = 1};
   }
   if (FitsObject(from, to)) return ConversionRank{.form = 1};
@@ -210,10 +231,11 @@ bool IsExplicitlyConvertible(const TypeTable& types, TypeId from_id, TypeId to_i
     int budget = kMaxLeaves;
     return IsNumericThroughout(types, to_id, budget);
   }
-  const auto want = Flatten(types, to_id);
-  const auto have = Flatten(types, from_id);
-  if (!want || !have || have->empty()) return false;
-  return !want->empty() && want->size() <= have->size();
+  const auto want = LeavesOf(types, to_id);
+  const auto have = LeavesOf(types, from_id);
+  if (!want || !have || want->empty() || want->size() > have->size()) return false;
+  return std::ranges::equal(*want, std::span(*have).first(want->size()), {}, &Leaf::object,
+                            &Leaf::object);
 }
 
 std::optional<TypeId> CommonType(TypeTable& types, TypeId left_id, TypeId right_id) {

@@ -62,7 +62,7 @@ bool IsZeroLiteral(const Program& program, ExprId value) {
   return literal != nullptr && literal->bits == 0;
 }
 
-// A scalar or vector inside the source.
+// A scalar, vector or object inside the source.
 struct Piece {
   std::vector<std::uint32_t> path;  // the numbers of the parts on the way to it
   std::uint8_t size;
@@ -124,6 +124,7 @@ class Reshaper {
     const Type type = program_.types[id];
     if (type.IsScalarOrVector())
       pieces_.push_back({path_, type.columns, type.kind == TypeKind::kVector});
+    if (type.kind == TypeKind::kObject) pieces_.push_back({path_, 1, false});
     for (std::uint32_t i = 0; i < program_.types.PartCount(id); ++i) {
       path_.push_back(i);
       Collect(program_.types.PartType(id, i));
@@ -166,6 +167,7 @@ class Reshaper {
   ExprId Build(TypeId id) {
     const Type type = program_.types[id];
     if (type.kind == TypeKind::kScalar) return TakeParts(1, type.scalar).front();
+    if (std::uint8_t taken = 0; type.kind == TypeKind::kObject) return TakePart(1, taken);
     std::vector<ExprId> parts;
     if (type.kind == TypeKind::kVector) {
       parts = TakeParts(type.columns, type.scalar);
