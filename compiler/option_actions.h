@@ -80,10 +80,11 @@ void SetSpirv(Reading& reading, const std::string&) {
   reading.spirv_for_vulkan = kForVulkan;
 }
 
-inline constexpr Named<VulkanVersion> kVulkanVersions[] = {{VulkanVersion::k1_0, "vulkan1.0"},
-                                                           {VulkanVersion::k1_1, "vulkan1.1"},
-                                                           {VulkanVersion::k1_2, "vulkan1.2"},
-                                                           {VulkanVersion::k1_3, "vulkan1.3"}};
+// dxc's names. `universal1.5` is any environment with SPIR-V 1.5, which is Vulkan 1.2's.
+inline constexpr Named<VulkanVersion> kVulkanVersions[] = {
+    {VulkanVersion::k1_0, "vulkan1.0"},    {VulkanVersion::k1_1, "vulkan1.1"},
+    {VulkanVersion::k1_2, "vulkan1.2"},    {VulkanVersion::k1_3, "vulkan1.3"},
+    {VulkanVersion::k1_2, "universal1.5"}, {VulkanVersion::k1_1WithSpirv1_4, "vulkan1.1spirv1.4"}};
 inline void SetVulkanVersion(Reading& reading, const std::string& value) {
   reading.vulkan_option = reading.option;
   Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);

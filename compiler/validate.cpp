@@ -51,9 +51,10 @@ class Linked {
   EShMessages SetEnvironment(bool is_vulkan, const SpirvRequest* spirv) {
     using namespace glslang;
     constexpr EShTargetClientVersion kVulkan[] = {EShTargetVulkan_1_0, EShTargetVulkan_1_1,
-                                                  EShTargetVulkan_1_2, EShTargetVulkan_1_3};
-    constexpr EShTargetLanguageVersion kSpirv[] = {EShTargetSpv_1_0, EShTargetSpv_1_3,
-                                                   EShTargetSpv_1_5, EShTargetSpv_1_6};
+                                                  EShTargetVulkan_1_2, EShTargetVulkan_1_3,
+                                                  EShTargetVulkan_1_1};
+    constexpr EShTargetLanguageVersion kSpirv[] = {
+        EShTargetSpv_1_0, EShTargetSpv_1_3, EShTargetSpv_1_5, EShTargetSpv_1_6, EShTargetSpv_1_4};
     const auto version = static_cast<std::size_t>((spirv ? *spirv : SpirvRequest{}).vulkan);
     const EShClient client = is_vulkan ? EShClientVulkan : EShClientOpenGL;
     shader_.setEnvInput(EShSourceGlsl, language_, client, 100);

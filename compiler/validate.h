@@ -16,9 +16,9 @@ namespace clipc {
 // stay for the life of the process. Thread-safe.
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target, Stage stage);
 
-// The version of Vulkan that SPIR-V is for, which decides the version of the SPIR-V: 1.0, 1.3, 1.5
-// or 1.6.
-enum class VulkanVersion : std::uint8_t { k1_0, k1_1, k1_2, k1_3 };
+// The version of Vulkan that SPIR-V is for, which decides the version of the SPIR-V: 1.0, 1.3, 1.5,
+// 1.6, or 1.4 for Vulkan 1.1 with the extension for it.
+enum class VulkanVersion : std::uint8_t { k1_0, k1_1, k1_2, k1_3, k1_1WithSpirv1_4 };
 struct SpirvRequest {
   VulkanVersion vulkan = VulkanVersion::k1_1;
   bool debug_info = false;
