@@ -68,6 +68,8 @@ unsigned ProcessNumber();
 
 // Whether standard error is a terminal that obeys escape sequences.
 bool ErrorsAreOnTerminal();
+// Whether standard output is shown to a person.
+bool OutputIsOnTerminal();
 
 // For main(): makes standard streams carry bytes as they are, and keeps the numbers of closed ones
 // from other files.

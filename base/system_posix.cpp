@@ -118,6 +118,8 @@ bool ErrorsAreOnTerminal() {
   return isatty(STDERR_FILENO) != 0 && terminal && std::string_view(terminal) != "dumb";
 }
 
+bool OutputIsOnTerminal() { return isatty(STDOUT_FILENO) != 0; }
+
 // The next file that is opened would get the number of a closed standard stream, and with it
 // messages or GLSL. A null device that is open for the wrong direction keeps the number, and using
 // it is an error.

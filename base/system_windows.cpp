@@ -217,6 +217,11 @@ bool ErrorsAreOnTerminal() {
   return SetConsoleMode(errors, mode | kObeyEscapes) != 0;
 }
 
+bool OutputIsOnTerminal() {
+  DWORD mode = 0;
+  return GetConsoleMode(GetStdHandle(STD_OUTPUT_HANDLE), &mode) != 0;
+}
+
 void PrepareStandardStreams() {
   for (const int number : {0, 1, 2}) _setmode(number, _O_BINARY);
   // The C library would hold back messages for a pipe until the end, after everything that Write()

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/path.h"
+#include "base/system.h"
 #include "compiler/batch.h"
 #include "compiler/batch_index.h"
 #include "compiler/collect_outputs.h"
@@ -48,6 +51,22 @@ class Driver {
   MessagePrinter printer_;
 };
 
+// Returns what is wrong with a macro among the inputs, `A=1` that is not a file; empty if there is
+// none. A shell makes two words of -D A={0,1}.
+std::string CheckBraces(const CommandLine& command) {
+  if (command.request.defines.empty()) return {};
+  for (const std::string& input : command.inputs) {
+    const std::size_t equals = input.find('=');
+    std::error_code error;
+    if (equals == 0 || equals == std::string::npos || std::filesystem::exists(input, error))
+      continue;
+    return fmt::format(
+        "cannot read `{}`; a shell takes braces apart unless they are in quotes, -D '{}={{...}}'",
+        input, input.substr(0, equals));
+  }
+  return {};
+}
+
 // Returns the first mistake that shows before anything is compiled; empty if there is none.
 std::string Driver::CheckUsage() {
   const auto& inputs = command_.inputs;
@@ -56,6 +75,7 @@ std::string Driver::CheckUsage() {
   const bool is_dump = request.debug.dump || !request.debug.stop_after.empty();
   const bool writes_glsl = !is_dump && !command_.only_dependencies && !command_.syntax_only &&
                            command_.preprocessed.empty();
+  if (std::string problem = CheckBraces(command_); !problem.empty()) return problem;
   if (inputs.size() > 1 && writes_glsl && !IsDirectory(command_.output)) {
     return "several input files need a folder to write to; give an existing one with -o";
   }
@@ -74,6 +94,9 @@ std::string Driver::CheckUsage() {
       if (sources.Has(path)) return fmt::format("the output `{}` would overwrite its input", path);
       named.Add(path);
     }
+    if (writes_glsl && request.outputs.spirv && outputs_.back().glsl == "-" &&
+        system::OutputIsOnTerminal())
+      return "SPIR-V is not text; give a file with -o, or write it into a pipe";
   }
   return {};
 }

@@ -42,6 +42,18 @@ ir::Program Cleared(ir::Program program) {
   return program;
 }
 
+// The message, with the option that names the pixel shader's entry function where that was not
+// found.
+std::string WithPixelEntry(const Diagnostic& diagnostic) {
+  std::string message = diagnostic.message;
+  if (diagnostic.id != DiagId::kEntryNotFound) return message;
+  constexpr std::string_view kOption = "`-E` names";
+  const std::size_t at = message.find(kOption);
+  if (at == std::string::npos)
+    return message + (message.ends_with('?') ? " " : "; ") + "`--pixel-entry` names it";
+  return message.replace(at, kOption.size(), "`--pixel-entry` names");
+}
+
 link::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
                           std::vector<std::string>& dependencies) {
   link::ReadResult result;
@@ -70,7 +82,7 @@ link::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
   for (std::string& path : source.Dependencies()) dependencies.push_back(std::move(path));
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     if (diagnostic.severity == Severity::kError)
-      result.problems.push_back(place_of(diagnostic.span) + ": " + diagnostic.message);
+      result.problems.push_back(place_of(diagnostic.span) + ": " + WithPixelEntry(diagnostic));
   }
   if (result.problems.empty())
     result.interface = link::ReadProgram(Cleared(std::move(program)), place_of);

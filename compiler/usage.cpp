@@ -130,6 +130,10 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   report(!command.technique.empty(), "--technique", kForEffects);
   report(!command.pass.empty(), "--pass", kForEffects);
   report(command.shards != 1, "--shard", kForMany);
+  const bool reads_pixel = request.link.has_pixel_shader() || request.reads_pixel_half();
+  report(
+      !reads_pixel && !request.link.pixel_shader.entry.empty(), "--pixel-entry",
+      "it is for --pixel-shader, which fits a pixel shader, and --pixel-output, which writes one");
   const glsl::Target& target = request.target;
   report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),
          "--separable", "it is for targets `glsl410` to `glsl460`");
