@@ -23,21 +23,35 @@ struct Directive {
   Span span() const { return SpanAt(name.getLocation()); }
 };
 
-// A handler that passes the directive with all its words to `handle`.
+// A handler that passes the directive with its words to `handle`: all words as they are written, or
+// the first few, in which dxc expands macros and fxc does not.
 class Pragma : public clang::PragmaHandler {
  public:
   using Handle = void (*)(const Directive&);
-  Pragma(llvm::StringRef name, Diagnostics& diagnostics, Handle handle)
-      : PragmaHandler(name), diagnostics_(diagnostics), handle_(handle) {}
+  enum class Words { kWritten, kExpandedByDxc };
+  Pragma(llvm::StringRef name, Diagnostics& diagnostics, Handle handle,
+         Words words = Words::kWritten)
+      : PragmaHandler(name), diagnostics_(diagnostics), handle_(handle), words_(words) {}
 
   void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
                     clang::Token& name) override {
     if (name.isOneOf(tok::eod, tok::eof)) return;  // `#pragma` alone: the line has been read
     Directive directive{diagnostics_, preprocessor, name};
+    const bool expands =
+        words_ == Words::kExpandedByDxc && preprocessor.isMacroDefined("__hlsl_dx_compiler");
+    // A macro may stand for any number of words.
+    constexpr std::size_t kMostExpanded = 16;
     clang::Token token;
-    for (preprocessor.LexUnexpandedToken(token); !token.isOneOf(tok::eod, tok::eof);
-         preprocessor.LexUnexpandedToken(token)) {
-      directive.words.push_back(preprocessor.getSpelling(token));
+    const auto next = [&] {
+      if (expands && directive.words.size() < kMostExpanded)
+        preprocessor.Lex(token);
+      else
+        preprocessor.LexUnexpandedToken(token);
+      return !token.isOneOf(tok::eod, tok::eof);
+    };
+    while (next()) {
+      if (!expands || directive.words.size() < kMostExpanded)
+        directive.words.push_back(preprocessor.getSpelling(token));
     }
     handle_(directive);
   }
@@ -45,6 +59,7 @@ class Pragma : public clang::PragmaHandler {
  private:
   Diagnostics& diagnostics_;
   Handle handle_;
+  Words words_;
 };
 
 void HandleUnknown(const Directive& of) {
@@ -109,7 +124,7 @@ void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics) {
            new ClangPragma<&clang::Preprocessor::HandlePragmaPushMacro>("push_macro"),
            new ClangPragma<&clang::Preprocessor::HandlePragmaPopMacro>("pop_macro"),
            new Pragma("message", diagnostics, HandleMessage),
-           new Pragma("pack_matrix", diagnostics, HandlePackMatrix),
+           new Pragma("pack_matrix", diagnostics, HandlePackMatrix, Pragma::Words::kExpandedByDxc),
            new Pragma("warning", diagnostics, HandleWarning),
            new EmptyPragmaHandler("region"),  // for editors
            new EmptyPragmaHandler("endregion"),
