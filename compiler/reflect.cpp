@@ -104,7 +104,10 @@ Json Member(const Program& program, const ir::CbufferMember& member,
                {"type", program.types.Name(var.type)},
                {"offset", member.offset},
                {"size", member.size}};
-  if (var.row_major) json["rowMajor"] = true;
+  const ir::TypeId innermost = program.types.Innermost(var.type);
+  // The matrices in a struct are as its fields say.
+  if (var.row_major && program.types[innermost].kind != ir::TypeKind::kStruct)
+    json["rowMajor"] = true;
   if (!member.initial.empty()) json["default"] = InitialBytes(program, member);
   if (!block) return json;
   for (const GlslInfo::UniformMember& named : block->members) {
