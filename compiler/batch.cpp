@@ -2,6 +2,7 @@
 #include "compiler/batch.h"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,6 +15,8 @@
 #include <fmt/format.h>
 
 #include "base/path.h"
+#include "base/system.h"
+#include "compiler/batch_errors.h"
 #include "compiler/batch_index.h"
 #include "compiler/batch_journal.h"
 #include "compiler/collect_outputs.h"
@@ -94,6 +97,8 @@ class Batch {
   std::unordered_set<std::string> dependency_set_;
   std::unique_ptr<BatchJournal> journal_;                  // null: nothing can be resumed
   std::map<std::size_t, BatchJournal::Done> done_before_;  // by job
+  BatchErrors errors_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   MessagePrinter printer_;
   Progress progress_;
 };
@@ -249,11 +254,13 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     entry.status = entries_[*alike].status;
     entry.files = entries_[*alike].files;
     entry.exit_code = code = entries_[*alike].exit_code;
+    entry.errors = entries_[*alike].errors;
     if (!result.macros_used.empty() || result.digest) Remember(at, result, *alike);
     done.dependencies = read_by_.at(*alike);
   } else {
     Remember(at, result, at);
-    if (!result.messages.empty()) {
+    // Each pass of an effect, which has no journal, has its own messages.
+    if (journal_ ? errors_.AreNew(result.messages) : !result.messages.empty()) {
       progress_.Clear();
       printer_.Say(title);
       printer_.Show(result);
@@ -269,7 +276,12 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     entry.initial_values = std::move(result.initial_values);
     entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
     entry.exit_code = code;
+    std::erase_if(result.messages,
+                  [](const Message& message) { return message.severity != Severity::kError; });
+    if (!result.messages.empty())
+      entry.errors = std::make_shared<const std::vector<Message>>(std::move(result.messages));
   }
+  if (journal_ && entry.errors) errors_.Count(*entry.errors);
   AddDependencies(done.dependencies);
   done.files = entry.files;
   std::string problem;
@@ -377,7 +389,17 @@ std::string Batch::WriteIndex() {
 }
 
 void Batch::Summarise() const {
+  for (const std::string& line : errors_.Shared()) printer_.Say(line);
   const std::size_t left = jobs_.size() - finished_;
+  if (exit_code_ == kExitOk && system::ErrorsAreOnTerminal()) {
+    std::unordered_set<std::string> files;
+    for (const BatchEntry& entry : entries_) {
+      for (const auto& [kind, file] : entry.files) files.insert(file);
+    }
+    const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begin_;
+    printer_.Say(
+        fmt::format("{} compiled, {} files, {:.1f} s", jobs_.size(), files.size(), lasted.count()));
+  }
   if (failed_ == 0) return;
   printer_.Say(
       fmt::format("{} of {} failed{}", failed_, jobs_.size(),

@@ -20,6 +20,20 @@ constexpr Named<BatchStatus> kStatusNames[] = {{BatchStatus::kNotCompiled, "not-
                                                {BatchStatus::kCompiled, "compiled"},
                                                {BatchStatus::kFailed, "failed"}};
 
+Json ErrorsOf(const std::vector<Message>& errors) {
+  Json list = Json::array();
+  for (const Message& error : errors) {
+    Json json = {{"name", error.name}, {"message", error.text}};
+    if (!error.place.file.empty()) {
+      json["file"] = error.place.file;
+      json["line"] = error.place.line;
+      json["column"] = error.place.column;
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 // The text of an index, which has a line for each permutation.
 class IndexText {
  public:
@@ -66,6 +80,7 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex sha
     for (const auto& [macro, value] : entry.defines)
       json["defines"][macro] = value ? Json(*value) : Json();
     for (const auto& [kind, file] : entry.files) json["files"][kind] = file;
+    if (entry.errors) json["errors"] = ErrorsOf(*entry.errors);
     index.Add(json);
   }
   return std::move(index).Finish();

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "compiler/message.h"
 #include "compiler/permutations.h"
 
 namespace clipc {
@@ -23,6 +25,7 @@ struct BatchEntry {
   int exit_code = 0;
   std::vector<std::pair<std::string, std::string>> files;  // kind and name
   std::map<std::string, std::string> initial_values;       // CompileResult::initial_values
+  std::shared_ptr<const std::vector<Message>> errors;      // null: none
 };
 
 // Fills in the source, entry, profile, target and defines of the group's permutation `number`.
