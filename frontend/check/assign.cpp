@@ -138,6 +138,41 @@ ExprId AssignToCast(Context& context, const ast::AssignExpr& expr, TypeId type, 
   return WithPrologue(context, steps, Clone(context.program, stored));
 }
 
+// The assignment float4(a, b) = value  =>  (t = value, a = t.xy, b = t.zw, t), which fxc takes (its
+// listing of the SDK's ParallaxOcclusionMapping): `target` is the vector of a and b. Returns none
+// where the parts are not the components of the vector.
+ExprId AssignToParts(Context& context, const ast::AssignExpr& expr, ExprId target, Span span) {
+  const auto* construct = context.GetIf<Construct>(target);
+  const TypeId type_id = context.TypeIdOf(target);
+  if (!construct || expr.op || !context[type_id].IsScalarOrVector()) return {};
+  const List<ExprId> list = construct->arguments;
+  std::uint32_t components = 0;
+  for (const ExprId part : context[list]) {
+    const Type& type = context.TypeOf(part);
+    if (!type.IsScalarOrVector() || !RootOf(context.program, part)) return {};
+    components += type.Components();
+  }
+  if (components != context[type_id].Components()) return {};
+  ExprId value = CheckExpr(context, expr.right);
+  if (!context.IsError(value)) value = Implicit(context, value, type_id);
+  if (context.IsError(value)) return value;
+  Exprs steps, parts;
+  for (std::uint32_t i = 0; i < list.size; ++i) {
+    parts.push_back(Stabilize(context, context[list][i], steps));
+    if (!CheckTarget(context, parts.back())) return context.ErrorExpr(span);
+  }
+  const ExprId stored = Hoist(context, value, steps);
+  std::size_t first = 0;
+  for (const ExprId part : parts) {
+    const auto count = static_cast<std::size_t>(context.TypeOf(part).Components());
+    Builder at = context.At(span);
+    const ExprId piece = at.SwizzledRun(Clone(context.program, stored), first, count);
+    steps.push_back(StoreTo(context, part, piece, span));
+    first += count;
+  }
+  return WithPrologue(context, steps, Clone(context.program, stored));
+}
+
 }  // namespace
 
 void MarkConst(Context& context, VarId var) {
@@ -261,6 +296,7 @@ ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
                                  : CheckInit(context, expr.right, context.TypeIdOf(left));
     return AssignToBits(context, expr.op, left, value, span);
   }
+  if (const ExprId stores = AssignToParts(context, expr, left, span)) return stores;
   const ExprId target = TakeSteps(context, left, steps);
   return WithPrologue(context, steps, AssignTo(context, expr, target, is_used, span));
 }
