@@ -54,7 +54,8 @@ void IndexUses::MarkPlaces() {
       Mark(index->index);
     } else if (const auto* call = As<ObjectCall>(program_, expr); call && IsOfPlace(call->op)) {
       Mark(program_.expr_lists[call->arguments][1]);
-      if (call->op == ObjectOp::kTextureLoad) Mark(program_.expr_lists[call->arguments][2]);  // level
+      const bool has_level = call->op == ObjectOp::kTextureLoad;
+      if (has_level) Mark(program_.expr_lists[call->arguments][2]);
     }
   });
 }

@@ -1,8 +1,6 @@
 // The Length of textures and buffers, which fxc has from 4.0 on: what GetDimensions gives, in uints. Oracle: vkd3d's
 // length-property.shader_test, checked against fxc and dxc.
 // RUN: %clipc -T ps_5_0 --validate --verify %s -o - | FileCheck %s
-// RUN: not %clipc -T ps_6_0 %s -o - 2>&1 | FileCheck --check-prefix=DXC %s
-// DXC: error: `Texture2D<float4>` has no member `Length` [no-such-member, X3018]
 Texture2D map;
 Texture2DArray layers;
 Texture2DMS<float4, 4> samples;
