@@ -155,14 +155,14 @@ std::uint32_t RegisterCount(const TypeTable& types, TypeId type) {
 
 void AssignRegisters(Program& program, std::span<const ReservedRegisters> reserved,
                      Diagnostics& diagnostics) {
-  // The order is fxc's, as far as it is known: $Globals, the others as declared, $Params.
-  // Push constants need a register only if they become a buffer.
+  // fxc's order: $Globals, $Params, the others as declared (vkd3d's hlsl_d3d12.c, test_reflection,
+  // checked against fxc). Push constants need a register only if they become a buffer.
   const auto rank = [&](CbufferId id) {
     const Cbuffer& buffer = program.cbuffers[id];
     return buffer.is_push_constant                ? 3
            : buffer.kind == CbufferKind::kGlobals ? 0
-           : buffer.kind == CbufferKind::kParams  ? 2
-                                                  : 1;
+           : buffer.kind == CbufferKind::kParams  ? 1
+                                                  : 2;
   };
   std::vector<CbufferId> order;
   for (CbufferId id : program.cbuffers.ids()) order.push_back(id);

@@ -18,10 +18,9 @@ struct ReservedRegisters {
 std::uint32_t RegisterCount(const TypeTable& types, TypeId type);
 
 // Gives a register to every cbuffer and resource to which the user gave none. Buffers take the free
-// registers in the order of their declarations, but $Globals comes first and $Params last; textures
-// and samplers follow the same rule. `reserved` are left alone. Reports two explicit bindings of
-// one register, and numbers out of range. Requires that only buffers that the shader reaches are in
-// the program.
+// registers in the order of their declarations, after $Globals and $Params; textures and samplers
+// follow the same rule. `reserved` are left alone. Reports two explicit bindings of one register,
+// and numbers out of range. Requires that only buffers that the shader reaches are in the program.
 void AssignRegisters(Program& program, std::span<const ReservedRegisters> reserved,
                      Diagnostics& diagnostics);
 

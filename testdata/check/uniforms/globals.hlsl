@@ -26,9 +26,9 @@ tbuffer Table { float4 entry; };
 // CHECK: cbuffer Used : b5, space2 explicit, 144 bytes {
 // CHECK: float other at 116, 4 bytes explicit
 // CHECK: constant_buffer light : b1 explicit, 16 bytes {
-// CHECK: constant_buffer lights : b2, 16 bytes x 3 {
+// CHECK: constant_buffer lights : b3, 16 bytes x 3 {
 // CHECK: tbuffer Table : t0
-// CHECK: params $Params
+// CHECK: params $Params : b2
 // CHECK-NEXT: float4x4 {{by_entry.*}} at 0
 // ROW: row_major float4x4 {{by_entry.*}} at 0
 // CHECK-NOT: unused
