@@ -18,8 +18,8 @@ namespace {
 
 // What a function has written when it returns.
 struct Summary {
-  std::vector<Written> result;                   // by slot of the type
-  std::vector<std::vector<Written>> parameters;  // empty for those that are not kOut
+  std::vector<WrittenComponents> result;                   // by slot of the type
+  std::vector<std::vector<WrittenComponents>> parameters;  // empty for those that are not kOut
 };
 
 // How control leaves a statement.
@@ -36,8 +36,8 @@ struct Shared {
   std::vector<IoVar*> outputs;     // by VarId
 };
 
-bool AreAllWritten(std::span<const Written> values) {
-  return std::ranges::all_of(values, [](Written value) { return value == kAllWritten; });
+bool AreAllWritten(std::span<const WrittenComponents> values) {
+  return std::ranges::all_of(values, [](WrittenComponents value) { return value == kAllWritten; });
 }
 
 // Walks a function in the order in which it runs.
@@ -78,10 +78,10 @@ class WrittenWalk {
   void Report(const Read& read);
   void Track(VarId var);
   void Unwrite(VarId var);
-  void WriteTo(ExprId target, std::span<const Written> values);
-  void Write(const WrittenPlace& place, std::span<const Written> values = {});
+  void WriteTo(ExprId target, std::span<const WrittenComponents> values);
+  void Write(const WrittenPlace& place, std::span<const WrittenComponents> values = {});
   // What the parts of a value are that an assignment copies; empty: all are written.
-  std::vector<Written> ValueOf(ExprId value);
+  std::vector<WrittenComponents> ValueOf(ExprId value);
 
   // ---- main
   void CheckOutput(const Assign& node);
@@ -262,7 +262,7 @@ Flow WrittenWalk::WalkLoop(StmtId stmt) {
 
 void WrittenWalk::WalkDeclare(const Declare& node) {
   if (!node.init) return Unwrite(node.var);
-  const std::vector<Written> values = ValueOf(node.init);
+  const std::vector<WrittenComponents> values = ValueOf(node.init);
   if (!AreAllWritten(values)) Track(node.var);
   if (shared_.slots.IsTracked(node.var)) Write(shared_.slots.Whole(node.var), values);
 }
@@ -271,7 +271,7 @@ void WrittenWalk::WalkReturn(ExprId value) {
   if (value && !IsEntry() && TypeOf(program_, value).IsNumeric()) {
     Visit(value);  // reports what is unwritten, so that callers need not
   } else if (value) {
-    std::vector<Written> values = ValueOf(value);
+    std::vector<WrittenComponents> values = ValueOf(value);
     const std::size_t count = shared_.slots.CountOf(TypeIdOf(program_, value));
     values.resize(count, kAllWritten);
     if (!has_returned_) summary_.result.assign(count, {0, 0xffff});
@@ -289,7 +289,7 @@ void WrittenWalk::Leave() {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (program_.vars[parameters[i]].storage != Storage::kOut) continue;
     const WrittenPlace place = shared_.slots.Whole(parameters[i]);
-    std::vector<Written>& all = summary_.parameters[i];
+    std::vector<WrittenComponents>& all = summary_.parameters[i];
     if (!has_returned_) all.assign(place.count, {0, 0xffff});
     for (std::size_t slot = 0; slot < place.count; ++slot) {
       all[slot].may |= state_[place.first + slot].may;
@@ -382,12 +382,12 @@ void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
     written.emplace_back(argument, number);
   });
   for (const auto& [target, number] : written) {
-    WriteTo(target, is_of_entry ? std::span<const Written>(summary.parameters[number])
-                                : std::span<const Written>());
+    WriteTo(target, is_of_entry ? std::span<const WrittenComponents>(summary.parameters[number])
+                                : std::span<const WrittenComponents>());
   }
 }
 
-std::vector<Written> WrittenWalk::ValueOf(ExprId value) {
+std::vector<WrittenComponents> WrittenWalk::ValueOf(ExprId value) {
   const bool is_numeric = TypeOf(program_, value).IsNumeric();
   if (const auto* call = As<Call>(program_, value)) {
     Visit(value);
@@ -401,7 +401,7 @@ std::vector<Written> WrittenWalk::ValueOf(ExprId value) {
     return {};
   }
   VisitTarget(value);
-  std::vector<Written> values;
+  std::vector<WrittenComponents> values;
   for (std::size_t i = 0; i < place->count; ++i) values.push_back(state_[place->first + i]);
   return values;
 }
@@ -420,13 +420,13 @@ void WrittenWalk::Unwrite(VarId var) {
 }
 
 // Gives the values to a path; no values: it is written.
-void WrittenWalk::WriteTo(ExprId target, std::span<const Written> values) {
+void WrittenWalk::WriteTo(ExprId target, std::span<const WrittenComponents> values) {
   const VarId root = AreAllWritten(values) ? VarId{} : RootOf(program_, target);
   if (root) Track(root);
   if (const auto place = shared_.slots.Find(target)) Write(*place, values);
 }
 
-void WrittenWalk::Write(const WrittenPlace& place, std::span<const Written> values) {
+void WrittenWalk::Write(const WrittenPlace& place, std::span<const WrittenComponents> values) {
   if (place.count == 1 && (place.is_coarse || values.size() != 1))
     return state_.Add(place.first, place.mask);
   for (std::size_t i = 0; i < place.count; ++i)
@@ -460,7 +460,7 @@ void WrittenWalk::CheckOutput(const Assign& node) {
   IoVar* output = target ? shared_.outputs[target->var.index] : nullptr;
   const auto place = output ? shared_.slots.Find(node.value) : std::nullopt;
   if (!place || place->count != 1) return;
-  const Written& written = state_[place->first];
+  const WrittenComponents& written = state_[place->first];
   output->is_unwritten = (written.may & place->mask) == 0;
   if ((written.may & written.must & place->mask) == place->mask) return;
   ReportOutput(program_, *output, written, place->mask, shared_.diagnostics);

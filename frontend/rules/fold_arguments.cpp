@@ -88,25 +88,25 @@ class Folder {
   // ---- locals
 
   // What the body writes to a local variable, or to one of its fields: kWhole is the variable.
-  struct Written {
+  struct LocalWrites {
     int times = 0;
     ExprId value;
   };
-  using Place = std::pair<VarId, std::uint32_t>;
+  using LocalPart = std::pair<VarId, std::uint32_t>;
   static constexpr std::uint32_t kWhole = ~0u;
 
   // The local variable, or a field of one, that the expression is.
-  std::optional<Place> PlaceOf(ExprId expr) const {
+  std::optional<LocalPart> PlaceOf(ExprId expr) const {
     const auto* field = As<FieldRef>(program_, expr);
     const auto* ref = As<VarRef>(program_, field ? field->base : expr);
     if (!ref || program_.vars[ref->var].storage != Storage::kLocal) return std::nullopt;
-    return Place{ref->var, field ? field->field : kWhole};
+    return LocalPart{ref->var, field ? field->field : kWhole};
   }
 
   // Puts constants in the place of the calls of functions that only return one, and of local
   // variables that get one value, a constant. What reads one before that is not defined.
   void SubstituteLocals(StmtId body) {
-    std::map<Place, Written> written;
+    std::map<LocalPart, LocalWrites> written;
     std::set<ExprId> targets;
     ForEachStmt(program_, body, [&](StmtId id) {
       const auto* declare = As<Declare>(program_, id);
@@ -129,13 +129,14 @@ class Folder {
     });
   }
 
-  static void Write(std::map<Place, Written>& written, Place place, ExprId value) {
-    Written& known = written[place];
+  static void Write(std::map<LocalPart, LocalWrites>& written, LocalPart place, ExprId value) {
+    LocalWrites& known = written[place];
     ++known.times;
     known.value = value;
   }
 
-  std::optional<std::uint64_t> ValueAt(const std::map<Place, Written>& written, ExprId expr) const {
+  std::optional<std::uint64_t> ValueAt(const std::map<LocalPart, LocalWrites>& written,
+                                       ExprId expr) const {
     const auto place = PlaceOf(expr);
     const auto found = place ? written.find(*place) : written.end();
     if (found == written.end() || found->second.times != 1 || !found->second.value)

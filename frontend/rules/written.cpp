@@ -133,7 +133,7 @@ void WrittenSlots::TakeElement(WrittenPlace& place, const Index& index) const {
 
 // ---- state
 
-void WrittenState::Set(std::size_t slot, Written value) {
+void WrittenState::Set(std::size_t slot, WrittenComponents value) {
   if (now_[slot] == value) return;
   log_.push_back({slot, now_[slot]});
   now_[slot] = value;
@@ -156,7 +156,7 @@ WrittenState::Changes WrittenState::TakeSince(std::size_t mark) {
 
 void WrittenState::Join(const Changes& one, const Changes& other) {
   const auto join = [&](const Change& change) {
-    const Written& now = now_[change.slot];
+    const WrittenComponents& now = now_[change.slot];
     Set(change.slot, {static_cast<std::uint16_t>(now.may | change.value.may),
                       static_cast<std::uint16_t>(now.must & change.value.must)});
   };
@@ -177,7 +177,7 @@ void WrittenState::JoinAll(Changes changes, std::size_t paths) {
   std::ranges::sort(changes, {}, &Change::slot);
   for (std::size_t begin = 0, end = 0; begin < changes.size(); begin = end) {
     const std::size_t slot = changes[begin].slot;
-    Written all = kAllWritten;
+    WrittenComponents all = kAllWritten;
     all.may = 0;
     for (; end < changes.size() && changes[end].slot == slot; ++end) {
       all.may |= changes[end].value.may;

@@ -11,11 +11,11 @@
 namespace clipc::rules {
 
 // The components of a slot that some path has written, and those that every path has.
-struct Written {
+struct WrittenComponents {
   std::uint16_t may = 0, must = 0;
-  friend bool operator==(const Written&, const Written&) = default;
+  friend bool operator==(const WrittenComponents&, const WrittenComponents&) = default;
 };
-inline constexpr Written kAllWritten{0xffff, 0xffff};
+inline constexpr WrittenComponents kAllWritten{0xffff, 0xffff};
 
 // A place in a local variable: the slots of a struct, or components of one slot.
 struct WrittenPlace {
@@ -73,7 +73,7 @@ class WrittenState {
  public:
   struct Change {
     std::size_t slot;
-    Written value;
+    WrittenComponents value;
   };
   using Changes = std::vector<Change>;
 
@@ -82,8 +82,8 @@ class WrittenState {
     now_.resize(slots, kAllWritten);
     seen_.resize(slots);
   }
-  const Written& operator[](std::size_t slot) const { return now_[slot]; }
-  void Set(std::size_t slot, Written value);
+  const WrittenComponents& operator[](std::size_t slot) const { return now_[slot]; }
+  void Set(std::size_t slot, WrittenComponents value);
   void Add(std::size_t slot, std::uint16_t mask) {
     Set(slot, {static_cast<std::uint16_t>(now_[slot].may | mask),
                static_cast<std::uint16_t>(now_[slot].must | mask)});
@@ -103,7 +103,7 @@ class WrittenState {
   }
 
  private:
-  std::vector<Written> now_;
+  std::vector<WrittenComponents> now_;
   std::vector<std::uint32_t> seen_;  // by slot: the last walk of the log that has found it
   std::uint32_t walk_ = 0;
   Changes log_;  // the values before

@@ -37,7 +37,7 @@ void ReportParameter(const Program& program, const Var& parameter, bool is_any,
   }
 }
 
-void ReportOutput(const Program& program, const IoVar& output, const Written& written,
+void ReportOutput(const Program& program, const IoVar& output, const WrittenComponents& written,
                   std::uint16_t mask, Diagnostics& diagnostics) {
   const Span span = program.vars[output.var].span;
   const std::string path = PathOf(program, output);

@@ -15,7 +15,7 @@ void ReportRead(Span read, const Var& var, Diagnostics& diagnostics);
 void ReportParameter(const Program& program, const Var& parameter, bool is_any,
                      Diagnostics& diagnostics);
 // Reports an output whose components in `mask` are not written on every path.
-void ReportOutput(const Program& program, const IoVar& output, const Written& written,
+void ReportOutput(const Program& program, const IoVar& output, const WrittenComponents& written,
                   std::uint16_t mask, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules
