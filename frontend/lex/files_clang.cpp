@@ -28,14 +28,16 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> RealFiles() {
   return files;
 }
 
-// A file whose text is in memory.
+// A file whose text is in memory; `name` is the one that the disk has.
 class TextFile : public File {
  public:
-  TextFile(const Status& status, std::unique_ptr<llvm::MemoryBuffer> text)
-      : status_(Status::copyWithNewSize(status, text->getBufferSize())), text_(std::move(text)) {}
+  TextFile(const Status& status, std::string name, std::unique_ptr<llvm::MemoryBuffer> text)
+      : status_(Status::copyWithNewSize(status, text->getBufferSize())),
+        name_(std::move(name)),
+        text_(std::move(text)) {}
 
   llvm::ErrorOr<Status> status() override { return status_; }
-  llvm::ErrorOr<std::string> getName() override { return status_.getName().str(); }
+  llvm::ErrorOr<std::string> getName() override { return name_; }
   llvm::ErrorOr<std::unique_ptr<llvm::MemoryBuffer>> getBuffer(const llvm::Twine&, int64_t, bool,
                                                                bool) override {
     return std::move(text_);
@@ -44,13 +46,15 @@ class TextFile : public File {
 
  private:
   Status status_;
+  std::string name_;
   std::unique_ptr<llvm::MemoryBuffer> text_;
 };
 
 // The file with its text as UTF-8.
 llvm::ErrorOr<std::unique_ptr<File>> AsUtf8(std::unique_ptr<File> file) {
   const auto status = file->status();
-  if (!status || status->getSize() > kMaxSourceBytes) return file;
+  auto name = file->getName();
+  if (!status || !name || status->getSize() > kMaxSourceBytes) return file;
   auto buffer = file->getBuffer(status->getName(), static_cast<int64_t>(status->getSize()));
   if (!buffer) return buffer.getError();
   if (const llvm::StringRef bytes = (*buffer)->getBuffer(); IsUtf16(bytes)) {
@@ -58,7 +62,7 @@ llvm::ErrorOr<std::unique_ptr<File>> AsUtf8(std::unique_ptr<File> file) {
     ConvertUtf16(text);
     *buffer = llvm::MemoryBuffer::getMemBufferCopy(text, status->getName());
   }
-  return std::make_unique<TextFile>(*status, std::move(*buffer));
+  return std::make_unique<TextFile>(*status, std::move(*name), std::move(*buffer));
 }
 
 class RegularFiles : public llvm::vfs::ProxyFileSystem {
