@@ -288,7 +288,7 @@ INLINE = [
     ),
     (
         "docs/scene.md",
-        r"Costs closer than (\d+) % count as equal",
+        r"costs differ by less than (\d+) %",
         lambda: 100 * constant("study/advice.h", r"kSameCost = ([\d.]+);"),
     ),
     ("docs/runtime.md", r"once the plane is ([\d,]+)\nhalf-heights", lambda: 0.5 / ANY),
