@@ -92,6 +92,7 @@ Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overload
 
 void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overloads,
                       ExprSpan arguments, Name name, Span span) {
+  if (context.functions.has_too_many_instances) return;  // the function may be one of those
   constexpr std::size_t kMaxNotes = 6;
   const bool count_fits = std::ranges::any_of(overloads, [&](FunctionInfoId id) {
     return arguments.size() >= context[id].required &&

@@ -56,6 +56,7 @@ struct Overloads {
   // The instances of templates, each the index of a TypeId or FunctionInfoId, by declaration, scope
   // and arguments.
   std::unordered_map<std::string, std::uint32_t> instances;
+  bool has_too_many_instances = false;  // which was reported
   // The functions that are reached, in the order in which their bodies are checked.
   std::vector<FunctionInfoId> waiting;
   struct CallEdge {

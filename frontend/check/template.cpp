@@ -2,6 +2,7 @@
 #include "frontend/check/template.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
@@ -202,6 +203,15 @@ SymbolId SpecialisationOf(Context& context, SymbolId id, const std::vector<std::
   return result;
 }
 
+// Whether there may be the instance that was just added. The first one that may not be is reported.
+bool MayInstantiate(Context& context, Span where) {
+  Overloads& functions = context.functions;
+  if (functions.instances.size() <= kMaxInstances) return true;
+  if (!std::exchange(functions.has_too_many_instances, true))
+    context.Report(where, diag::TooManyInstances, kMaxInstances);
+  return false;
+}
+
 }  // namespace
 
 std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type) {
@@ -247,8 +257,9 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
     return context.FailType(type.span, diag::TypeContainsItself, context[decl->name]);
   }
   if (!is_new) return TypeId{slot->second};
-  if (context.functions.instances.size() > kMaxInstances) {
-    return context.FailType(type.span, diag::TooManyInstances, kMaxInstances);
+  if (!MayInstantiate(context, type.span)) {
+    context.functions.instances.erase(slot);
+    return context.types.Error();
   }
   std::uint32_t& result = slot->second;
   const SymbolId instance =
@@ -279,8 +290,8 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
   const auto [slot, is_new] = context.functions.instances.try_emplace(
       InstanceKey(context[meant].decl, symbol.scope, self, found), context.functions.infos.size());
   if (!is_new) return FunctionInfoId{slot->second};
-  if (context.functions.instances.size() > kMaxInstances) {
-    context.Report(decl.name_span, diag::TooManyInstances, kMaxInstances);
+  if (!MayInstantiate(context, decl.name_span)) {
+    context.functions.instances.erase(slot);
     return {};
   }
   const FunctionInfoId result = AddFunction(context, meant, self, special ? symbol.scope : scope);
