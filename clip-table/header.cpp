@@ -79,9 +79,9 @@ std::string Initializer(const Plane& plane) {
   return text + "}";
 }
 
-std::string HeaderText(const ClipTable& table, std::string_view name) {
+std::string HeaderText(const ClipTable& table, std::string_view json, std::string_view name) {
   std::string text = "// Written by clipc; changes are lost when it is written again.\n";
-  text += "#pragma once\n\n";
+  text += "#pragma once\n\n#ifdef __cplusplus\n";
   text += kTypes;
   text += "\ninline constexpr clipc::StaticClipTable " + std::string(name) + " = {\n";
   const auto count = static_cast<std::uint32_t>(table.planes.size());
@@ -91,8 +91,9 @@ std::string HeaderText(const ClipTable& table, std::string_view name) {
   text += "    " + Literal(table.enable_mask) + ", " + Literal(count) + ",\n";
   text += "    {\n";
   for (const Plane& plane : table.planes) text += "        " + Initializer(plane) + ",\n";
-  text += "    }};\n";
-  return text;
+  text += "    }};\n#else  // for clipc_table_read\n";
+  text += "static const char " + std::string(name) + "[] =\n    " + Quoted(json) + ";\n";
+  return text + "#endif\n";
 }
 
 }  // namespace
@@ -105,8 +106,9 @@ Result<std::string> WriteHeader(const ClipTable& table, std::string_view name) {
     return Problem{std::move(problem)};
   }
   // The table is converted to JSON and back, so that the header has the same, valid UTF-8 as JSON.
-  const Result<ClipTable> same = ReadJson(JsonText(table, true));
-  return HeaderText(*same, name);
+  const std::string json = JsonText(table, true);
+  const Result<ClipTable> same = ReadJson(json);
+  return HeaderText(*same, json, name);
 }
 
 std::string HeaderNameOf(std::string_view path) {

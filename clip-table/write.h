@@ -35,8 +35,9 @@ Result<std::string> WriteBinary(const ClipTable& table);
 ClipTable Direct3DPart(const ClipTable& table);
 
 /// The text of a self-contained C++17 header that defines
-/// `inline constexpr clipc::StaticClipTable <name>`. It needs no library. Several such headers may
-/// be in one program if the names differ. `name` must be an identifier.
+/// `inline constexpr clipc::StaticClipTable <name>`, and of C99 that defines the JSON,
+/// `static const char <name>[]`. It needs no library. Several such headers may be in one program if
+/// the names differ. `name` must be an identifier.
 Result<std::string> WriteHeader(const ClipTable& table, std::string_view name);
 
 /// The name for WriteHeader that the path of the header gives: "water.clip.h" =>

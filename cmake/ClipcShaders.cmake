@@ -16,9 +16,10 @@
 #     [DEFINES A B=1] [OPTIONS --flip-y ...])
 #
 # compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
-# NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS const char* NAME_vert[n + 1], and likewise NAME_frag with
-# FRAGMENT and of a pair; with SPIRV uint32_t NAME_spv[], of a pair also NAME_spv_pixel[]) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
-# CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
+# NAME.shader.h (const char NAME_vert[], with VARIANTS const char* const NAME_vert[n + 1], and likewise NAME_frag with FRAGMENT and of a
+# pair; with SPIRV uint32_t NAME_spv[], of a pair also NAME_spv_pixel[]) and NAME.clip.h (constexpr clipc::StaticClipTable
+# NAME_clip_table, or in C the same table as JSON, const char NAME_clip_table[], for clipc_table_read). Both are C99 and C++17. The target
+# property CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
 #
 #   clipc_add_hlsl_pass(TARGET FILES water.hlsl...
 #     [ENTRIES main] [PROFILE vs_5_0]
@@ -74,7 +75,7 @@ function(clipc_add_shader target)
     cmake_path(GET shader_SHADER STEM shader_NAME)
   endif()
   if(NOT shader_NAME MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
-    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): `${shader_NAME}` cannot name a C++ constant; "
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): `${shader_NAME}` cannot name a constant; "
       "give another NAME")
   endif()
   get_target_property(names ${target} CLIPC_SHADER_NAMES)

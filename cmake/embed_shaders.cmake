@@ -1,8 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Writes HEADER with GLSL as C++ constants; clipc_add_shader() runs it at build time.
+# Writes HEADER with GLSL as constants of C and C++; clipc_add_shader() runs it at build time.
 #   cmake -DNAME= -DSTAGE=vert -DGLSL=file|file -DFRAGMENT=file|file -DVARIANTS= -DTABLE=file.clip.h -DSPIRV= -DHEADER= -P embed_shaders.cmake
 
-set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n")
+set(out "// Written by clipc_add_shader(); changes are lost.
+#pragma once
+#ifndef CLIPC_SHADER
+#ifdef __cplusplus
+#define CLIPC_SHADER inline constexpr
+#else
+#define CLIPC_SHADER static
+#endif
+#endif
+#if defined(__GNUC__) && !defined(__cplusplus)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"
+#endif
+")
 
 # The clip table says how many variants there are; files may be left from when the shader had more planes.
 if(NOT VARIANTS STREQUAL "")
@@ -13,19 +26,23 @@ if(NOT VARIANTS STREQUAL "")
   endif()
 endif()
 
-# The files as a raw string literal NAME, or with VARIANTS as an array of them by the number of clip planes.
+# The files as a text NAME, or with VARIANTS as an array of them by the number of clip planes. Each line is a literal of its own, since
+# compilers limit their length.
 function(add_constant name files)
   string(REPLACE "|" ";" files "${files}")
   set(literals)
   foreach(file IN LISTS files)
     file(READ ${file} text)
-    string(APPEND literals "R\"clipc(${text})clipc\",\n")
+    string(REPLACE "\\" "\\\\" text "${text}")
+    string(REPLACE "\"" "\\\"" text "${text}")
+    string(REPLACE "\n" "\\n\"\n    \"" text "${text}")
+    string(APPEND literals "    \"${text}\",\n")
   endforeach()
   if(VARIANTS STREQUAL "")
     string(REGEX REPLACE ",\n$" ";\n" literals "${literals}")
-    string(APPEND out "\ninline constexpr char ${name}[] = ${literals}")
+    string(APPEND out "\nCLIPC_SHADER const char ${name}[] =\n${literals}")
   else()
-    string(APPEND out "\n// ${name}[n] is for n clip planes.\ninline constexpr const char* ${name}[] = {\n${literals}};\n")
+    string(APPEND out "\n// ${name}[n] is for n clip planes.\nCLIPC_SHADER const char* const ${name}[] = {\n${literals}};\n")
   endif()
   set(out "${out}" PARENT_SCOPE)
 endfunction()
@@ -37,4 +54,9 @@ endif()
 if(SPIRV)
   string(APPEND out "\n#include \"${NAME}.spv.h\"\n")
 endif()
+string(APPEND out "
+#if defined(__GNUC__) && !defined(__cplusplus)
+#pragma GCC diagnostic pop
+#endif
+")
 file(WRITE ${HEADER} "${out}")

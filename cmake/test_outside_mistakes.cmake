@@ -32,7 +32,7 @@ function(expect case status text)
 endfunction()
 
 expect(old_cmake fails "clipc_add_shader needs CMake 3.20 or later")
-expect(name fails "`my-shader` cannot name a C++ constant; give another NAME")
+expect(name fails "`my-shader` cannot name a constant; give another NAME")
 expect(one_stem fails "the target has a shader `two_planes` already; give another NAME")
 expect(unknown_argument fails "what is `PROFIL;vs_5_0`?")
 expect(not_a_number fails "VARIANTS many is not a number of planes, 0 to 6")

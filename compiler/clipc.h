@@ -110,7 +110,7 @@ typedef enum clipc_part {
   CLIPC_PART_REFLECTION, /**< JSON: docs/reflection.md */
   CLIPC_PART_TABLE_JSON,
   CLIPC_PART_TABLE_BINARY, /**< Direct3D's record; empty for planes that it cannot say */
-  CLIPC_PART_TABLE_HEADER, /**< a C++ header with `clip_table` */
+  CLIPC_PART_TABLE_HEADER, /**< a header of C and C++ with `clip_table` */
   CLIPC_PART_PIXEL_SPIRV,  /**< with -spirv and --pixel-output: of the pixel shader */
   CLIPC_PART_HLSL,         /**< with --target=hlsl: the same HLSL with clip distances */
   CLIPC_PART_PREPROCESSED, /**< with -P: the text after the preprocessor, and nothing else */

@@ -1,6 +1,7 @@
 // Written by clipc; changes are lost when it is written again.
 #pragma once
 
+#ifdef __cplusplus
 #ifndef CLIPC_STATIC_CLIP_TABLE
 #define CLIPC_STATIC_CLIP_TABLE 1
 namespace clipc {
@@ -39,3 +40,7 @@ inline constexpr clipc::StaticClipTable two_planes_clip_table = {
         {0u, "water_plane", true, "ClipPlanes", 0u, 1u, 0u, 0u, 0u, "ClipPlanes", "water_plane"},
         {1u, "planes[2]", true, "ClipPlanes", 0u, 1u, 0u, 3u, 48u, "ClipPlanes", "planes[2]"},
     }};
+#else  // for clipc_table_read
+static const char two_planes_clip_table[] =
+    "{\"schema\":\"clipc.clip-table\",\"version\":1,\"entry\":\"main\",\"profile\":\"vs_4_0_level_9_1\",\"lowering\":\"level9\",\"position_space\":\"direct3d-clip\",\"plane_scale\":\"any\",\"enable_mask\":3,\"planes\":[{\"index\":0,\"text\":\"water_plane\",\"constant\":{\"cbuffer\":\"ClipPlanes\",\"cbuffer_element\":0,\"register\":1,\"space\":0,\"float4_register\":0,\"byte_offset\":0,\"glsl_block\":\"ClipPlanes\",\"glsl_member\":\"water_plane\"}},{\"index\":1,\"text\":\"planes[2]\",\"constant\":{\"cbuffer\":\"ClipPlanes\",\"cbuffer_element\":0,\"register\":1,\"space\":0,\"float4_register\":3,\"byte_offset\":48,\"glsl_block\":\"ClipPlanes\",\"glsl_member\":\"planes[2]\"}}]}";
+#endif
