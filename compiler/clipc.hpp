@@ -31,6 +31,9 @@ struct Request {
   std::function<std::optional<std::string>(const std::string& path)> read_include;
   /// If not empty, the compile ends soon after it returns true. Must not throw.
   std::function<bool()> is_cancelled;
+  /// If not empty, asked with the key of a cache, clipc_request::is_known; the compile ends with
+  /// CLIPC_KNOWN when it returns true. Must not throw.
+  std::function<bool(const std::string& key)> is_known;
 };
 
 /// The result of a compile. Views of its parts live as long as the result.
@@ -43,6 +46,13 @@ class Result {
     if (!result_) return {};
     const clipc_bytes bytes = clipc_result_get(result_.get(), part);
     return {bytes.data, bytes.size};
+  }
+  /// With --variants: one part of the variant with the first `planes` planes; none past the last.
+  std::optional<std::string_view> GetVariant(std::size_t planes, clipc_part part) const {
+    const clipc_result* variant = result_ ? clipc_result_variant(result_.get(), planes) : nullptr;
+    if (!variant) return std::nullopt;
+    const clipc_bytes bytes = clipc_result_get(variant, part);
+    return std::string_view(bytes.data, bytes.size);
   }
   /// The reflection as structs; null where there is none.
   const clipc_reflection* reflection() const {
@@ -100,6 +110,10 @@ class Compiler {
       plain.is_cancelled = IsCancelled;
       plain.is_cancelled_context = &callbacks;
     }
+    if (request.is_known) {
+      plain.is_known = IsKnown;
+      plain.is_known_context = &callbacks;
+    }
     Result result;
     clipc_result* made = nullptr;
     result.status_ = clipc_compile(compiler_.get(), &plain, &made);
@@ -122,6 +136,9 @@ class Compiler {
   }
   static int IsCancelled(void* context) {
     return static_cast<Callbacks*>(context)->request.is_cancelled() ? 1 : 0;
+  }
+  static int IsKnown(void* context, const char* key) {
+    return static_cast<Callbacks*>(context)->request.is_known(key) ? 1 : 0;
   }
   struct Free {
     void operator()(clipc_compiler* compiler) const { clipc_compiler_free(compiler); }
