@@ -41,6 +41,7 @@ PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
 # A command that can be run names a file or standard input, or is only a question.
 WHOLE = re.compile(r"\w\.\w+$|^-$|^--help$|^--version$")
 # Programs that cannot run here, or that every run of the tests has run.
+OPTIONAL = {"clipc-draw", "spirv-cross"}  # run where they are
 ELSEWHERE = {"cmake", "ctest", "ninja", "cpack", "cd", "vcpkg", "conan", "bazel", "meson", "make"}
 
 
@@ -228,14 +229,14 @@ def check_command(run, page, line, folder):
         if words[0] in ("clipc", "glslangValidator") and is_whole:
             # With --watch it would not end.
             run.call([word for word in words if word != "--watch"], folder, page.name)
-        elif words[0] == "clipc-draw" and is_whole and shutil.which("clipc-draw", path=run.path):
+        elif words[0] in OPTIONAL and is_whole and shutil.which(words[0], path=run.path):
             run.call(words, folder, page.name)
-        elif words[0] not in ("clipc", "glslangValidator"):
+        elif words[0] not in ("clipc", "glslangValidator", "spirv-cross"):
             check_elsewhere(run, page, words)
 
 
 def check_limits(run, page):
-    for value, file, name in re.findall(r"\| (\d+) \| `(\S+)` `(\w+)` \|", page.read_text()):
+    for value, file, name in re.findall(r"\| (\d+) <!-- (\S+) (\w+) --> \|", page.read_text()):
         text = (ROOT / file).read_text()
         found = re.search(rf"\b{name} = ([^;]+);", text)
         number = re.sub(r"std::size_t\{(\w+)\}", r"\1", found[1]) if found else "None"
