@@ -2,6 +2,7 @@
 #include "backend-glsl/descriptors.h"
 
 #include <algorithm>
+#include <iterator>
 #include <ranges>
 #include <vector>
 
@@ -15,6 +16,9 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
       pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0),
       pixel_base_(InfoOf(program.stage).draws_pixels ? target.PixelBase() : 0) {
   if (!target.IsVulkan()) return;
+  std::ranges::copy_if(target.bindings.rules, std::back_inserter(rules_), [&](const auto& rule) {
+    return rule.stage.value_or(program.stage) == program.stage;
+  });
   std::vector<const ir::Register*> all;
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     const ir::Cbuffer& cbuffer = program.cbuffers[id];
@@ -30,7 +34,7 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
   if (other && other->written && pixel_sets_ == 0) taken = TakeFromOther(program, *other);
   const Taken others = taken;
   // Where the user says how registers are bound, the host binds them so.
-  const bool has_rules = !target.bindings.rules.empty();
+  const bool has_rules = !rules_.empty();
   const auto is_free = [&](const ir::Register& reg) {
     const ir::Descriptor at = Plain(reg);
     return has_rules || !others.contains({at.set, at.binding});
@@ -53,7 +57,7 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
 
 void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all,
                                  const OtherStage* other) {
-  if (!target_.bindings.rules.empty()) return;  // the host binds them by these rules
+  if (!rules_.empty()) return;  // the host binds them by these rules
   std::set<std::uint32_t> used, far;
   for (const ir::Register* reg : all) {
     const std::uint32_t set = Plain(*reg).set;
@@ -118,7 +122,7 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
   const std::uint32_t space = is_unplaced                ? *rules.unplaced_set
                               : far != renumbered_.end() ? far->second
                                                          : reg.space;
-  for (const BindingRule& rule : rules.rules | std::views::reverse) {
+  for (const BindingRule& rule : rules_ | std::views::reverse) {
     if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||
         rule.space.value_or(reg.space) != reg.space)
       continue;

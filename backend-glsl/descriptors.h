@@ -52,6 +52,7 @@ class Descriptors {
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;
+  std::vector<BindingRule> rules_;  // those of the target that are for this stage
   const std::uint32_t pixel_sets_, pixel_base_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/stage.h"
 #include "ir/interface.h"
 
 // The dialects of GLSL that clipc writes, and what each of them can say.
@@ -133,6 +134,7 @@ struct BindingRule {
   std::optional<std::uint32_t> space = {};   // in this space only
   std::uint32_t binding = 0;                 // of register `number`, or without it of register 0
   std::optional<std::uint32_t> set = {};     // none: the register's space
+  std::optional<Stage> stage = {};           // in shaders of this stage only
 };
 struct BindingRules {
   std::vector<BindingRule> rules;  // in place of the usual ones (descriptors.h); a later one wins

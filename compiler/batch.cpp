@@ -322,7 +322,8 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   std::unordered_set<std::string> paths = {IndexPath(), JournalPath()};
   for (OutputPiece& piece : pieces) {
     if (!paths.insert(piece.path).second)
-      return fmt::format("two outputs would go to `{}`", piece.path);
+      return fmt::format("two outputs would go to `{}`; give them different names or extensions",
+                         piece.path);
     std::string file = piece.path.substr(NameBegin(piece.path));
     std::string key = ContentsKey(file, piece.contents);
     const auto known = files_by_contents_.find(key);

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <vector>
+
+#include "backend-glsl/descriptors.h"
 
 namespace clipc {
 namespace {
@@ -36,6 +39,24 @@ struct Preset {
 };
 constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, true, 2}};
 
+// The stage that the first of glslang's words may name.
+struct StageWord {
+  std::optional<Stage> stage;
+  bool is_other = false;  // the stage is none of clipc's
+};
+
+// Removes the name of a stage from the front of the words.
+StageWord TakeStage(std::vector<std::string_view>& words) {
+  constexpr std::string_view kOther[] = {"tesc", "tese", "geom", "comp"};
+  const std::string_view word = words.empty() ? "" : words[0];
+  StageWord taken;
+  if (word == "vert") taken.stage = Stage::kVertex;
+  if (word == "frag") taken.stage = Stage::kPixel;
+  taken.is_other = std::ranges::find(kOther, word) != std::end(kOther);
+  if (taken.stage || taken.is_other) words.erase(words.begin());
+  return taken;
+}
+
 }  // namespace
 
 std::vector<std::string_view> WordsIn(std::string_view text) {
@@ -63,28 +84,54 @@ bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value) {
 }
 
 bool AddKindShift(char letter, glsl::BindingRules& rules, std::string_view value) {
-  const std::vector<std::string_view> words = WordsIn(value);
+  std::vector<std::string_view> words = WordsIn(value);
+  const StageWord stage = TakeStage(words);
   if (words.size() != 1 && (words.empty() || words.size() % 2 != 0)) return false;
   for (std::size_t i = 0; i < words.size(); i += 2) {
-    BindingRule rule{.letter = letter};
+    BindingRule rule{.letter = letter, .stage = stage.stage};
     if (!Read(words[i], rule.binding)) return false;
     if (words.size() > 1 && !Read(words[i + 1], rule.space.emplace())) return false;
-    rules.rules.push_back(rule);
+    if (!stage.is_other) rules.rules.push_back(rule);
   }
   return true;
 }
 
 bool AddRegister(glsl::BindingRules& rules, std::string_view value) {
   const std::vector<std::string_view> words = WordsIn(value);
-  constexpr std::string_view kLetters = "bstu";
-  if (words.size() != 4 || words[0].empty() || kLetters.find(words[0][0]) == kLetters.npos)
-    return false;
+  if (words.size() != 4 || words[0].empty() || !IsRegisterLetter(words[0][0])) return false;
   BindingRule rule{.letter = words[0][0]};
   const bool is_read = Read(words[0].substr(1), rule.number.emplace()) &&
                        Read(words[1], rule.space.emplace()) && Read(words[2], rule.binding) &&
                        Read(words[3], rule.set.emplace());
   if (is_read) rules.rules.push_back(rule);
   return is_read;
+}
+
+bool AddRegisters(glsl::BindingRules& rules, std::string_view value) {
+  std::vector<std::string_view> words = WordsIn(value);
+  const StageWord stage = TakeStage(words);
+  if (words.empty() || words.size() % 3 != 0) return false;
+  for (std::size_t i = 0; i < words.size(); i += 3) {
+    if (words[i].empty() || !IsRegisterLetter(words[i][0])) return false;
+    BindingRule rule{.letter = words[i][0], .stage = stage.stage};
+    if (!Read(words[i].substr(1), rule.number.emplace()) ||
+        !Read(words[i + 1], rule.set.emplace()) || !Read(words[i + 2], rule.binding))
+      return false;
+    if (!stage.is_other) rules.rules.push_back(rule);
+  }
+  return true;
+}
+
+void JoinSamplers(glsl::BindingRules& rules) {
+  std::vector<BindingRule> of_samplers = {{.letter = 's', .binding = glsl::kVulkanShiftT}};
+  for (BindingRule rule : rules.rules) {
+    if (rule.letter != 't') continue;
+    rule.letter = 's';
+    of_samplers.push_back(rule);
+  }
+  std::erase_if(rules.rules, [](const BindingRule& rule) { return rule.letter == 's'; });
+  rules.rules.insert(rules.rules.end(), of_samplers.begin(), of_samplers.end());
+  rules.combines_samplers = true;
 }
 
 bool SetGlobals(glsl::BindingRules& rules, std::string_view value) {

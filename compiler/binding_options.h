@@ -23,7 +23,12 @@ template <char kLetter>
 bool AddShift(glsl::BindingRules& rules, std::string_view value) {
   return AddShift(kLetter, rules, value);
 }
-// Reads the value of glslang's --shift-ubo-binding: "2", or with sets "2 0 5 1".
+// Whether registers of buffers and objects begin with the letter.
+constexpr bool IsRegisterLetter(char letter) {
+  return std::string_view("bstu").find(letter) != std::string_view::npos;
+}
+// Reads the value of glslang's --shift-ubo-binding: "2", or with sets "2 0 5 1"; either after the
+// stage that it is for, "vert 2".
 bool AddKindShift(char letter, glsl::BindingRules& rules, std::string_view value);
 template <char kLetter>
 bool AddKindShift(glsl::BindingRules& rules, std::string_view value) {
@@ -32,6 +37,12 @@ bool AddKindShift(glsl::BindingRules& rules, std::string_view value) {
 // Reads the value of -fvk-bind-register: "b3 0 7 1", the register, its space, the binding and the
 // set.
 bool AddRegister(glsl::BindingRules& rules, std::string_view value);
+// Reads the value of glslang's --resource-set-binding: registers, each with its set and its
+// binding, "t0 1 2 s0 1 3"; after the stage that it is for, if any.
+bool AddRegisters(glsl::BindingRules& rules, std::string_view value);
+// Gives each sampler the place of the texture of the same number, where the host has one combined
+// image sampler for the two.
+void JoinSamplers(glsl::BindingRules& rules);
 // Reads the value of -fvk-bind-globals: "7 1", the binding and the set.
 bool SetGlobals(glsl::BindingRules& rules, std::string_view value);
 // Reads the value of -auto-binding-space: "2", the set of objects without a register.

@@ -20,8 +20,11 @@ std::string VariableOf(const CommandLine& command, const CompileResult& result) 
   return name;
 }
 
-std::string BytesOf(const std::vector<std::uint32_t>& words) {
-  return {reinterpret_cast<const char*>(words.data()), 4 * words.size()};
+std::string ContentsOf(const std::vector<std::uint32_t>& words, CommandLine::SpirvForm form) {
+  using enum CommandLine::SpirvForm;
+  if (form == kBinary) return {reinterpret_cast<const char*>(words.data()), 4 * words.size()};
+  const std::string numbers = WordsInC(words);
+  return form == kInBraces ? "{" + numbers + "\n}\n" : numbers.substr(1) + "\n";
 }
 
 void AddShaders(const CommandLine& command, const Outputs& outputs, CompileResult& result,
@@ -29,12 +32,13 @@ void AddShaders(const CommandLine& command, const Outputs& outputs, CompileResul
   const bool is_pair = command.request.link.is_pair;
   const bool is_spirv = command.request.outputs.spirv.has_value();
   if (is_spirv) {
-    pieces.push_back({"spirv", outputs.glsl, BytesOf(result.spirv)});
+    pieces.push_back({"spirv", outputs.glsl, ContentsOf(result.spirv, command.spirv_form)});
   } else if (!command.request.planes.variants) {
     pieces.push_back({"glsl", outputs.glsl, std::move(result.shaders.vertex)});
   }
   if (is_spirv && is_pair) {
-    pieces.push_back({"fragment.spirv", outputs.fragment, BytesOf(result.pixel_spirv)});
+    pieces.push_back(
+        {"fragment.spirv", outputs.fragment, ContentsOf(result.pixel_spirv, command.spirv_form)});
   } else if (!command.request.planes.variants && !outputs.fragment.empty()) {
     pieces.push_back({"fragment", outputs.fragment, std::move(result.shaders.fragment)});
   }

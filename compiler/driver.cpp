@@ -90,12 +90,15 @@ std::string Driver::CheckUsage() {
   if (!request.link.pixel_shader.path.empty()) sources.Add(request.link.pixel_shader.path);
   for (const std::string& input : inputs) {
     for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
-      if (named.Has(path)) return fmt::format("two outputs would go to `{}`", path);
+      if (named.Has(path))
+        return fmt::format("two outputs would go to `{}`; give them different names or extensions",
+                           path);
       if (sources.Has(path)) return fmt::format("the output `{}` would overwrite its input", path);
       named.Add(path);
     }
-    if (writes_glsl && request.outputs.spirv && outputs_.back().glsl == "-" &&
-        system::OutputIsOnTerminal())
+    const bool is_binary =
+        request.outputs.spirv && command_.spirv_form == CommandLine::SpirvForm::kBinary;
+    if (writes_glsl && is_binary && outputs_.back().glsl == "-" && system::OutputIsOnTerminal())
       return "SPIR-V is not text; give a file with -o, or write it into a pipe";
   }
   return {};

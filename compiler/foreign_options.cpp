@@ -30,11 +30,25 @@ void SetVulkanSpirv(Reading& reading, const std::string& value) {
   reading.unknown.emplace_back(reading.argument, "did you mean `-V`?");
 }
 
+// Reads glslc's --target-spv: spv1.0 to spv1.6, for the Vulkan version that another option names.
+void SetSpirvVersion(Reading& reading, const std::string& value) {
+  const std::string_view prefix = value.starts_with("spirv") ? "spirv1." : "spv1.";
+  std::uint32_t minor = 0;
+  if (value.starts_with(prefix) && ReadNumber(value.substr(prefix.size()), minor) && minor <= 6) {
+    reading.vulkan_option = reading.option;
+    reading.spirv.version = minor;
+    return;
+  }
+  reading.error =
+      fmt::format("unknown value `{}` of {}; there is `spv1.0` to `spv1.6`", value, reading.option);
+}
+
 // Reads what the SPIR-V is for, as glslang and glslc say it: it is written without a further -V.
 void SetSpirvFor(Reading& reading, const std::string& value) {
   const bool is_opengl = value.starts_with("opengl");
   is_opengl ? SetSpirv<false>(reading, value) : SetSpirv<true>(reading, value);
-  if (!is_opengl && value != "vulkan" && value != "vulkan100") SetVulkanVersion(reading, value);
+  if (is_opengl || value == "vulkan" || value == "vulkan100") return;
+  value.starts_with("spirv1.") ? SetSpirvVersion(reading, value) : SetVulkanVersion(reading, value);
 }
 
 // -Gec and -Ges exclude each other, as in fxc.
@@ -66,10 +80,64 @@ void SetOptimisation(Reading& reading, const std::string& value) {
 
 // Requires the one value that clipc has, by either of its names, of those that another compiler
 // knows.
-template <const auto& kValue, const auto& kOtherName = kValue>
+template <const auto& kValue>
 void RequireValue(Reading& reading, const std::string& value) {
-  if (value != kValue && value != kOtherName)
+  if (value != kValue)
     reading.error = fmt::format("`{} {}`: clipc has `{}` only", reading.option, value, kValue);
+}
+
+// Reads the stage as glslang, glslc or Slang calls it.
+void SetStage(Reading& reading, const std::string& value) {
+  if (value == "vert" || value == "vertex") {
+    reading.stage = Stage::kVertex;
+  } else if (value == "frag" || value == "fragment" || value == "pixel") {
+    reading.stage = Stage::kPixel;
+  } else {
+    reading.error = fmt::format(
+        "`{} {}`: clipc compiles vertex and pixel shaders; use dxc or glslang for other ones",
+        reading.option, value);
+  }
+}
+
+void SetNanClamp(Reading& reading, const std::string&) {
+  reading.spirv_option = reading.option;
+  reading.spirv.nan_clamp = true;
+}
+
+// Reads glslc's -mfmt: the form of the SPIR-V, which glslc always writes.
+constexpr Named<CommandLine::SpirvForm> kSpirvForms[] = {{CommandLine::SpirvForm::kBinary, "bin"},
+                                                         {CommandLine::SpirvForm::kNumbers, "num"},
+                                                         {CommandLine::SpirvForm::kInBraces, "c"}};
+void SetSpirvForm(Reading& reading, const std::string& value) {
+  reading.writes_spirv = true;
+  Choose<&CommandLine::spirv_form, kSpirvForms>(reading, value);
+}
+
+// Reads glslc's -x hlsl, or glslang's -x, which has no value: SPIR-V as numbers.
+void SetLanguage(Reading& reading, const std::string& value) {
+  if (value == "hlsl") return;
+  if (!value.empty() && value.find('.') == value.npos) {
+    reading.error = fmt::format("`{} {}`: clipc has `hlsl` only", reading.option, value);
+    return;
+  }
+  reading.spirv_option = reading.option;
+  reading.command.spirv_form = CommandLine::SpirvForm::kNumbers;
+  if (!value.empty()) reading.command.inputs.push_back(value);
+}
+
+// Reads the bases of bindings of images and storage blocks, which are kinds of GLSL and not of
+// HLSL.
+void SetKindBase(Reading& reading, const std::string&) {
+  reading.kind_bases.push_back(reading.option);
+}
+
+// Reads glslc's -std=450core, which is about GLSL that it reads.
+void SetGlslVersion(Reading& reading, const std::string& value) {
+  if (!value.empty() && value.find_first_not_of("0123456789") > 0) {
+    HasNoEffect(reading, value);
+  } else {
+    reading.unknown.emplace_back(reading.argument, "`-std=hlsl2021` is a version of HLSL");
+  }
 }
 
 // The same formats, as Clang calls them.
@@ -79,10 +147,10 @@ constexpr Named<MessageFormat> kClangFormats[] = {{MessageFormat::kText, "clang"
                                                   {MessageFormat::kSarif, "sarif"}};
 constexpr char kShift[] = "two numbers, or a number and `all`";
 constexpr char kKindShift[] = "a number, or numbers each with its set";
-constexpr char kByKind[] =
-    "clipc shifts by register: `--shift-texture-binding` moves t, `--shift-uav-binding` u";
+constexpr char kRegisterSets[] = "registers, each with its set and its binding, `t0 1 2`";
 constexpr char kFollowRegisters[] = "bindings follow the registers; `--reflect` tells them";
-constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex", kUtf8 = "utf8";
+constexpr std::string_view kUtf8 = "utf8", kDeclared = "decl", kAny = "any",
+                           kReserveAll = "reserve-all";
 
 using enum Option::Form;
 using Action = CommandLine::Action;
@@ -90,6 +158,7 @@ using Request = CompileRequest;
 
 // Those that clipc has, by other names too; then those without effect; then those that it refuses.
 constexpr Option kForeignOptions[] = {
+    Topic(kCompilersTopic, "options of fxc, dxc, glslang and glslc, with their meaning"),
     {"-fvk-bind-register", kFour, Bind<AddRegister>, nullptr,
      "a register such as b0, its space, a binding and a set"},
     {"-fvk-bind-globals", kTwo, Bind<SetGlobals>, nullptr, "a binding and a set"},
@@ -104,8 +173,24 @@ constexpr Option kForeignOptions[] = {
     {"--shift-texture-binding --stb", kNumbers, Bind<AddKindShift<'t'>>, nullptr, kKindShift},
     {"--shift-uav-binding --shift-UAV-binding --suavb", kNumbers, Bind<AddKindShift<'u'>>, nullptr,
      kKindShift},
+    {"-fcbuffer-binding-base -fubo-binding-base", kNumbers, Bind<AddKindShift<'b'>>, nullptr,
+     kKindShift},
+    {"-fsampler-binding-base", kNumbers, Bind<AddKindShift<'s'>>, nullptr, kKindShift},
+    {"-ftexture-binding-base", kNumbers, Bind<AddKindShift<'t'>>, nullptr, kKindShift},
+    {"-fuav-binding-base", kNumbers, Bind<AddKindShift<'u'>>, nullptr, kKindShift},
+    {"--shift-image-binding --sib --shift-ssbo-binding --sbb -fimage-binding-base "
+     "-fssbo-binding-base",
+     kNumbers, SetKindBase},
+    {"--resource-set-binding --rsb -fresource-set-binding", kRegisters, Bind<AddRegisters>, nullptr,
+     kRegisterSets},
+    {"--auto-sampled-textures -fauto-combined-image-sampler", kFlag, Set<&Reading::joins_samplers>},
+    {"--hlsl-iomap -fhlsl-iomap", kFlag, Set<&Reading::maps_registers>},
     {"-V", kJoined, SetVulkanSpirv},
     {"--target-env --client", kEquals, SetSpirvFor},
+    {"--target-spv", kEquals, SetSpirvVersion},
+    {"-fspv-entrypoint-name", kEquals, Set<&SpirvRequest::entry>},
+    {"--nan-clamp -fnan-clamp", kFlag, SetNanClamp},
+    {"-mfmt", kEquals, SetSpirvForm},
     {"--source-entrypoint --sep", kSeparate, Set<&Reading::source_entry>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
     {"-e", kSeparate, SetEntry},
@@ -120,7 +205,8 @@ constexpr Option kForeignOptions[] = {
     {"-matrix-layout-row-major", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>},
     {"-matrix-layout-column-major", kFlag,
      SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>},
-    {"-stage", kSeparate, RequireValue<kVertex, kVert>},
+    {"-S -stage", kSeparate, SetStage},
+    {"-fshader-stage", kEquals, SetStage},
     {"-flegacy-macro-expansion -legacy-macro-expansion", kFlag,
      Set<&LanguageOptions::legacy_macro_expansion>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
@@ -128,7 +214,8 @@ constexpr Option kForeignOptions[] = {
     {"-MM", kFlag, Set<&CommandLine::only_dependencies>},
     {"-MQ", kJoinedOrSeparate, Set<&CommandLine::dependency_target>},
     {"--depfile", kEquals, SetDependencyFile},
-    {"-MP", kFlag, Ignore},
+    {"-Gec", kFlag, SetPositionName<PositionName::kBoth>},
+    {"-Ges", kFlag, SetPositionName<PositionName::kStrict>},
     {"-Vi", kFlag, Set<&CommandLine::show_includes>},
     {"-Fi", kJoinedOrSeparate, Set<&Reading::preprocess_output>},
     {"-Vd", kFlag, SetTo<&Reading::validate, false>},
@@ -139,33 +226,36 @@ constexpr Option kForeignOptions[] = {
     {"-fdiagnostics-format", kEquals, Choose<&CommandLine::format, kClangFormats>},
     {"-fcolor-diagnostics", kFlag, SetTo<&CommandLine::colour, true>},
     {"-fno-color-diagnostics", kFlag, SetTo<&CommandLine::colour, false>},
-    {"-x", kSeparate, RequireValue<kHlsl>},
-    {"-S", kSeparate, RequireValue<kVert>},
-    {"-fshader-stage", kEquals, RequireValue<kVertex, kVert>},
-    {"-fspv-entrypoint-name", kEquals, RequireValue<kSpirvEntry>},
+    {"-x", kOptional, SetLanguage},
     {"-encoding", kSeparate, RequireValue<kUtf8>},
+    {"-fvk-stage-io-order", kEquals, RequireValue<kDeclared>},
+    {"-fhlsl-unused-resource-bindings", kEquals, RequireValue<kReserveAll>},
+    {"-denorm", kSeparate, RequireValue<kAny>},
 
+    Topic(kCompilersTopic, "the same, without effect: clipc always does so, or GLSL has none"),
     // Options for what clipc always does: buffers keep Direct3D's layout, SV_VertexID and
-    // SV_InstanceID begin at 0, resources are mapped by register, and those without one, inputs
-    // and outputs have numbers too.
+    // SV_InstanceID begin at 0, SV_Position.w is Direct3D's, resources are mapped by register, and
+    // those without one, inputs and outputs have numbers too; a texture may have no sampler.
     {"-fvk-use-dx-layout --hlsl-offsets -fhlsl-offsets -fvk-support-nonzero-base-instance "
-     "-fvk-support-nonzero-base-vertex --hlsl-iomap -fhlsl-iomap --auto-map-bindings --amb "
+     "-fvk-support-nonzero-base-vertex -fvk-use-dx-position-w --hlsl-dx-position-w "
+     "--hlsl-dx9-compatible -fvk-auto-shift-bindings --auto-map-bindings --amb "
      "--auto-map-locations --aml -fauto-bind-uniforms -fauto-map-locations -pedantic "
      "-fdiagnostics-show-option",
      kFlag, Ignore},
+    {"-MP", kFlag, Ignore},
     // Options for the code, the listing or the effort of another compiler.
     {"-nologo -Zss -Zsb -Zs -Cc -c -Gpp -all_resources_bound -all-resources-bound "
      "-enable_unbounded_descriptor_tables -res_may_alias -res-may-alias -Qembed_debug "
-     "-Qsource_in_debug_module -Qpdb_in_private -Qkeep_reflect_in_dxil -l -C --quiet",
+     "-Qsource_in_debug_module -Qpdb_in_private -Qkeep_reflect_in_dxil -fcgl "
+     "-ffinite-math-only -fno-finite-math-only -enable-payload-qualifiers "
+     "-disable-payload-qualifiers -pack-optimized -pack_optimized -pack-prefix-stable "
+     "-pack_prefix_stable -l -C -d -t --quiet",
      kFlag, Ignore},
     {"-Qstrip_ -errorReport", kJoined, Ignore},
     {"-Oconfig", kEquals, Ignore},
     {"-O", kJoined, SetOptimisation},
 
-    {"-Gec", kFlag, SetPositionName<PositionName::kBoth>},
-    {"-Ges", kFlag, SetPositionName<PositionName::kStrict>},
-
-    // Options whose meaning is lost.
+    Topic(kCompilersTopic, "the same, with a warning that says what is lost"),
     {"-Fd", kJoinedOrSeparate, HasNoEffect, nullptr,
      "GLSL has no debug database; -Zi keeps the lines of the HLSL"},
     {"-Gfa", kFlag, HasNoEffect, nullptr,
@@ -173,7 +263,8 @@ constexpr Option kForeignOptions[] = {
     {"-Gfp", kFlag, HasNoEffect, nullptr,
      "GLSL has no such mode; `[branch]` on a statement reaches Vulkan's drivers"},
     {"-Ni -No -Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
-    {"-fspv-reflect", kFlag, HasNoEffect, nullptr, "`--reflect` writes the reflection as JSON"},
+    {"-fspv-reflect -fhlsl-functionality1 -fhlsl_functionality1 -q", kFlag, HasNoEffect, nullptr,
+     "`--reflect` writes the reflection as JSON"},
     {"-fspv-extension", kEquals, HasNoEffect, nullptr,
      "the SPIR-V has the extensions that the shader needs"},
     {"-ferror-limit", kEquals, HasNoEffect, nullptr, "a compile ends at the 50th error"},
@@ -182,11 +273,18 @@ constexpr Option kForeignOptions[] = {
      "clipc leaves optimisation to the driver"},
     {"-fspv-preserve-bindings -fpreserve-bindings", kFlag, HasNoEffect, nullptr,
      "bindings that nothing reads are left out"},
-    {"-fvk-use-dx-position-w", kFlag, HasNoEffect, nullptr, "it is for pixel shaders"},
+    {"-std", kEquals, SetGlslVersion, nullptr, "it is about GLSL that is read"},
+    {"-flimit -flimit-file", kEquals, HasNoEffect, nullptr, "clipc counts no limits of devices"},
+    {"--no-storage-format --nsf -fspv-use-unknown-image-format", kFlag, HasNoEffect, nullptr,
+     "an image has the format of its texels"},
+    {"-rootsig-define -force-rootsig-ver -force_rootsig_ver", kSeparate, HasNoEffect, nullptr,
+     "GLSL has no root signature"},
+    {"-Gch -Gdp", kFlag, HasNoEffect, nullptr, "it is for effects"},
     {"--keep-uncalled --ku", kFlag, HasNoEffect, nullptr,
      "functions that nothing calls are left out"},
 
-    // Options whose meaning clipc does not have.
+    // Options whose meaning clipc does not have, which no topic lists.
+    Topic("", ""),
     {"-Entry -entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
     {"-Define -define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
     {"-Target -target -profile -Profile", kJoined, Refuse, nullptr,
@@ -194,13 +292,19 @@ constexpr Option kForeignOptions[] = {
     {"-Include", kJoined, Refuse, nullptr, "did you mean `-I` or `-include`?"},
     {"-opt-", kJoined, Refuse, nullptr, "clipc leaves optimisation to the driver"},
     {"-output -Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
+    {"-fspv-print-all", kFlag, Refuse, nullptr, "`--dump-after` prints the program after a pass"},
+    {"-fspv-flatten-resource-arrays --flatten-uniform-arrays --fua", kFlag, Refuse, nullptr,
+     "an array of textures has one binding"},
+    {"-fspv-use-legacy-buffer-matrix-order", kFlag, Refuse, nullptr,
+     "a matrix in a raw buffer lies there column by column"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
     {"-fvk-use-gl-layout -fvk-use-scalar-layout", kFlag, Refuse, nullptr,
      "buffers keep the layout of Direct3D, as with -fvk-use-dx-layout"},
+    {"-fvk-bind-resource-heap -fvk-bind-sampler-heap -fvk-bind-counter-heap", kTwo, Refuse, nullptr,
+     "GLSL has no objects without a declaration; declare arrays of them with registers"},
     {"-fvk-", kJoined, Refuse, nullptr, kFollowRegisters},
-    {"--shift-image-binding --sib --shift-ssbo-binding --sbb", kNumbers, Refuse, nullptr, kByKind},
     {"--shift-", kJoined, Refuse, nullptr, kFollowRegisters},
-    {"-enable-16bit-types", kFlag, Refuse, nullptr,
+    {"-enable-16bit-types --hlsl-enable-16bit-types -fhlsl-16bit-types", kFlag, Refuse, nullptr,
      "`half` and `min16float` are computed and stored at 32 bits"},
     {"-Fe", kJoinedOrSeparate, Refuse, nullptr, "messages go to standard error"},
     {"-Fre", kJoinedOrSeparate, Refuse, nullptr, "`--reflect` writes the reflection as JSON"},
@@ -208,10 +312,8 @@ constexpr Option kForeignOptions[] = {
      "-setprivate -dumpbin -compress -decompress",
      kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
     {"-Fx", kJoinedOrSeparate, Refuse, nullptr, "`-Fc` writes a listing"},
-    {"-q", kFlag, Refuse, nullptr, "`--reflect` writes the reflection as JSON"},
-    {"-mfmt", kEquals, Refuse, nullptr, "`-Fh` writes a header of C"},
     {"-ast-dump", kFlag, Refuse, nullptr, "`--dump=ast` prints the syntax tree"},
-    {"-Gch -Gdp -LD -Fl", kJoined, Refuse, nullptr,
+    {"-LD -Fl", kJoined, Refuse, nullptr,
      "it is for effects and libraries; clipc compiles one shader"},
 };
 

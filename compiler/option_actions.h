@@ -90,9 +90,6 @@ inline void SetVulkanVersion(Reading& reading, const std::string& value) {
   Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);
 }
 
-// The name of SPIR-V's entry point, which is GLSL's.
-inline constexpr std::string_view kSpirvEntry = "main";
-
 // Reads a rule for bindings. The advice of the option says what it takes.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view), bool kIsForVulkan = true>
 void Bind(Reading& reading, const std::string& value) {

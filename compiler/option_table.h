@@ -27,11 +27,17 @@ struct Reading {
   std::optional<bool> validate;        // --validate or --no-validate; none: neither
   std::optional<glsl::Target> target;  // none: the user names none
   glsl::BindingRules bindings;
+  bool joins_samplers = false;          // glslang's --auto-sampled-textures
+  bool maps_registers = false;          // glslang's --hlsl-iomap
+  std::vector<std::string> kind_bases;  // options for the bindings of images and storage blocks
   bool writes_spirv = false, spirv_for_vulkan = true;
   std::string source_entry;          // glslang's --source-entrypoint
+  bool names_profile = false;        // -T
+  std::optional<Stage> stage;        // -S
   bool preserves_interface = false;  // dxc's -fspv-preserve-interface
   SpirvRequest spirv;
   std::string vulkan_option;  // the last option that is for target `vulkan` only
+  std::string spirv_option;   // the last one that is for SPIR-V only
   bool preprocess = false;    // -P
   std::string preprocess_name, preprocess_output;  // the values of -P and of -Fi
   struct Ignored {
@@ -53,6 +59,7 @@ struct Option {
     kTwo,               // -fvk-b-shift 2 0: the value is "2 0"
     kFour,              // -fvk-bind-register b0 0 1 0
     kNumbers,           // --sub 5, --sub=5, --sub 5 0 7 1: also the numbers that follow
+    kRegisters,         // --rsb t0 1 2 t1 1 3: also the numbers and the registers
   };
 
   // Its spellings, apart by one blank: one where --help lists the option, none where the row
@@ -68,6 +75,13 @@ struct Option {
 
   bool IsTopic() const { return names.empty(); }
 };
+
+// A row that has no option and begins a topic of --help.
+constexpr Option Topic(const char* name, const char* title) {
+  return {"", Option::Form::kFlag, nullptr, name, title};
+}
+// The topic of the other compilers' options, which has a row for each way to read them.
+inline constexpr char kCompilersTopic[] = "compilers";
 
 // The options of clipc, in the order of --help, and the other compilers' options.
 std::span<const Option> OwnOptions();

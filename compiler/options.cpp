@@ -17,6 +17,7 @@
 #include "compiler/option_table.h"
 #include "compiler/output_files.h"
 #include "frontend/lex/source_text.h"
+#include "ir/profile.h"
 
 namespace clipc {
 namespace {
@@ -139,11 +140,12 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   }
   const int more = option->form == kTwo ? 1 : option->form == kFour ? 3 : 0;
   for (int i = 0; i < more && at < arguments.size(); ++i) value += " " + arguments[at++];
-  const auto is_number = [](const std::string& word) {
-    return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+  const auto goes_on = [form = option->form](std::string_view word) {
+    if (form == kRegisters && word.size() > 1 && IsRegisterLetter(word[0])) word.remove_prefix(1);
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
   };
-  while (option->form == kNumbers && at < arguments.size() && is_number(arguments[at]))
-    value += " " + arguments[at++];
+  const bool is_list = option->form == kNumbers || option->form == kRegisters;
+  while (is_list && at < arguments.size() && goes_on(arguments[at])) value += " " + arguments[at++];
   option->read(reading, value);
 }
 
@@ -177,6 +179,11 @@ void FinishTarget(Reading& reading) {
   request.target.bindings = std::move(reading.bindings);
   if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan() && reading.error.empty())
     reading.error = "-G writes SPIR-V for OpenGL, and --target=vulkan is not; give one of the two";
+  if (!reading.spirv.entry.empty() && reading.spirv.entry != "main")
+    reading.spirv_option =
+        reading.source_entry.empty() ? "-fspv-entrypoint-name" : "--source-entrypoint";
+  if (!reading.spirv_option.empty() && !is_spirv)
+    reading.without_effect.push_back({reading.spirv_option, "it is for SPIR-V"});
   // Each entry of a batch may have a target of its own.
   if (!reading.vulkan_option.empty() && !request.target.IsVulkan() && command.batch.empty()) {
     reading.without_effect.push_back(
@@ -186,14 +193,47 @@ void FinishTarget(Reading& reading) {
 }
 
 // Settles glslang's -e NAME --source-entrypoint FUNCTION, which gives SPIR-V's entry point a name
-// of its own. clipc's is always `main`.
+// of its own.
 void FinishEntry(Reading& reading) {
   if (reading.source_entry.empty()) return;
   std::string& entry = reading.command.request.language.entry;
-  if (entry != kSpirvEntry && entry != reading.source_entry && reading.error.empty())
-    reading.error = fmt::format("the SPIR-V's entry point cannot be called `{}`: it is `{}`", entry,
-                                kSpirvEntry);
-  entry = reading.source_entry;
+  reading.spirv.entry = std::exchange(entry, reading.source_entry);
+}
+
+// Settles the stage that -S names, or without it, as for glslang, the name of the file.
+void FinishStage(Reading& reading) {
+  const CommandLine& command = reading.command;
+  LanguageOptions& language = reading.command.request.language;
+  if (reading.names_profile) {
+    const auto profile = ir::ParseProfile(language.profile);
+    if (reading.stage && profile && profile->stage != reading.stage && reading.error.empty())
+      reading.error = fmt::format("-S names a {} shader, and profile `{}` is of another one",
+                                  InfoOf(*reading.stage).name, language.profile);
+    return;
+  }
+  const auto is_pixel = [](std::string_view file) {
+    return file.ends_with(".frag") || file.ends_with(".frag.hlsl");
+  };
+  const bool by_name = !reading.stage && !command.request.hlsl.wanted;
+  const auto pixel = by_name ? std::ranges::count_if(command.inputs, is_pixel) : 0;
+  if (pixel > 0 && pixel < std::ssize(command.inputs) && reading.error.empty())
+    reading.error = "the names of the files are of vertex and of pixel shaders; -T says which";
+  if (pixel > 0 || reading.stage == Stage::kPixel) language.profile = "ps_5_0";
+}
+
+// Settles the options about bindings that depend on each other.
+void FinishBindings(Reading& reading) {
+  glsl::BindingRules& bindings = reading.bindings;
+  for (const std::string& option : reading.kind_bases) {
+    if (reading.maps_registers) {
+      reading.without_effect.push_back({option, "under --hlsl-iomap the registers decide"});
+    } else {
+      reading.unknown.emplace_back(option,
+                                   "clipc shifts by register: `--shift-texture-binding` moves t, "
+                                   "`--shift-uav-binding` u");
+    }
+  }
+  if (reading.joins_samplers) JoinSamplers(bindings);
 }
 
 // The error that names every unknown option.
@@ -229,8 +269,10 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   for (std::size_t at = 0; at < words.size() && reading.error.empty();)
     ReadArgument(words, at, reading);
   CommandLine& command = reading.command;
+  FinishBindings(reading);
   if (reading.error.empty()) reading.error = UnknownOptions(reading);
   FinishEntry(reading);
+  FinishStage(reading);
   // Without a pixel shader every output is kept.
   if (reading.preserves_interface && command.request.link.has_pixel_shader())
     command.request.link.keep_outputs = true;
@@ -247,7 +289,35 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   return {std::move(command), std::move(reading.error)};
 }
 
+namespace {
+
+// The names of the options of other compilers, in lines.
+std::string CompilersHelp() {
+  constexpr std::size_t kWidth = 98;
+  std::string text;
+  bool is_wanted = false;
+  std::size_t width = kWidth;
+  for (const Option& option : ForeignOptions()) {
+    if (option.IsTopic()) {
+      is_wanted = option.metavar == std::string_view(kCompilersTopic);
+      if (is_wanted)
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "\n\n", option.metavar, option.help);
+      width = kWidth;
+    }
+    for (const std::string_view name : WordsIn(option.names)) {
+      if (!is_wanted) continue;
+      const bool is_new = width + 1 + name.size() > kWidth;
+      text += fmt::format("{}{}", is_new ? "\n  " : " ", name);
+      width = is_new ? 2 + name.size() : width + 1 + name.size();
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
 std::string HelpText(std::string_view topic) {
+  if (topic == kCompilersTopic) return CompilersHelp();
   constexpr std::size_t kColumn = 25;
   std::string text;
   if (topic.empty()) {

@@ -34,9 +34,12 @@ struct CommandLine {
   std::string pixel_output;  // the GLSL of a pair's pixel shader
   std::string table, reflection;
   std::string header, variable;  // -Fh, -Vn
-  std::string listing;           // -Fc
-  std::string preprocessed;      // -P
-  std::string fragment;          // a file: the fragment shader for --lower=discard
+  // The form of SPIR-V in files: binary, or numbers in C, which braces may enclose.
+  enum class SpirvForm : std::uint8_t { kBinary, kNumbers, kInBraces };
+  SpirvForm spirv_form = SpirvForm::kBinary;
+  std::string listing;       // -Fc
+  std::string preprocessed;  // -P
+  std::string fragment;      // a file: the fragment shader for --lower=discard
   bool write_dependencies = false;
   bool only_dependencies = false;  // -M
   std::string dependency_file, dependency_target;

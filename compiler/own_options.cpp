@@ -47,6 +47,11 @@ void SetShard(Reading& reading, const std::string& value) {
                   reading.option, value);
 }
 
+void SetProfile(Reading& reading, const std::string& value) {
+  reading.names_profile = true;
+  reading.command.request.language.profile = value;
+}
+
 void SetPreprocess(Reading& reading, const std::string& value) {
   reading.preprocess = true;
   reading.preprocess_name = value;
@@ -130,6 +135,7 @@ void SetHelpTopic(Reading& reading, const std::string& value) {
   std::vector<std::string_view> topics;
   for (const Option& option : OwnOptions())
     if (option.IsTopic()) topics.push_back(option.metavar);
+  topics.push_back(kCompilersTopic);
   if (std::ranges::find(topics, value) == topics.end())
     reading.error = fmt::format("unknown topic `{}`{}", value, Suggest(value, topics));
 }
@@ -142,15 +148,10 @@ void SetExplained(Reading& reading, const std::string& value) {
     reading.error = fmt::format("no message is called `{}`{}", value, SuggestDiagnostic(value));
 }
 
-// A row that has no option and begins a topic of --help.
-constexpr Option Topic(const char* name, const char* title) {
-  return {"", kFlag, nullptr, name, title};
-}
-
 // The options in the order of --help.
 constexpr Option kOwnOptions[] = {
     Topic("language", "the shader and its language"),
-    {"-T", kJoinedOrSeparate, Set<&LanguageOptions::profile>, "<PROFILE>",
+    {"-T", kJoinedOrSeparate, SetProfile, "<PROFILE>",
      "vs_2_0 .. vs_6_8 (vs_5_0), ps_2_0 .. ps_6_8, vs_4_0_level_9_0, _9_1, _9_3"},
     {"-E", kJoinedOrSeparate, SetEntry, "<NAME>", "entry function (main)"},
     {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
@@ -289,7 +290,8 @@ constexpr Option kOwnOptions[] = {
     {"--explain", kEquals, SetExplained, "<NAME>",
      "explain a message by its name, or by fxc's code: its rule, an example and the fix"},
     {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
-    {"--help=", kJoined, SetHelpTopic, "<TOPIC>", "print one of these topics, such as planes"},
+    {"--help=", kJoined, SetHelpTopic, "<TOPIC>",
+     "print one of these topics, such as planes, or compilers: other compilers' options"},
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
     Topic("stages", "a look into clipc"),
     {"--dump", kEquals, Choose<&DebugOptions::dump, kStages>, "<STAGE>",

@@ -133,12 +133,17 @@ bool SaysOtherThanGlsl(std::string_view path) {
       kCompiled, [&](std::string_view extension) { return lower.ends_with(extension); });
 }
 
-std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable) {
-  std::string text = fmt::format(
-      "// Written by clipc.\n#include <stdint.h>\nstatic const uint32_t {}[] = {{", variable);
+std::string WordsInC(std::span<const std::uint32_t> words) {
+  std::string text;
   for (std::size_t i = 0; i < words.size(); ++i)
     text += fmt::format("{}0x{:08x},", i % 8 == 0 ? "\n    " : " ", words[i]);
-  return text + "\n};\n";
+  return text;
+}
+
+std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable) {
+  return fmt::format(
+      "// Written by clipc.\n#include <stdint.h>\nstatic const uint32_t {}[] = {{{}\n}};\n",
+      variable, WordsInC(words));
 }
 
 std::string HeaderWith(std::string_view glsl, std::string_view variable) {

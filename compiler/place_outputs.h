@@ -37,6 +37,8 @@ bool SaysOtherThanGlsl(std::string_view path);
 
 // The text of a C header with `glsl` as the string `variable`, for -Fh.
 std::string HeaderWith(std::string_view glsl, std::string_view variable);
+// The words of SPIR-V as numbers in C, each with a comma after it, in lines that begin with `\n`.
+std::string WordsInC(std::span<const std::uint32_t> words);
 // The text of a C header with the words of SPIR-V as the array `variable`.
 std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable);
 

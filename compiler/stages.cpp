@@ -16,10 +16,12 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
 
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
                   const std::function<bool(const Tokens&)>& wants) {
+  if (!options.profile.stage) {  // the next errors would be about another stage's shader
+    diagnostics.Report({}, diag::OtherStageProfile, options.profile.name);
+    return {};
+  }
   Tokens tokens = Lex(source, diagnostics);
   if (diagnostics.has_errors() || (wants && !wants(tokens))) return {};
-  // The profile is reported first, because the next errors may be about another stage's shader.
-  if (!options.profile.stage) diagnostics.Report({}, diag::OtherStageProfile, options.profile.name);
   const int errors = diagnostics.error_count();
   const ast::File file = Parse(std::move(tokens), diagnostics, FunctionBodies::kParse,
                                {.entry_call = options.entry_call});

@@ -55,11 +55,15 @@ class Linked {
                                                   EShTargetVulkan_1_1};
     constexpr EShTargetLanguageVersion kSpirv[] = {
         EShTargetSpv_1_0, EShTargetSpv_1_3, EShTargetSpv_1_5, EShTargetSpv_1_6, EShTargetSpv_1_4};
-    const auto version = static_cast<std::size_t>((spirv ? *spirv : SpirvRequest{}).vulkan);
+    const SpirvRequest request = spirv ? *spirv : SpirvRequest{};
+    const auto version = static_cast<std::size_t>(request.vulkan);
+    const auto language =
+        request.version ? static_cast<EShTargetLanguageVersion>(1 << 16 | *request.version << 8)
+                        : kSpirv[version];
     const EShClient client = is_vulkan ? EShClientVulkan : EShClientOpenGL;
     shader_.setEnvInput(EShSourceGlsl, language_, client, 100);
     shader_.setEnvClient(client, is_vulkan ? kVulkan[version] : EShTargetOpenGL_450);
-    shader_.setEnvTarget(EShTargetSpv, is_vulkan ? kSpirv[version] : EShTargetSpv_1_0);
+    shader_.setEnvTarget(EShTargetSpv, is_vulkan ? language : EShTargetSpv_1_0);
     return static_cast<EShMessages>(is_vulkan ? EShMsgSpvRules | EShMsgVulkanRules
                                               : EShMsgSpvRules);
   }
@@ -92,6 +96,8 @@ Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage
     linked.program().setSourceFile(name.c_str());
     linked.program().addSourceText(glsl.data(), glsl.size());
   }
+  if (!request.entry.empty()) linked.program().setEntryPointName(request.entry.c_str());
+  linked.program().setNanMinMaxClamp(request.nan_clamp);
   spv::SpvBuildLogger logger;
   glslang::GlslangToSpv(linked.program(), made.words, &logger, &options);
   if (made.words.empty()) made.problems.push_back(logger.getAllMessages());

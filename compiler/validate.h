@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ enum class VulkanVersion : std::uint8_t { k1_0, k1_1, k1_2, k1_3, k1_1WithSpirv1
 struct SpirvRequest {
   VulkanVersion vulkan = VulkanVersion::k1_1;
   bool debug_info = false;
+  std::optional<unsigned> version = {};  // 5 for SPIR-V 1.5; none: that of the Vulkan version
+  std::string entry = {};                // the name of the entry point; empty: `main`
+  bool nan_clamp = false;                // min, max and clamp give the operand that is a number
 };
 struct Spirv {
   std::vector<std::uint32_t> words;

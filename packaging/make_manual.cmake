@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Writes the manual page: the template with the options of `clipc --help`.
+# Writes the manual page: the template with the options of `clipc --help` and of `clipc --help=compilers`.
 #   cmake -DCLIPC=program -DVERSION= -DTEMPLATE=clipc.1.in -DOUTPUT=clipc.1 -P make_manual.cmake
 execute_process(COMMAND ${CLIPC} --help OUTPUT_VARIABLE help RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "${CLIPC} --help: ${status}")
+execute_process(COMMAND ${CLIPC} --help=compilers OUTPUT_VARIABLE compilers RESULT_VARIABLE status_of_topic)
+if(NOT status EQUAL 0 OR NOT status_of_topic EQUAL 0)
+  message(FATAL_ERROR "${CLIPC} --help: ${status}, ${status_of_topic}")
 endif()
+string(REGEX REPLACE "\n  -" "\n      -" compilers "${compilers}")  # text, not options that a description follows
+string(APPEND help "\n${compilers}")
 
 # roff takes these for its own: backslashes, hyphens, and a dot or quote at the start of a line.
 string(REPLACE "\\" "\\e" help "${help}")

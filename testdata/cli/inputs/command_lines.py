@@ -25,7 +25,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 float4 vs(float4 p : POSITION) : SV_Position { return p + SHIFT; }
 float4 plain(float4 p : POSITION) : POSITION { return p; }
 float4 unclipped(float4 p : POSITION) : SV_Position { return p; }
+float4 pixel(float4 p : SV_Position) : SV_Target { return p; }
+Texture2D image : register(t0);
+SamplerState linear_sampler : register(s0);
+float4 textured(float2 uv : TEXCOORD0) : SV_Target { return image.Sample(linear_sampler, uv); }
 """,
+    "p.frag.hlsl": "float4 main(float2 uv : TEXCOORD0) : SV_Target { return uv.xyxy; }",
     "planes.hlsli": "cbuffer planes { float4 left, right; };\n",
     "shift.hlsli": "#define SHIFT 2\n",
     "profile.rsp": '-T vs_4_0\n-D  "SHIFT=2"\n',
