@@ -249,7 +249,7 @@ constexpr Option kForeignOptions[] = {
      "-Qsource_in_debug_module -Qpdb_in_private -Qkeep_reflect_in_dxil -fcgl "
      "-ffinite-math-only -fno-finite-math-only -enable-payload-qualifiers "
      "-disable-payload-qualifiers -pack-optimized -pack_optimized -pack-prefix-stable "
-     "-pack_prefix_stable -l -C -d -t --quiet",
+     "-pack_prefix_stable -l -C --quiet",
      kFlag, Ignore},
     {"-Qstrip_ -errorReport", kJoined, Ignore},
     {"-Oconfig", kEquals, Ignore},
@@ -274,6 +274,7 @@ constexpr Option kForeignOptions[] = {
     {"-fspv-preserve-bindings -fpreserve-bindings", kFlag, HasNoEffect, nullptr,
      "bindings that nothing reads are left out"},
     {"-std", kEquals, SetGlslVersion, nullptr, "it is about GLSL that is read"},
+    {"-d -t", kFlag, HasNoEffect, nullptr, "it is glslang's; a macro is `-D`, a profile `-T`"},
     {"-flimit -flimit-file", kEquals, HasNoEffect, nullptr, "clipc counts no limits of devices"},
     {"--no-storage-format --nsf -fspv-use-unknown-image-format", kFlag, HasNoEffect, nullptr,
      "an image has the format of its texels"},
