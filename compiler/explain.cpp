@@ -44,7 +44,19 @@ std::string Wrapped(std::string_view text) {
   return fmt::format("{}{}\n", lines, text);
 }
 
-// "With clipc -T vs_4_0 x.hlsl:" and the lines of the text, which are indented.
+// The message with "..." for what was seen; empty if it says nothing else.
+std::string MessageOf(std::string_view format) {
+  if (format == "{}") return {};
+  std::string message;
+  for (std::size_t i = 0; i < format.size(); ++i) {
+    const std::string_view two = format.substr(i, 2);
+    message += two == "{}" ? "..." : std::string(1, format[i]);
+    if (two == "{}" || two == "{{" || two == "}}") ++i;
+  }
+  return message;
+}
+
+// "Example: clipc x.hlsl -T vs_4_0" and the lines of the text, which are indented.
 std::string Shown(std::string_view what, std::string_view options, std::string_view text) {
   std::string shown =
       fmt::format("\n{}: clipc x.hlsl{}{}\n", what, options.empty() ? "" : " ", options);
@@ -61,13 +73,15 @@ std::string PageOf(DiagId id) {
   std::string text = fmt::format(
       "{}: {}{}\n", PrintedName(id), info.severity == Severity::kWarning ? "a warning" : "an error",
       info.fxc_code.empty() ? "" : fmt::format(", fxc's {}", info.fxc_code));
-  text += "\n" + Wrapped(info.format);
+  if (const std::string message = MessageOf(info.format); !message.empty())
+    text += "\n" + Wrapped(message);
   const auto* const explanation = std::ranges::find(kExplanations, id, &Explanation::id);
   if (explanation == std::ranges::end(kExplanations)) return text;
   text += "\n" + Wrapped(explanation->rule);
   if (explanation->example.empty()) return text;
   text += Shown("Example", explanation->options, explanation->example);
-  return text + Shown("Fixed", explanation->fixed_options, explanation->fixed);
+  const char* const fixed = explanation->fixed.empty() ? "Fixed, with the same file" : "Fixed";
+  return text + Shown(fixed, explanation->fixed_options, explanation->fixed);
 }
 
 std::vector<DiagId> Explained() {

@@ -27,8 +27,6 @@ if(TARGET clipc)
   set_tests_properties(outside_mistakes PROPERTIES TIMEOUT 300)
   add_test(NAME packaging COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/check_packaging.py $<TARGET_FILE:clipc>
     ${CMAKE_CURRENT_BINARY_DIR}/packaging)
-  add_test(NAME diagnostics_examples COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_diagnostics.py
-    --examples $<TARGET_FILE:clipc>)
   add_test(NAME snippets COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_snippets.py ${clipc_BINARY_DIR}
     ${CMAKE_CURRENT_BINARY_DIR}/snippets ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
   add_test(NAME examples.builds COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/examples/builds/check_builds.py ${clipc_BINARY_DIR}

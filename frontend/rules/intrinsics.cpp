@@ -181,9 +181,11 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kRefused: break;
   }
   if (const ExprId value = StandInFor(call, entry->staged)) return value;
-  // The message of a family says why other stages may not call it; tiled resources no stage asks.
+  // The message of a family says why other stages may not call it. Those of tiled resources and of
+  // atomic operations are true in every stage.
   const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait &&
-                        entry->refuse != Refuse<diag::IntrinsicTiled>;
+                        entry->refuse != Refuse<diag::IntrinsicTiled> &&
+                        entry->refuse != Refuse<diag::IntrinsicAtomic>;
   return may_call ? Report(call, diag::IntrinsicUnsupported) : entry->refuse(call);
 }
 

@@ -23,7 +23,8 @@ std::uint32_t HighestRegister(char letter, const Profile& profile) {
   // ps_2_0 to ps_3_0 have s0 to s15: "Pixel shader registers" of the Direct3D 9 reference.
   if (letter == 's' && profile.IsDirect3D9() && profile.stage == Stage::kPixel) return 15;
   if (profile.IsAtLeast(5, 1) || profile.IsDirect3D9()) return 0xfffffffeu;
-  return letter == 'b' ? 13 : letter == 's' ? 15 : 127;
+  // D3D11_1_UAV_SLOT_COUNT is 64.
+  return letter == 'b' ? 13 : letter == 's' ? 15 : letter == 'u' ? 63 : 127;
 }
 
 class Allocator {

@@ -13,8 +13,8 @@ float4 main(float4 p : POSITION) : SV_Position { return mul(p, view); }
 
 // BLOCKS: clipc: error: unknown value `round` of --blocks; there is `named`, `plain` or `flat`
 
-// NAMES: clipc: error: unknown names `dcx`; did you mean `dxc`?; a pattern has a place for the semantic [unknown-names]
+// NAMES: clipc: error: unknown names `dcx`; did you mean `dxc`?; a pattern contains `{semantic}`, `{written}` or `{name}` [unknown-names]
 
-// PATTERN: clipc: error: unknown names `v_{index}`; there is `hlslcc`, `dxc` or `spirv-cross`; a pattern has a place for the semantic [unknown-names]
+// PATTERN: clipc: error: unknown names `v_{index}`; there is `hlslcc`, `dxc` or `spirv-cross`; a pattern contains `{semantic}`, `{written}` or `{name}` [unknown-names]
 
-// PLACE: clipc: error: unknown names `v_{semantics}{name}`; there is `hlslcc`, `dxc` or `spirv-cross`; a pattern has a place for the semantic [unknown-names]
+// PLACE: clipc: error: unknown names `v_{semantics}{name}`; there is `hlslcc`, `dxc` or `spirv-cross`; a pattern contains `{semantic}`, `{written}` or `{name}` [unknown-names]

@@ -3,7 +3,7 @@
 // RUN: not %clipc -T vs_5_0 --target=glsl450 %s -o %t 2>&1 | FileCheck %s --check-prefix=CHECK
 // AUTOUPDATE
 #ifdef OLD
-// OLD: fail_writable_buffers.hlsl:[[#@LINE+3]]:20: error: `numbers` is writable; target `glsl330` has no images that a shader can write [target-image]
+// OLD: fail_writable_buffers.hlsl:[[#@LINE+3]]:20: error: `numbers` is writable; clipc does not translate that for target `glsl330`, only for GLSL from 4.20 on and Vulkan [target-image]
 // OLD-NEXT:     [[#@LINE+2]] | RWBuffer<uint4>    numbers;
 // OLD-NEXT:       |                    ^~~~~~~
 RWBuffer<uint4>    numbers;

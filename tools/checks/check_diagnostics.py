@@ -2,22 +2,21 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the catalogue of diagnostics against its document and its tests.
 
-    check_diagnostics.py [--write] [--coverage] [--examples CLIPC] [--explanations CLIPC]
+    check_diagnostics.py [--write] [--coverage] [--explanations CLIPC]
 
-Fails when docs/diagnostics.md is not what base/diagnostic_kinds.def says (--write makes it so), when
-two kinds share a name, or, with --coverage, when no test expects a kind. A test expects a kind where
-its printed name stands as clipc prints it: in brackets after a message (`[-Wclip-plane-repeated]`,
+Fails when two kinds share a name, when one has no explanation in compiler/explanations/, but those that
+no user sees, or, with --coverage, when no test expects a kind. A test expects a kind where
+its printed name is as clipc prints it: in brackets after a message (`[-Wclip-plane-repeated]`,
 `[clip-plane-not-float4, X3084]`), as the code of the msvc form, or as a name of the JSON form, which
 is the only one that names notes.
 
-Each section of the document has an example, tools/checks/snippets/diagnostics/SECTION.hlsl, whose first line is its command, and
-SECTION.txt, what clipc prints: --examples holds it against that, and writes it with --write.
-Each kind has an explanation in compiler/explanations/, but those that no user sees. With --explanations,
-clipc must report the kind about each example there, and accept the fixed one without it."""
+With --explanations, clipc must report the kind about each example of an explanation, and accept the fixed
+one without it. docs/diagnostics.md must then be what base/diagnostic_kinds.def and the explanations say,
+with what clipc prints about each example; --write makes it so."""
 
+import itertools
 import pathlib
 import re
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -25,7 +24,6 @@ import tempfile
 root = pathlib.Path(__file__).resolve().parents[2]
 catalogue = root / "base/diagnostic_kinds.def"
 document = root / "docs/diagnostics.md"
-examples = root / "tools/checks/snippets/diagnostics"
 
 DIAG = re.compile(
     r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M
@@ -38,6 +36,11 @@ EXPLANATION = re.compile(
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
+def unquoted(literals):
+    """The text of C++ string literals that follow each other."""
+    return "".join(STRING.findall(literals)).replace('\\"', '"').replace("\\\\", "\\")
+
+
 def kinds():
     """(section, name, severity, fxc code, format) of every kind, in the order of the catalogue."""
     section = ""
@@ -45,8 +48,7 @@ def kinds():
     heads = [(m.start(), m.group(1)) for m in re.finditer(r"^// ---- (.*)$", text, re.M)]
     for m in DIAG.finditer(text):
         section = next((title for start, title in reversed(heads) if start < m.start()), "")
-        message = "".join(STRING.findall(m.group(4))).replace('\\"', '"').replace("\\\\", "\\")
-        yield section, m.group(1), m.group(2).lower(), m.group(3), message
+        yield section, m.group(1), m.group(2).lower(), m.group(3), unquoted(m.group(4))
 
 
 def explanations():
@@ -58,103 +60,41 @@ def explanations():
     if len(found) != len(re.findall(r"^(?:EXPLANATION|RULE)\(", text, re.M)):
         sys.exit("compiler/explanations: a row was not understood")
     for name, rule, options, example, fixed_options, fixed in (m.groups() for m in found):
-        yield name, "".join(STRING.findall(rule)), options, example, fixed_options, fixed
+        yield name, unquoted(rule), options, example, fixed_options, fixed
 
 
-def wrong_explanations(clipc):
-    """What clipc does not report about an example, or reports about a fixed one."""
+def compiled(clipc, words, text):
+    """What clipc does with a shader that is x.hlsl."""
+    with tempfile.TemporaryDirectory() as folder:
+        pathlib.Path(folder, "x.hlsl").write_text(text + "\n")
+        return subprocess.run(
+            [clipc, "x.hlsl", *words.split(), "-o", "." if "--effect" in words else "x.out"],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+
+def try_explanations(clipc):
+    """What clipc prints about each example, by the kind; and the mistakes: what it does not report
+    about an example, or reports about a fixed one."""
+    outputs, mistakes = {}, []
     for name, _, options, example, fixed_options, fixed in explanations():
         if example is None:
             continue
         said = re.compile(rf"\[(-W)?{printed(name)}[],]")
-        for words, text, is_wrong in (
-            (options, example, True),
-            (fixed_options, fixed or example, False),
-        ):
-            with tempfile.TemporaryDirectory() as folder:
-                pathlib.Path(folder, "x.hlsl").write_text(text + "\n")
-                done = subprocess.run(
-                    [clipc, "x.hlsl", *words.split(), "-o", "x.out"],
-                    cwd=folder,
-                    capture_output=True,
-                    text=True,
-                    check=False,
-                )
-            if bool(said.search(done.stderr)) != is_wrong or (done.returncode and not is_wrong):
-                yield f"{name}: `{words}` says\n{done.stderr}"
+        outputs[name] = compiled(clipc, options, example).stderr
+        if not said.search(outputs[name]):
+            mistakes.append(f"{name}: `{options}` says\n{outputs[name]}")
+        done = compiled(clipc, fixed_options, fixed or example)
+        if done.returncode or said.search(done.stderr):
+            mistakes.append(f"{name}, fixed: `{fixed_options}` says\n{done.stderr}")
+    return outputs, mistakes
 
 
 def printed(name):
     return re.sub(r"(?<!^)([A-Z])", r"-\1", name).lower()
-
-
-def example(section):
-    """The lines of the section's example."""
-    file = examples / (re.sub(r"[^a-z0-9]+", "-", section.lower()) + ".hlsl")
-    shader, printed_text = file.read_text().strip(), file.with_suffix(".txt").read_text().strip()
-    return ["```text", *shader.splitlines(), "", *printed_text.splitlines(), "```", ""]
-
-
-def wrong_examples(clipc, write):
-    """Compiles each example. Yields those that print something else, unless they are written."""
-    for file in sorted(examples.glob("*.hlsl")):
-        with tempfile.TemporaryDirectory() as folder:
-            text = file.read_text()
-            (pathlib.Path(folder) / "water.hlsl").write_text(text)
-            words = shlex.split(text.splitlines()[0].removeprefix("// clipc "))
-            done = subprocess.run(
-                [clipc, *words], cwd=folder, capture_output=True, text=True, check=False
-            )
-        kept = file.with_suffix(".txt")
-        if write:
-            kept.write_text(done.stderr)
-        elif done.stderr != kept.read_text():
-            yield f"{file.name}: clipc prints\n{done.stderr}"
-
-
-def render(all_kinds):
-    lines = [
-        "# Diagnostics",
-        "",
-        "Everything clipc can say about a shader, from `base/diagnostic_kinds.def` by `tools/checks/check_diagnostics.py --write`.",
-        "A message ends with its name in brackets: `[-Wclip-plane-repeated]` after a warning, `[clip-plane-not-float4, X3084]`",
-        "after an error, with fxc's code for the same rule where fxc has one. `{}` stands for what was seen.",
-        "`-Wno-NAME` switches a warning off, `-WNAME` switches it on again, `-Werror` turns all warnings into errors.",
-    ]
-    pages = {name for name, *_ in explanations()}
-    current = None
-    for section, name, severity, code, message in all_kinds:
-        if severity == "note":
-            continue
-        if section != current:
-            lines += [
-                "",
-                f"## {section[:1].upper()}{section[1:]}",
-                "",
-                *example(section),
-                "| name | | fxc | message |",
-                "|---|---|---|---|",
-            ]
-            current = section
-        cell = message.replace("|", "\\|")
-        cell_of_name = (
-            f"[`{printed(name)}`](#{printed(name)})" if name in pages else f"`{printed(name)}`"
-        )
-        lines.append(f"| {cell_of_name} | {severity} | {code} | {cell} |")
-    lines += ["", "## Explained", "", "`clipc --explain NAME` prints these pages too.", ""]
-    for name, rule, options, broken, fixed_options, fixed in explanations():
-        lines += [f"### {printed(name)}", "", rule]
-        if broken is None:
-            lines.append("")
-            continue
-        for what, words, shader in (
-            ("Example:", options, [broken]),
-            ("Fixed:", fixed_options, [fixed] if fixed else []),
-        ):
-            command = f"// clipc x.hlsl {words}".rstrip()
-            lines += ["", what, "", "```text", command, *shader, "```"]
-        lines.append("")
-    return "\n".join(lines)
 
 
 # No shader brings these about: the parser or the driver refuses what would, or they report a fault of
@@ -170,6 +110,81 @@ NOT_PROVOKED = {
 
 # No user sees these: what would bring them about is refused before.
 NOT_SEEN = {"InitListAsValue", "SwitchWithoutBlock", "TargetClipVertex"}
+
+HEAD = """# Diagnostics
+
+Everything that clipc reports about a shader. A message ends with its name in brackets: `[-Wclip-plane-repeated]` after a warning,
+`[clip-plane-not-float4, X3084]` after an error. The code is fxc's for the same rule, if fxc has one. `clipc --explain NAME` and
+`clipc --explain CODE` print the explanations below.
+
+`-Wno-NAME` switches a warning off, `-WNAME` switches it on again, and `-Werror` turns all warnings into errors. In the tables, `{}`
+stands for what was seen.
+"""
+
+
+def link(name):
+    return f"[`{printed(name)}`](#{printed(name)})"
+
+
+def anchor(title):
+    """The anchor of a headline, as GitHub makes it."""
+    return re.sub(r"[^\w-]", "", title.lower().replace(" ", "-"))
+
+
+def contents(sections):
+    """The lists at the top: the groups, the names by their first letter, and fxc's codes."""
+    yield "## Contents\n"
+    for title, rows in sections.items():
+        yield f"- [{title}](#{anchor(title)}): {len(rows)}"
+    yield "- [By name](#by-name)"
+    yield "- [By fxc's code](#by-fxcs-code)"
+    names = sorted((name for rows in sections.values() for name, *_ in rows), key=printed)
+    yield "\n## By name\n"
+    for letter, group in itertools.groupby(names, key=lambda name: name[0]):
+        yield f"- {letter}: {', '.join(map(link, group))}"
+    codes = {}
+    for rows in sections.values():
+        for name, _, code, _ in rows:
+            if code:
+                codes.setdefault(code, []).append(name)
+    yield "\n## By fxc's code\n"
+    for code, group in sorted(codes.items()):
+        yield f"- {code}: {', '.join(map(link, group))}"
+
+
+def explained(name, severity, code, explanation, output):
+    """The section of a kind: the rule, the example with what clipc prints, and the fixed one."""
+    rule, options, broken, fixed_options, fixed = explanation
+    kind = "An error" if severity == "error" else "A warning"
+    of_fxc = f", fxc's {code}" if code else ""
+    yield f"\n### {printed(name)}\n\n{kind}{of_fxc}. {rule}"
+    if broken is None:
+        return
+    command = f"// clipc x.hlsl {options}".rstrip()
+    yield f"\n```text\n{command}\n{broken}\n\n{output.rstrip()}\n```"
+    command = f"// clipc x.hlsl {fixed_options}".rstrip()
+    title, text = ("Fixed", f"\n{fixed}") if fixed else ("Fixed, with the same file", "")
+    yield f"\n{title}:\n\n```text\n{command}{text}\n```"
+
+
+def render(all_kinds, outputs):
+    sections = {}
+    for section, name, severity, code, message in all_kinds:
+        if severity != "note" and name not in NOT_SEEN:
+            title = section[:1].upper() + section[1:]
+            sections.setdefault(title, []).append((name, severity, code, message))
+    pages = {name: explanation for name, *explanation in explanations()}
+    lines = [HEAD, *contents(sections)]
+    for title, rows in sections.items():
+        lines += [f"\n## {title}\n", "| name | kind | fxc | message |", "|---|---|---|---|"]
+        for name, severity, code, message in rows:
+            cell = message.replace("|", "\\|").replace("{{", "{").replace("}}", "}")
+            lines.append(f"| {link(name)} | {severity} | {code} | {cell} |")
+        for name, severity, code, _ in rows:
+            if name in pages:
+                lines += explained(name, severity, code, pages[name], outputs.get(name, ""))
+    return "\n".join(lines) + "\n"
+
 
 # A printed name in an expected message.
 EXPECTED = re.compile(
@@ -217,23 +232,22 @@ def main():
     declared = len(re.findall(r"^DIAG\(", catalogue.read_text(), re.M))
     if declared != len(all_kinds):
         problems.append(f"{declared} kinds are declared but {len(all_kinds)} were understood")
-    if "--examples" in sys.argv:
-        clipc = pathlib.Path(sys.argv[sys.argv.index("--examples") + 1]).resolve()
-        problems += wrong_examples(clipc, "--write" in sys.argv)
     problems += [
         f"{name}: compiler/explanations has no page of `{printed(name)}`"
         for name in unexplained(all_kinds)
     ]
-    text = render(all_kinds)
-    if "--write" in sys.argv:
-        document.write_text(text)
-    elif not document.exists() or document.read_text() != text:
-        problems.append(
-            "docs/diagnostics.md is out of date: run tools/checks/check_diagnostics.py --write"
-        )
     if "--explanations" in sys.argv:
-        clipc = sys.argv[sys.argv.index("--explanations") + 1]
-        problems += wrong_explanations(pathlib.Path(clipc).resolve())
+        clipc = pathlib.Path(sys.argv[sys.argv.index("--explanations") + 1]).resolve()
+        outputs, mistakes = try_explanations(clipc)
+        problems += mistakes
+        text = render(all_kinds, outputs)
+        if "--write" in sys.argv:
+            document.write_text(text)
+        elif not document.exists() or document.read_text() != text:
+            problems.append(
+                "docs/diagnostics.md is out of date: run tools/checks/check_diagnostics.py "
+                "--write --explanations CLIPC"
+            )
     if "--coverage" in sys.argv:
         problems += [f"{name}: no test expects `{printed(name)}`" for name in untested(all_kinds)]
     print("\n".join(problems) or f"{len(all_kinds)} kinds of diagnostics, each documented")

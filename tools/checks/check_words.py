@@ -6,7 +6,7 @@
     check_words.py --test     the check's own examples
 
 The list below is that of a technical editor. Pages are those in docs/, CONTRIBUTING.md, CHANGELOG.md and each README.md, without code, paths and links;
-messages are the texts of base/diagnostic_kinds.def, and the help is that of compiler/own_options.cpp.
+messages are the texts of base/diagnostic_kinds.def, their explanations are those in compiler/explanations/, and the help is that of compiler/own_options.cpp.
 """
 
 import pathlib
@@ -70,6 +70,13 @@ def strings(source, beginning):
     )
 
 
+def rules(source):
+    """The rules of a file of explanations: the texts before an example and its options."""
+    shaders = re.compile(r'R"\(.*?\)"', re.S)
+    without = shaders.sub(lambda match: "R" + "\n" * match[0].count("\n"), source)
+    return strings(without, r'\s+"(?!.*", (?:R|""\)))')
+
+
 def readmes():
     """Each README.md that is not in a folder of builds or of packages for node."""
     skipped = {"build", "node_modules"}
@@ -85,7 +92,7 @@ def texts():
         *sorted((ROOT / "docs").glob("[!R]*.md")),
     ]:
         if page.name == "diagnostics.md":
-            continue  # made of the messages
+            continue  # made of the messages and their explanations
         name = str(page.relative_to(ROOT))
         text = prose(page.read_text())
         for where, exception in EXCEPTIONS:
@@ -98,6 +105,8 @@ def texts():
         ("compiler/own_options.cpp", r'\s+(?:"|\{"|Topic)', WORDS | PAGE_WORDS),
     ):
         yield name, strings((ROOT / name).read_text(), beginning).replace("`", " "), words
+    for file in sorted((ROOT / "compiler/explanations").glob("*.def")):
+        yield f"compiler/explanations/{file.name}", prose(rules(file.read_text())), WORDS | PAGE_WORDS
 
 
 def test():

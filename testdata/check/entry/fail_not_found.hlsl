@@ -14,7 +14,7 @@ float4 prototype(float4 v : POSITION) : SV_Position;
 // DECLARED: [[#@LINE-1]]:8: error: entry point `prototype` is only declared; it needs a body [entry-only-declared, X3501]
 technique T { pass P { VertexShader = compile vs_3_0 VSMain(); PixelShader = compile PS_3_0 a::twice(); } }
 // NEAR: error: entry point `VSMian` was not found; did you mean `VSMain`? [entry-not-found, X3501]
-// TWICE: error: entry point `twice` may be one of 2 functions; name one of them in full [entry-ambiguous, X3501]
+// TWICE: error: entry point `twice` may be one of 2 functions; name one of them in full, or rename the others [entry-ambiguous, X3501]
 // TWICE: note: candidate: `a::twice`
 // TWICE: note: candidate: `b::twice`
 // OVERLOADED: error: entry point `overloaded` may be one of 2 functions

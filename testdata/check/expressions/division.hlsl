@@ -3,7 +3,7 @@
 // RUN: %clipc -T vs_5_0 -fsyntax-only -Wno-division-by-zero %s 2>&1 | count 0
 // RUN: %clipc -T vs_6_0 -fsyntax-only %s 2>&1 | count 0
 float4 main(float4 p : POSITION) : SV_Position {
-  // CHECK: [[#@LINE+1]]:19: warning: a float is divided by 0 [-Wdivision-by-zero]
+  // CHECK: [[#@LINE+1]]:19: warning: a float is divided by 0; the result is infinity or NaN [-Wdivision-by-zero]
   float a = p.x / 0;
   // CHECK: [[#@LINE+1]]:21: warning: a float is divided by 0
   float2 b = p.xy / float2(1, 0);

@@ -5,7 +5,7 @@
 #define COUNT 0
 static const int none = 0;
 float4 main(float4 p : POSITION, int n : N, uint u : U) : SV_Position {
-  // CHECK: [[#@LINE+1]]:15: error: an integer is divided by 0 [integer-division-by-zero, X4009]
+  // CHECK: [[#@LINE+1]]:15: error: an integer is divided by 0; the result is undefined [integer-division-by-zero, X4009]
   int a = n / COUNT;
   // CHECK: [[#@LINE+1]]:16: error: an integer is divided by 0
   uint b = u % 0u;

@@ -23,7 +23,7 @@ int count;
 float4 position(float4 p : SV_Position) : SV_Target { return p; }
 // FACE: error: `SV_IsFrontFace` is read; profile `ps_4_0_level_9_3` has no such input
 float4 face(bool is_front : SV_IsFrontFace) : SV_Target { return is_front; }
-// LEVEL: error: a texture is read in a way that `ps_4_0_level_9_{{.}}` lacks; it has `Sample`, `SampleBias` and `SampleCmp` [level9-sample, X4532]
+// LEVEL: error: a texture is read in a way that `ps_4_0_level_9_{{.}}` lacks; it has `Sample`, `SampleBias`, `SampleCmp`, and from 9_3 on `SampleGrad` [level9-sample, X4532]
 float4 level(float2 t : T) : SV_Target { return map.SampleLevel(s, t, 0); }
 float4 load(float2 t : T) : SV_Target { return map.Load(int3(t, 0)); }
 float4 graded(float2 t : T) : SV_Target { return map.SampleGrad(s, t, t, t); }

@@ -1,6 +1,7 @@
 // RUN: not %clipc -T vs_5_0 -E twice %s 2>&1 | FileCheck %s --check-prefix=TWICE
 // RUN: not %clipc -T vs_5_0 -E rows %s 2>&1 | FileCheck %s --check-prefix=ROWS
 // RUN: not %clipc -T vs_5_0 -E high %s 2>&1 | FileCheck %s --check-prefix=HIGH
+// RUN: not %clipc -T ps_5_0 -E views %s 2>&1 | FileCheck %s --check-prefix=VIEWS
 cbuffer A : register(b1) { float4 a; };
 cbuffer B : register(b1) { float4 b; };
 // TWICE: error: `A` and `B` are both bound to register b1; each needs its own [register-twice, X4500]
@@ -21,3 +22,8 @@ cbuffer D {
   float4 sum : packoffset(c4294967295[18446744073709551615]);
 }
 float4 rows(float4 v : POSITION) : SV_Position { return fits + row + sum + loose; }
+// Direct3D 11.1 has 64 views, D3D11_1_UAV_SLOT_COUNT.
+RWTexture2D<float4> last : register(u63);
+// VIEWS: [[#@LINE+1]]:21: error: register u64 of `beyond` is too high; the highest under this profile is 63
+RWTexture2D<float4> beyond : register(u64);
+float4 views() : SV_Target { last[uint2(0, 0)] = 1; beyond[uint2(0, 0)] = 1; return 0; }

@@ -1,3 +1,0 @@
-// clipc water.hlsl
-#include "waves.hlsl"
-float4 main(float4 p : POSITION) : SV_Position { return p; }
