@@ -16,10 +16,10 @@ void PreprocessGuard::Report(Diagnostics& diagnostics) const {
     case Limit::kReported: return;
     case Limit::kStack: diagnostics.Report(where, diag::DirectiveTooDeep); return;
     case Limit::kTokens:
-      diagnostics.Report(where, diag::TooMuchToPreprocess, max_tokens_, "tokens");
+      diagnostics.Report(where, diag::TooMuchToPreprocess, growth_, "tokens");
       return;
     case Limit::kExpansions:
-      diagnostics.Report(where, diag::TooMuchToPreprocess, max_tokens_, "macro expansions");
+      diagnostics.Report(where, diag::TooMuchToPreprocess, growth_, "macro expansions");
       return;
     case Limit::kIncludes:
       diagnostics.Report(where, diag::TooMuchToPreprocess, std::size_t{kMaxIncludes}, "includes");

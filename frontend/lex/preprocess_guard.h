@@ -35,7 +35,7 @@ class PreprocessGuard {
   // tokens that macros may add to those of the files.
   void SetLimits(std::size_t bytes, std::size_t growth) {
     max_bytes_ = bytes;
-    max_tokens_ = growth;
+    max_tokens_ = growth_ = growth;
   }
 
   // Sets `base`, the place in the stack from which tokens may be read at most kMaxStack bytes
@@ -80,7 +80,8 @@ class PreprocessGuard {
 
   const char* stack_base_ = nullptr;
   std::size_t max_bytes_ = SIZE_MAX, bytes_ = 0;
-  std::size_t max_tokens_ = 0;
+  std::size_t growth_ = 0;
+  std::size_t max_tokens_ = 0;  // growth_, and what the files may have
   std::size_t tokens_ = 0;
   std::size_t expansions_ = 0;
   std::size_t pasted_ = 0;

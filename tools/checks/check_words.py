@@ -106,7 +106,11 @@ def texts():
     ):
         yield name, strings((ROOT / name).read_text(), beginning).replace("`", " "), words
     for file in sorted((ROOT / "compiler/explanations").glob("*.def")):
-        yield f"compiler/explanations/{file.name}", prose(rules(file.read_text())), WORDS | PAGE_WORDS
+        yield (
+            f"compiler/explanations/{file.name}",
+            prose(rules(file.read_text())),
+            WORDS | PAGE_WORDS,
+        )
 
 
 def test():
