@@ -409,7 +409,8 @@ class Follower {
     if (inner.result) exits.JoinResult(*inner.result);
   }
 
-  // The condition of a `do` is followed before the first turn too, which only adds what it writes.
+  // The condition of a `do` is followed before the first iteration too, which only adds what it
+  // writes.
   void FollowLoop(ExprId condition, StmtId body, ExprId step, Exits& exits) {
     Exits inner;
     Of(condition);

@@ -53,9 +53,9 @@ class Sweeper {
                     return Mark(node.then) || otherwise || !effects_.MayBeSkipped(node.condition);
                   },
                   [&](const OneOf<For> auto& node) {
-                    const bool turns = MarkLoop(id, node.body) || NeedsEffect(node.condition) ||
-                                       NeedsEffect(node.step);
-                    return MarkList(node.init) || turns;
+                    const bool iterates = MarkLoop(id, node.body) || NeedsEffect(node.condition) ||
+                                          NeedsEffect(node.step);
+                    return MarkList(node.init) || iterates;
                   },
                   [&](const OneOf<While, DoWhile> auto& node) {
                     return MarkLoop(id, node.body) || NeedsEffect(node.condition);

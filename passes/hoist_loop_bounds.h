@@ -6,7 +6,7 @@
 namespace clipc::passes {
 
 // Reads the bound of a loop before the loop if the bound is made of uniforms and literals alone,
-// since drivers would read it again in each turn.
+// since drivers would read it again in each iteration.
 //
 //   while (i < lights) ..   =>   int lights_1 = lights; while (i < lights_1) ..
 //

@@ -5,7 +5,7 @@
 
 #include "base/overloaded.h"
 #include "frontend/rules/constant.h"
-#include "frontend/rules/loop_turns.h"
+#include "frontend/rules/loop_iterations.h"
 #include "ir/walk.h"
 
 namespace clipc::check {

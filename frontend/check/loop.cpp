@@ -9,7 +9,7 @@
 #include "frontend/check/flow.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/stmt.h"
-#include "frontend/rules/loop_turns.h"
+#include "frontend/rules/loop_iterations.h"
 
 namespace clipc::check {
 namespace {
@@ -114,7 +114,7 @@ void CheckNode(Context& context, const ast::DoStmt& stmt, Span span) {
   Emit(context, span, DoWhile{body, condition});
 }
 
-void CheckTurns(Context& context, StmtId loop, Span span, Hint hint) {
+void CheckIterations(Context& context, StmtId loop, Span span, Hint hint) {
   if (hint != Hint::kUnroll && NeverEnds(context, loop)) {
     context.Report(span, diag::EndlessLoop);
     return;

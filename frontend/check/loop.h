@@ -14,6 +14,6 @@ void CheckNode(Context& context, const ast::WhileStmt& stmt, Span span);
 void CheckNode(Context& context, const ast::DoStmt& stmt, Span span);
 // Reports a checked loop that never ends (fxc X3696, dxc's FLOW.DEADLOOP), `[unroll(n)]` aside, and
 // up to shader model 5.1 one without a hint that runs at most once (fxc X3557).
-void CheckTurns(Context& context, StmtId loop, Span span, Hint hint);
+void CheckIterations(Context& context, StmtId loop, Span span, Hint hint);
 
 }  // namespace clipc::check

@@ -243,13 +243,13 @@ void CheckStmt(Context& context, ast::StmtId id) {
   Visit([&](const auto& node) { CheckNode(context, node, span); }, stmt.node);
   if (context.stmts.size() == mark) return;
   const Hint hint = HintOf(context, stmt);
-  if (IsLoop(stmt)) CheckTurns(context, context.stmts.back(), span, hint);
+  if (IsLoop(stmt)) CheckIterations(context, context.stmts.back(), span, hint);
   if (stmt.attributes.empty()) return;
   context.program.stmts[context.stmts.back()].hint = hint;
   if (hint != Hint::kUnroll) return;
   for (const ast::Attr& attribute : context[stmt.attributes]) {
     if (attribute.arguments.size == 1 && EqualIgnoringCase(context[attribute.name], "unroll"))
-      LimitTurns(context, attribute);
+      LimitIterations(context, attribute);
   }
 }
 

@@ -155,7 +155,7 @@ class GradientCheck {
           program_.stmts[id].node);
   }
 
-  // A break, a continue or a return in the loop makes its further turns follow from it.
+  // A break, a continue or a return in the loop makes its further iterations follow from it.
   void Loop(ExprId condition, ExprId step, StmtId body, Node flow) {
     const Node inside = graph_.Add(), outer = std::exchange(loop_, inside);
     const bool was_once = std::exchange(is_once_, false);
@@ -172,8 +172,8 @@ class GradientCheck {
     return value && value->front() == 0;
   }
 
-  // `do { ... } while (false);`, which SPIRV-Cross writes, has no further turns: a break makes only
-  // what comes after it in the body follow from it.
+  // `do { ... } while (false);`, which SPIRV-Cross writes, has no further iterations: a break makes
+  // only what comes after it in the body follow from it.
   void Once(StmtId body, Node flow) {
     const bool was_once = std::exchange(is_once_, true);
     const Node left = left_;

@@ -9,7 +9,7 @@
 
 #include "frontend/rules/constant.h"
 #include "frontend/rules/known_values.h"
-#include "frontend/rules/loop_turns.h"
+#include "frontend/rules/loop_iterations.h"
 #include "ir/access.h"
 #include "ir/counted_loop.h"
 #include "ir/walk.h"
@@ -25,7 +25,7 @@ constexpr std::size_t kMaxOutputs = 8;                // texture coordinate regi
 constexpr std::uint32_t kMaxConstantRegisters = 255;  // c0..c255 less the position offset
 constexpr std::uint32_t kMaxInstructions = 256;
 // fxc's error X3511: "loop does not appear to terminate in a timely manner (1024 iterations)".
-constexpr std::uint32_t kMaxTurns = 1024;
+constexpr std::uint32_t kMaxIterations = 1024;
 
 class Level9Checker {
  public:
@@ -33,7 +33,7 @@ class Level9Checker {
       : program_(program), has_preshader_(has_preshader), diagnostics_(diagnostics) {}
 
   // Reports what a pixel shader of level 9 lacks, which runs as ps_2_0 or, at 9_3, ps_2_a: loops
-  // whose number of turns is computed, bit operations, and most ways to read a texture.
+  // whose number of iterations is computed, bit operations, and most ways to read a texture.
   void RunPixel() {
     for (const FunctionId id : program_.functions.ids()) {
       const StmtId body = program_.functions[id].body;
@@ -43,7 +43,7 @@ class Level9Checker {
   }
 
   // Reports a vertex shader without a position, and what Direct3D 9 lacks too: bit operations and,
-  // before vs_2_a, loops whose number of turns is computed.
+  // before vs_2_a, loops whose number of iterations is computed.
   void RunDirect3D9() {
     const auto is_position = [](const IoVar& output) {
       return output.builtin == Builtin::kPosition;
@@ -212,23 +212,24 @@ class Level9Checker {
   bool IsKnown(ExprId id) {
     if (!known_) known_.emplace(program_);
     if (!known_->Has(id)) return false;
-    CheckTurns(id);
+    CheckIterations(id);
     return true;
   }
 
-  // Reports a value that is known only when a loop of more than kMaxTurns turns is unrolled.
-  void CheckTurns(ExprId id) {
+  // Reports a value that is known only when a loop of more than kMaxIterations iterations is
+  // unrolled.
+  void CheckIterations(ExprId id) {
     if (!known_in_short_loops_) {
       std::vector<VarId> counters;
       for (const StmtId stmt : program_.stmts.ids()) {
         const auto* loop = As<For>(program_, stmt);
-        if (loop && EndsWithin(program_, *loop, kMaxTurns) == false)
+        if (loop && EndsWithin(program_, *loop, kMaxIterations) == false)
           counters.push_back(PartsOf(program_, *loop).counter);
       }
       known_in_short_loops_.emplace(program_, counters);
     }
     if (!known_in_short_loops_->Has(id)) {
-      diagnostics_.Report(program_.exprs[id].span, diag::Level9LongLoop, kMaxTurns, Target());
+      diagnostics_.Report(program_.exprs[id].span, diag::Level9LongLoop, kMaxIterations, Target());
     }
   }
 
@@ -289,7 +290,7 @@ class Level9Checker {
   // The known values, built for the first rule that depends on them.
   std::optional<KnownValues> known_;
   std::optional<KnownValues> known_to_preshader_;
-  std::optional<KnownValues> known_in_short_loops_;  // if no loop beyond kMaxTurns is unrolled
+  std::optional<KnownValues> known_in_short_loops_;  // if no loop beyond kMaxIterations is unrolled
   std::uint32_t instructions_ = 0;  // a lower bound: no loop is counted twice, no addition at all
 };
 

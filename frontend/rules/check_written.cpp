@@ -224,7 +224,7 @@ std::uint32_t WrittenWalk::ArmOf(const Switch& node, std::int64_t value) const {
 Flow WrittenWalk::WalkLoop(StmtId stmt) {
   const std::size_t first = reads_.size();
   ++loops_;
-  // A loop runs at least once: fxc and dxc know the turns of most loops.
+  // A loop runs at least once: fxc and dxc know the iterations of most loops.
   Flow body = Flow::kNext;
   clipc::Visit(Overloaded{
                    [&](const For& loop) {

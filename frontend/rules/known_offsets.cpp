@@ -68,7 +68,7 @@ std::uint32_t FirstOffset(ObjectOp op) {
   }
 }
 
-// Whether a `break` or `continue` in the statement ends a loop, or a turn of one, around it.
+// Whether a `break` or `continue` in the statement ends a loop, or an iteration of one, around it.
 bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
   if (As<Break>(program, stmt)) return !in_switch;
   if (As<Continue>(program, stmt)) return true;
@@ -343,7 +343,8 @@ class OffsetFinder {
     return false;
   }
 
-  // Whether only the loop's condition ends it, and each turn changes the counter only in its step.
+  // Whether only the loop's condition ends it, and each iteration changes the counter only in its
+  // step.
   bool IsPlain(const For& loop, const CountedLoop& parts) const {
     return loop.init.size == 1 && parts.start && parts.step &&
            program_.vars[parts.counter].storage == Storage::kLocal &&

@@ -97,8 +97,8 @@ class RegionReader {
     breakables_.pop_back();
   }
 
-  // Reads a `break`. A loop without a condition ends by its breaks, so its turns depend on them.
-  // Other loops end by their condition at the latest.
+  // Reads a `break`. A loop without a condition ends by its breaks, so its iterations depend on
+  // them. Other loops end by their condition at the latest.
   void ReadBreak() {
     Breakable& inner = breakables_.back();
     if (!inner.is_loop) return Skip(inner);

@@ -14,7 +14,7 @@ namespace clipc::rules {
 // are constants, parameters whose arguments are known in every call, and values that are computed
 // from these alone. A variable is known if every value that it gets is known, and so is whether it
 // gets it: no assignment to it depends on a condition that is not known. Counters of loops of every
-// kind are such variables, however often the loops turn.
+// kind are such variables, however many iterations the loops have.
 class KnownValues {
  public:
   // What counts as known beside constants: nothing, or the uniforms too, from which a preshader of

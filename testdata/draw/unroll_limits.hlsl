@@ -1,8 +1,8 @@
-// [unroll(N)] ends a loop after N turns; one that is seen to end by then stays as it is.
+// [unroll(N)] ends a loop after N iterations; one that is seen to end by then stays as it is.
 // RUN: %clipc -T vs_5_0 %s --validate | FileCheck %s
 // RUN: %draw compare %s -T vs_5_0 --target=glsl450,essl300,vulkan
 // RUN: %clipc -T vs_5_0 %s -E many --validate | FileCheck %s --check-prefix=MANY
-#define TURNS 4
+#define ITERATIONS 4
 int count;
 struct Output {
   float4 position : SV_Position;
@@ -12,7 +12,7 @@ Output main(float4 p : POSITION) {
   Output o = (Output)0;
   o.position = p;
   // CHECK: for (int i = 0; i < 4; ++i) {
-  [unroll(TURNS)] for (int i = 0; i < TURNS; ++i) ++o.counts.x;
+  [unroll(ITERATIONS)] for (int i = 0; i < ITERATIONS; ++i) ++o.counts.x;
   // CHECK: int turns = 0;
   // CHECK-NEXT: for (int j = 0; turns < 4 && j < 8; ++j, ++turns) {
   [unroll(4)] for (int j = 0; j < 8; ++j) {

@@ -8,7 +8,7 @@ namespace {
 
 bool MayCall(const Context& context, const Function& function) {
   return (context.effects || !function.writes) && context.MayUseStatics(function.writes_statics) &&
-         context.turns * function.cost + context.cost <= kMostCost;
+         context.iterations * function.cost + context.cost <= kMostCost;
 }
 
 // The text of an argument; empty where there is none.
@@ -42,7 +42,7 @@ std::string MakeCallOf(Context& context, const Function& function, int depth) {
   context.taken.resize(taken);
   if (!is_complete) return {};
   for (std::size_t i = 0; i < arguments.size(); ++i) text += (i > 0 ? ", " : "") + arguments[i];
-  context.cost += context.turns * function.cost;
+  context.cost += context.iterations * function.cost;
   return text + ")";
 }
 

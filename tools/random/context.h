@@ -67,7 +67,7 @@ struct Context {
   Indices indices = Indices::kAny;            // the indices that places may have
   bool only_literals = false;                 // whether all expressions are literals
   const Function* function = nullptr;         // the function whose body is made
-  int turns = 1, cost = 0;                    // the runs of a statement here; the sum of all runs
+  int iterations = 1, cost = 0;               // the runs of a statement here; the sum of all runs
   int loops = 0;                              // loops around a statement here
   bool has_continue = true;                   // whether `continue` may be written in such a loop
   bool has_exit = true;                       // whether a statement here may end the loop it is in

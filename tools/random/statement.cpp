@@ -6,7 +6,7 @@
 namespace clipc::random {
 namespace {
 
-constexpr int kMostTurns = 64;
+constexpr int kMostIterations = 64;
 constexpr int kDepth = 3;  // of expressions
 
 bool IsWild(const Place& place) { return IsInteger(place.kind) && place.range.high > 1e6; }
@@ -165,35 +165,35 @@ std::string MakeIf(Context& context, int depth) {
 }
 
 std::string MakeFor(Context& context, int depth) {
-  const int turns = context.Between(1, 4);
+  const int iterations = context.Between(1, 4);
   constexpr const char* kAttributes[] = {"", "", "[unroll] ", "[loop] "};
   const std::string attribute = context.OneOf(kAttributes);
   const Kind kind = context.Chance(30) ? Kind::kUint : Kind::kInt;
   const ScopeOf scope(context);
   const std::string name = "i" + std::to_string(context.names++);
   std::string head = NameOf(kind) + " " + name;
-  const std::string most = Literal(kind, turns).text;
+  const std::string most = Literal(kind, iterations).text;
   switch (context.Pick({3, 1, 1})) {
     case 0: head += " = 0; " + name + " < " + most + "; ++" + name; break;
     case 1: head += " = " + most + "; " + name + "-- > 0; "; break;
     default: {
       const Temporarily no_effects(context.effects, false);
-      const Expr bound = MakeIn(context, kind, kScalar, {0, static_cast<double>(turns)}, 2);
+      const Expr bound = MakeIn(context, kind, kScalar, {0, static_cast<double>(iterations)}, 2);
       head += " = 0; " + name + " < " + At(bound, Level::kShift) + "; " + name + "++";
     }
   }
-  context.Add({name, {kind, kScalar}, false, Holds::kCounter, turns - 1.0});
+  context.Add({name, {kind, kScalar}, false, Holds::kCounter, iterations - 1.0});
   const Temporarily inner(context.loops, context.loops + 1);
   const Temporarily continues(context.has_continue, true);
-  const Temporarily turned(context.turns, context.turns * turns);
+  const Temporarily nested(context.iterations, context.iterations * iterations);
   return Indent(context) + attribute + "for (" + head + ") " + MakeBody(context, depth) + "\n";
 }
 
 std::string MakeWhile(Context& context, int depth) {
-  const int turns = context.Between(1, 3);
+  const int iterations = context.Between(1, 3);
   const ScopeOf scope(context);
   const std::string name = "w" + std::to_string(context.names++);
-  const std::string declared = Line(context, "int " + name + " = " + std::to_string(turns));
+  const std::string declared = Line(context, "int " + name + " = " + std::to_string(iterations));
   const bool is_do = context.Chance(40);
   std::string condition = is_do ? "--" + name + " > 0" : name + "-- > 0";
   if ((!is_do || context.Has(Feature::kDoExits)) && context.Chance(50)) {
@@ -202,7 +202,7 @@ std::string MakeWhile(Context& context, int depth) {
   }
   const Temporarily inner(context.loops, context.loops + 1);
   const Temporarily continues(context.has_continue, true);
-  const Temporarily turned(context.turns, context.turns * turns);
+  const Temporarily nested(context.iterations, context.iterations * iterations);
   const Temporarily exits(context.has_exit,
                           context.has_exit && (!is_do || context.Has(Feature::kDoExits)));
   const std::string body = MakeBody(context, depth);
@@ -279,9 +279,10 @@ std::string MakeWriting(Context& context) {
 std::string MakeStatement(Context& context, int depth) {
   const SpanOf span(context.choices);
   context.EndExpression();
-  context.cost += context.turns;
+  context.cost += context.iterations;
   const bool nests = depth > 0 && context.cost < kMostCost / 2;
-  const bool loops = nests && context.Has(Feature::kLoops) && context.turns * 4 <= kMostTurns;
+  const bool loops =
+      nests && context.Has(Feature::kLoops) && context.iterations * 4 <= kMostIterations;
   const std::uint32_t nest = nests ? 2 : 0, loop = loops ? 2 : 0;
   const bool may_jump = nests && context.scopes.size() > 2;
   switch (context.Pick(

@@ -62,7 +62,7 @@ TEST_F(Lowerings, ThreePlanesCutTheSameEveryWay) {
 }
 
 // Loops that fxc unrolls under level 9 stay loops in GLSL.
-TEST_F(Lowerings, LoopsDrawWhatTheirTurnsDraw) {
+TEST_F(Lowerings, LoopsDrawWhatTheirIterationsDraw) {
   const Scene scene = MakeScene(3);
   EXPECT_EQ(DrawSkinned(scene).rgba, DrawScene(Lowering::kLevel9, scene).rgba);
 }

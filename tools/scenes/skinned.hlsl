@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The objects of scene.hlsl, moved by bones and lit by lights: loops whose turns Direct3D 9's shaders have no index for, so that
+// The objects of scene.hlsl, moved by bones and lit by lights: loops whose iterations Direct3D 9's shaders have no index for, so that
 // fxc unrolls them under feature level 9, and with them `uniform` parameters, which are known where a function is called.
 cbuffer Draw : register(b0) {
   row_major float4x4 bones[2];

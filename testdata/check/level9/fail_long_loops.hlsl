@@ -1,4 +1,4 @@
-// Under level 9, loops that make an index known are unrolled, and at most 1024 turns of them: fxc's
+// Under level 9, loops that make an index known are unrolled, and at most 1024 iterations of them: fxc's
 // error X3511, "loop does not appear to terminate in a timely manner (1024 iterations)".
 // RUN: not %clipc -T vs_4_0_level_9_1 %s -o %t.vert 2>&1 | FileCheck %s
 cbuffer Scene {

@@ -1,4 +1,4 @@
-// A loop that turns once or never, up to 5.1. Oracle: fxc X3557, "loop only executes for 1 iteration(s), forcing loop to unroll";
+// A loop that has one iteration or none, up to 5.1. Oracle: fxc X3557, "loop only executes for 1 iteration(s), forcing loop to unroll";
 // with an attribute it is meant. dxc has no word about it.
 // RUN: %clipc -T vs_5_0 -fsyntax-only %s 2>&1 | FileCheck %s --implicit-check-not=warning:
 // RUN: %clipc -T vs_5_0 -fsyntax-only -Wno-loop-runs-once %s 2>&1 | count 0

@@ -1,4 +1,4 @@
-// fxc compiles ContactHardeningShadows11.hlsl of the DirectX SDK without a warning of `v0`: what one turn writes, the next reads. An offset
+// fxc compiles ContactHardeningShadows11.hlsl of the DirectX SDK without a warning of `v0`: what one iteration writes, the next reads. An offset
 // of a Gather that counts makes clipc unroll such loops.
 // RUN: %clipc -T ps_4_1 -Werror %s -o /dev/null
 // RUN: %clipc -T ps_5_0 -Werror %s -o /dev/null

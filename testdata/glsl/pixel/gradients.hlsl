@@ -70,7 +70,7 @@ float4 uniform_flow(float2 uv : UV, nointerpolation float material : MATERIAL, u
   return c + fwidth(uv.x);
 }
 
-// The loop of SPIRV-Cross that runs once has no turns that differ: fxc takes a sample in it, and one before or after its breaks.
+// The loop of SPIRV-Cross that runs once has no iterations that differ: fxc takes a sample in it, and one before or after its breaks.
 float4 once(float2 uv : UV) : SV_Target {
   float4 c = 0;
   do {

@@ -6,10 +6,10 @@
 
 #include "frontend/rules/rules.h"
 
-// The number of turns of a loop, as far as its own text gives it.
+// The number of iterations of a loop, as far as its own text gives it.
 namespace clipc::rules {
 
-// Whether the loop ends within `limit` turns. Returns nullopt for loops of another form than
+// Whether the loop ends within `limit` iterations. Returns nullopt for loops of another form than
 // `for (int i = 0; i < 4; ++i)` with constants, for loops whose body changes the counter, and for
 // longer loops whose body may end them.
 std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit);
@@ -18,7 +18,7 @@ std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int
 // is never below 0, or is changed nowhere.
 bool NeverLeaves(const Program& program, const For& loop);
 
-// Whether the numbers in the head of the loop say that it turns at most once.
+// Whether the numbers in the head of the loop say that it has at most one iteration.
 bool RunsAtMostOnce(const Program& program, const For& loop);
 
 }  // namespace clipc::rules

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "frontend/rules/loop_turns.h"
+#include "frontend/rules/loop_iterations.h"
 
 #include "frontend/rules/constant.h"
 #include "ir/access.h"
