@@ -43,10 +43,10 @@ std::string SourceLine(const Source& source, Span span) {
 
 // ---- from HLSL to the lowered program
 
-// The settings of the passes, which append the programs that the request wants to see to `dump`.
-LowerSettings SettingsOf(const Job& job, ir::VarId position_input, std::string& dump) {
-  LowerSettings settings{job.request.target, {}};
-  passes::PipelineOptions& passes = settings.passes;
+// The options of the passes, which append the programs that the request wants to see to `dump`.
+LowerOptions OptionsOf(const Job& job, ir::VarId position_input, std::string& dump) {
+  LowerOptions options{job.request.target, {}};
+  passes::PipelineOptions& passes = options.passes;
   passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
   passes.clip_space = job.request.style.clip_space;
   passes.precise_outputs = job.request.style.precise;
@@ -60,24 +60,24 @@ LowerSettings SettingsOf(const Job& job, ir::VarId position_input, std::string& 
     dump += ir::Print(after);
     return true;
   };
-  return settings;
+  return options;
 }
 
 // Runs all passes, unless one stops them or the target cannot express the program.
-Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerSettings& settings) {
+Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerOptions& options) {
   const ClipDistances distances = ClipDistancesOf(typed);
-  Lowered lowered = Lower(std::move(typed), settings);
+  Lowered lowered = Lower(std::move(typed), options);
   if (!lowered.is_complete) return lowered;
   ReportLeftOut(distances, lowered.program, job.diagnostics);
   CheckTarget(lowered, job.request.style.blocks, job.diagnostics);
-  if (!job.diagnostics.has_errors()) Legalize(lowered, settings.passes);
+  if (!job.diagnostics.has_errors()) Legalize(lowered, options.passes);
   return lowered;
 }
 
 // The same for a program that differs from one that was checked in its clip planes only.
-Lowered LowerAgain(ir::Program typed, const LowerSettings& settings) {
-  Lowered lowered = Lower(std::move(typed), settings);
-  Legalize(lowered, settings.passes);
+Lowered LowerAgain(ir::Program typed, const LowerOptions& options) {
+  Lowered lowered = Lower(std::move(typed), options);
+  Legalize(lowered, options.passes);
   return lowered;
 }
 
@@ -91,14 +91,14 @@ struct LoweredProgram {
 // time it is checked for the target.
 Lowered LowerPixel(const PixelHalf& half, Lowering lowering, std::size_t planes, bool is_first,
                    std::string& dump) {
-  LowerSettings settings = SettingsOf(half.job, {}, dump);
+  LowerOptions options = OptionsOf(half.job, {}, dump);
   if (lowering == Lowering::kDiscard) {
-    settings.passes.discarded_planes = planes;
+    options.passes.discarded_planes = planes;
     if (is_first && planes > 0) CheckDiscards(half.typed, half.job.diagnostics);
   }
-  if (!is_first) settings.passes.after_pass = {};
-  Lowered lowered = is_first ? LowerAndLegalize(half.job, half.typed, settings)
-                             : LowerAgain(half.typed, settings);
+  if (!is_first) options.passes.after_pass = {};
+  Lowered lowered =
+      is_first ? LowerAndLegalize(half.job, half.typed, options) : LowerAgain(half.typed, options);
   NameInputs(lowered.program, half.job.plan.write.names);
   return lowered;
 }
@@ -226,9 +226,9 @@ Finished Finish(const Job& job, const PixelHalf* half, const LoweredProgram& low
 // The shaders for the first 0, 1 .. clip planes of `typed`; `whole` is the one for all of them. The
 // planes of a draw call are moved to the front, so their number alone tells the variant.
 std::vector<Finished> WriteVariants(const Job& job, const PixelHalf* half, const ir::Program& typed,
-                                    LowerSettings settings, const Shaders& whole) {
+                                    LowerOptions options, const Shaders& whole) {
   std::vector<Finished> variants;
-  settings.passes.after_pass = {};
+  options.passes.after_pass = {};
   const std::size_t planes = typed.clip_planes.size();
   const std::size_t most = std::min<std::size_t>(planes, *job.request.planes.variants);
   for (std::size_t count = 0; count <= most && !job.diagnostics.has_errors(); ++count) {
@@ -238,7 +238,7 @@ std::vector<Finished> WriteVariants(const Job& job, const PixelHalf* half, const
     }
     ir::Program program = typed;
     program.clip_planes.resize(count);
-    LoweredProgram lowered{LowerAgain(std::move(program), settings), {}};
+    LoweredProgram lowered{LowerAgain(std::move(program), options), {}};
     std::string no_dump;
     if (half) lowered.pixel = LowerPixel(*half, lowered.shader.lowering, count, false, no_dump);
     WrittenProgram written = WriteProgram(job, half, lowered, job.request.outputs.source_lines);
@@ -296,9 +296,9 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
   if (job.diagnostics.has_errors()) return;
   const PositionMatrices position = outputs.reflection ? FollowPosition(typed) : PositionMatrices{};
   const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
-  LowerSettings settings = SettingsOf(job, position_input, result.dump);
-  settings.passes.drops_unneeded = half && typed.outputs.size() < outputs_written;
-  LoweredProgram lowered{LowerAndLegalize(job, std::move(typed), settings), std::move(pixel)};
+  LowerOptions options = OptionsOf(job, position_input, result.dump);
+  options.passes.drops_unneeded = half && typed.outputs.size() < outputs_written;
+  LoweredProgram lowered{LowerAndLegalize(job, std::move(typed), options), std::move(pixel)};
   if (job.diagnostics.has_errors() || job.IsStopped()) return;
   if (!lowered.shader.is_complete) {
     if (job.request.debug.dump_after.empty()) result.dump = ir::Print(lowered.shader.program);
@@ -320,7 +320,7 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
       result.pixel_spirv = TranslateToSpirv(half->job, result.shaders.fragment, Stage::kPixel);
   }
   if (job.request.planes.variants) {
-    for (Finished& variant : WriteVariants(job, half, kept, settings, result.shaders)) {
+    for (Finished& variant : WriteVariants(job, half, kept, options, result.shaders)) {
       if (unjudged.empty()) unjudged = variant.unjudged;
       result.variants.push_back(std::move(variant.shaders));
     }

@@ -10,13 +10,13 @@
 
 namespace clipc {
 
-// A memory that finds, among settings of the same macros for the same shader, those that cannot
+// A memory that finds, among permutations of the same macros for the same shader, those that cannot
 // differ in their result: a compile that asked only for the macros A and B is right for every
-// setting that has the same A and B.
+// permutation that has the same A and B.
 class MacroMemo {
  public:
   // The names of the macros, "A", or for one that takes arguments "A(x)", which always counts as
-  // asked for. All settings define the same of them.
+  // asked for. All permutations define the same of them.
   explicit MacroMemo(std::vector<std::string> names) : names_(std::move(names)) {}
 
   // Returns a job that has the same values of all macros that it asked for; none if there is no

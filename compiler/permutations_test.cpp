@@ -49,7 +49,7 @@ TEST(Permutations, TheLastAxisVariesFirst) {
   EXPECT_GT(group.Count(), kMaxPermutations);
 }
 
-TEST(MacroMemo, FindsSettingsWithTheSameAnswers) {
+TEST(MacroMemo, FindsPermutationsWithTheSameAnswers) {
   MacroMemo memo({"A", "B", "F(x)"});
   memo.Add({"1", "2", "f"}, {"A", "Z"}, 7);
   EXPECT_EQ(memo.Find({"1", "9", "f"}), 7u);

@@ -28,15 +28,15 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
   return diagnostics.error_count() > errors ? ir::Program() : Check(file, options, diagnostics);
 }
 
-Lowered Lower(ir::Program program, const LowerSettings& settings) {
-  passes::PipelineOptions options = settings.passes;
-  options.clip_planes.write_clip_vertex = settings.target.Has(glsl::Feature::kClipVertex);
-  options.hoist_loop_bounds = settings.target.Has(glsl::Feature::kFreeLoops);
-  const bool is_complete = passes::RunPipeline(program, options);
-  glsl::Target target = settings.target;
-  target.flips_y = options.clip_space.flip_y;
-  return {std::move(program), std::move(target), options.clip_planes.lowering,
-          options.clip_planes.space, is_complete};
+Lowered Lower(ir::Program program, const LowerOptions& options) {
+  passes::PipelineOptions pipeline = options.passes;
+  pipeline.clip_planes.write_clip_vertex = options.target.Has(glsl::Feature::kClipVertex);
+  pipeline.hoist_loop_bounds = options.target.Has(glsl::Feature::kFreeLoops);
+  const bool is_complete = passes::RunPipeline(program, pipeline);
+  glsl::Target target = options.target;
+  target.flips_y = pipeline.clip_space.flip_y;
+  return {std::move(program), std::move(target), pipeline.clip_planes.lowering,
+          pipeline.clip_planes.space, is_complete};
 }
 
 std::vector<std::string_view> LowerPasses() {

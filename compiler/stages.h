@@ -37,7 +37,7 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics);
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
                   const std::function<bool(const Tokens&)>& wants = {});
 
-struct LowerSettings {
+struct LowerOptions {
   glsl::Target target;
   // Lower itself decides about clip_planes.write_clip_vertex and hoist_loop_bounds, by the target.
   passes::PipelineOptions passes;
@@ -54,7 +54,7 @@ struct Lowered {
 
 // Runs the passes of the clip planes, of the target's clip space and those that clear up. Requires
 // Form::kTyped.
-Lowered Lower(ir::Program program, const LowerSettings& settings);
+Lowered Lower(ir::Program program, const LowerOptions& options);
 
 // The names of the passes that Lower and Legalize run, in their order: what `stop_after` and
 // `after_pass` know.

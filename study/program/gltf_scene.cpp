@@ -105,7 +105,7 @@ class Converter {
     const tinygltf::Scene& root =
         ElementOf(model_.scenes, std::max(model_.defaultScene, 0), "scene");
     scene_.name = root.name.empty() ? "scene" : root.name;
-    Settings(root.extras);
+    Extras(root.extras);
     PlaceNodes(root);
     for (std::size_t i : placed_) Take(i);
     if (scene_.cameras.empty()) throw DrawError("the scene has no camera");
@@ -136,7 +136,7 @@ class Converter {
     return number;
   }
 
-  void Settings(const tinygltf::Value& extras) {
+  void Extras(const tinygltf::Value& extras) {
     scene_.picture_height = Positive(extras, "picture_height", scene_.picture_height);
     scene_.tolerance = Positive(extras, "tolerance", scene_.tolerance);
     Means& means = scene_.means;

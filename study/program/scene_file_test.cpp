@@ -56,8 +56,8 @@ TEST(SceneFile, Reads) {
   EXPECT_GT(scene.objects[0].box.high[2], 20);
 }
 
-TEST(SceneFile, ReadsEverySetting) {
-  const std::string path = ::testing::TempDir() + "clipc_settings.json";
+TEST(SceneFile, ReadsEveryOption) {
+  const std::string path = ::testing::TempDir() + "clipc_options.json";
   std::ofstream(path) << R"({"schema": "clipc.study-scene", "version": 1, "picture_height": 720,
     "tolerance": 0.25, "clip_distances": false, "user_planes": true, "can_discard": false,
     "one_matrix": false, "cameras": [{"reversed": true, "infinite": true, "offset": [2, 3]},
@@ -141,7 +141,7 @@ struct Said {
   std::string text, variants;
   nlohmann::json pictures;
 };
-Said SayFor(const std::string& settings, const std::string& plane, const std::string& objects,
+Said SayFor(const std::string& options, const std::string& plane, const std::string& objects,
             const std::string& eye = "[0, 0, 0]") {
   // Tests run side by side.
   const std::string path = ::testing::TempDir() + "clipc_" +
@@ -149,7 +149,7 @@ Said SayFor(const std::string& settings, const std::string& plane, const std::st
                     scene = path + ".scene.json", json = path + ".advice.json",
                     list = path + ".variants.cmake";
   std::remove(json.c_str()), std::remove(list.c_str());
-  std::ofstream(scene) << R"({"schema": "clipc.study-scene", "version": 1, )" << settings
+  std::ofstream(scene) << R"({"schema": "clipc.study-scene", "version": 1, )" << options
                        << R"("cameras": [{"near": 0.1, "far": 10000, "eye": )" << eye
                        << R"(}], "planes": [{"name": "the cut", "plane": )" << plane
                        << R"(}], "objects": [)" << objects << "]}";

@@ -56,9 +56,9 @@ def main():
     )
     start = output / "headers.md"
     start.write_text(MAIN)
-    settings = DOXYFILE.format(headers=installed / "include/clipc", main=start, output=output)
+    options = DOXYFILE.format(headers=installed / "include/clipc", main=start, output=output)
     done = subprocess.run(
-        [doxygen, "-"], input=settings, capture_output=True, text=True, check=False
+        [doxygen, "-"], input=options, capture_output=True, text=True, check=False
     )
     said = (done.stderr + done.stdout).strip()
     print(said or f"the reference is {output / 'html/index.html'}")

@@ -6,7 +6,7 @@
 
 Files: every .py file of the repository, and every .js, .mjs, .ts and .css file in it. --write formats them. The tools
 are packages for node, pinned in web/page/package-lock.json; `./test --all` and web/build.sh install them into
-build/web/page. Where they are not there, nothing is checked: exit code 77. Settings: ruff.toml, .prettierrc.json and
+build/web/page. Where they are not there, nothing is checked: exit code 77. Their options: ruff.toml, .prettierrc.json and
 web/eslint.config.mjs.
 """
 
@@ -57,7 +57,7 @@ def main():
         print("node or the packages of web/page are not there; `./test --all` installs them")
         return 77
     work = {
-        "settings": tomllib.loads((ROOT / "ruff.toml").read_text()),
+        "options": tomllib.loads((ROOT / "ruff.toml").read_text()),
         "write": write,
         "files": sorted(files_of_the_repository(".py")),
     }

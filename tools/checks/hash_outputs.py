@@ -3,15 +3,15 @@
 """Hashes everything that clipc writes for many shaders, so that a change meant to keep its output can be shown to keep it.
 
     hash_outputs.py CLIPC --out HASHES [--list LIST] [--tree FOLDER] [--all | --quick] [-j N]
-    hash_outputs.py CLIPC --against HASHES ...        prints the shaders and settings whose output differs
+    hash_outputs.py CLIPC --against HASHES ...        prints the shaders and options whose output differs
 
 Shaders: every HLSL file below FOLDER/testdata and FOLDER/examples (FOLDER: this checkout, or another one whose shaders stay
 the same while this one's are edited), with the profile, entry and defines of its first RUN line; and those of LIST, which has
 a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B).
 
-Settings: each of seven targets; and for a shader whose text has clip planes, or with --all for every one, each lowering in each
-plane space, and all variants; with --quick none of these. A line of HASHES has, for one shader under one setting, the hash of
-what is written (exit code, GLSL, fragment shader, variants, table, reflection) and the hash of the messages.
+Options: each of seven targets; and for a shader whose text has clip planes, or with --all for every one, each lowering in each
+plane space, and all variants; with --quick none of these. A line of HASHES has, for one shader under one choice of options, the
+hash of what is written (exit code, GLSL, fragment shader, variants, table, reflection) and the hash of the messages.
 """
 
 import argparse
@@ -64,7 +64,7 @@ def shaders(tree, list_file):
         yield from listed(list_file)
 
 
-def settings(path, tree, every, quick):
+def choices(path, tree, every, quick):
     text = (tree / path).read_text(errors="replace")
     if quick:
         yield []
@@ -77,7 +77,7 @@ def settings(path, tree, every, quick):
             yield ["--target=" + target, "--variants"]
 
 
-def digest(clipc, tree, path, options, setting):
+def digest(clipc, tree, path, options, chosen):
     with tempfile.TemporaryDirectory() as scratch:
         outputs = [
             "-o",
@@ -86,7 +86,7 @@ def digest(clipc, tree, path, options, setting):
             f"--reflect={scratch}/out.reflect.json",
         ]
         done = subprocess.run(
-            [clipc, path, *options, *setting, *outputs], cwd=tree, capture_output=True, timeout=60
+            [clipc, path, *options, *chosen, *outputs], cwd=tree, capture_output=True, timeout=60
         )
         written = hashlib.sha256(f"{done.returncode}\n".encode())
         for file in sorted(pathlib.Path(scratch).iterdir()):
@@ -112,15 +112,14 @@ def main():
     given = parser.parse_args()
     clipc, tree = given.clipc.resolve(), given.tree.resolve()
     work = [
-        (name, path, options, setting)
+        (name, path, options, chosen)
         for name, path, options in shaders(tree, given.list)
-        for setting in settings(path, tree, given.all, given.quick)
+        for chosen in choices(path, tree, given.all, given.quick)
     ]
     with concurrent.futures.ThreadPoolExecutor(given.j) as pool:
         hashes = list(pool.map(lambda item: digest(clipc, tree, *item[1:]), work, chunksize=16))
     lines = [
-        f"{name}\t{' '.join(setting)}\t{found}"
-        for (name, _, _, setting), found in zip(work, hashes)
+        f"{name}\t{' '.join(chosen)}\t{found}" for (name, _, _, chosen), found in zip(work, hashes)
     ]
     if given.out:
         given.out.write_text("\n".join(lines) + "\n")

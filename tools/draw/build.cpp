@@ -68,14 +68,15 @@ const ir::Program& CheckedShader::typed() const { return state_->typed; }
 
 Shader CheckedShader::BuildFor(const std::string& target) const {
   const BuildOptions& options = state_->options;
-  LowerSettings settings{Known(glsl::Target::Parse(target), "target", target), {}};
-  settings.passes.clip_planes = {options.lowering, options.plane_space, state_->position_input};
-  settings.passes.clip_space = options.clip_space;
-  settings.passes.verify = true;
+  LowerOptions lower_options{Known(glsl::Target::Parse(target), "target", target), {}};
+  lower_options.passes.clip_planes = {options.lowering, options.plane_space,
+                                      state_->position_input};
+  lower_options.passes.clip_space = options.clip_space;
+  lower_options.passes.verify = true;
   Shader shader;
   shader.flips_y = options.clip_space.flip_y;
   shader.typed = state_->typed;
-  Lowered lowered = Lower(shader.typed, settings);
+  Lowered lowered = Lower(shader.typed, lower_options);
   Diagnostics diagnostics;
   CheckTarget(lowered, {}, diagnostics);
   if (diagnostics.has_errors())
@@ -84,7 +85,7 @@ Shader CheckedShader::BuildFor(const std::string& target) const {
   shader.has_int_for_uint = std::ranges::any_of(diagnostics.all(), [](const Diagnostic& reported) {
     return reported.id == DiagId::kTargetUintAsInt;
   });
-  Legalize(lowered, settings.passes);
+  Legalize(lowered, lower_options.passes);
   WrittenGlsl written = Write(lowered, {});
   shader.lowered = std::move(lowered.program);
   shader.glsl = std::move(written.glsl);

@@ -10,7 +10,7 @@
 
 namespace clipc::draw {
 
-// The settings of one run of a shader.
+// The options of one run of a shader.
 struct RandomOptions {
   std::uint32_t seed = 1;
   int vertices = 64;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Reads any text as a manifest: either there is an error with a message, or groups whose settings
-// have names of files in one folder.
+// Reads any text as a manifest: either there is an error with a message, or groups whose
+// permutations have names of files in one folder.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

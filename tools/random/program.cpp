@@ -15,7 +15,7 @@ std::string Some(Context& context, int most, Make&& make) {
   return text;
 }
 
-void ChooseSettings(Context& context, Program& program) {
+void ChooseOptions(Context& context, Program& program) {
   constexpr int kModels[] = {50, 50, 40, 41, 51, 60, 66};
   context.model = context.OneOf(kModels);
   if (context.Has(Feature::kPixels)) program.stage = context.stage = Stage::kPixel;
@@ -96,7 +96,7 @@ Program MakeProgram(Choices& choices, const Features& features) {
   Context context(choices, features);
   context.scopes.emplace_back();
   Program program;
-  ChooseSettings(context, program);
+  ChooseOptions(context, program);
   if (features.Has(Feature::kStructs)) program.text += Some(context, 3, MakeStruct);
   program.text += MakeConstants(context, program.row_major, program.buffers);
   {

@@ -20,9 +20,9 @@ export class Compiles {
   }
 
   /** Resolves to {results, milliseconds}, to {stopped: true}, or never if a newer request came first. */
-  compile(text, settings) {
+  compile(text, requests) {
     return new Promise((resolve) => {
-      this.#waiting = { text, settings, resolve };
+      this.#waiting = { text, requests, resolve };
       this.#next();
     });
   }
@@ -59,8 +59,8 @@ export class Compiles {
     if (this.#running || !this.#waiting || !this.#isReady) return;
     this.#running = this.#waiting;
     this.#waiting = null;
-    const { text, settings } = this.#running;
-    this.#worker.postMessage({ number: ++this.#number, text, settings });
+    const { text, requests } = this.#running;
+    this.#worker.postMessage({ number: ++this.#number, text, requests });
     this.#timer = setTimeout(() => {
       this.#worker.terminate();
       this.#start();

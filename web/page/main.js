@@ -160,7 +160,7 @@ function sentences({ space, predicted, found, problem, warning }) {
 const viewChosen = () => document.querySelector('#view input:checked').value;
 
 /** The shown result, both images', and SPIR-V where it is looked at. */
-function settings() {
+function requests() {
   const space = element('space').value;
   const lower = element('lower').value;
   const words = element('options').value.split(/\s+/).filter(Boolean);
@@ -198,7 +198,7 @@ function compileSoon() {
 
 async function compileNow() {
   const source = editor.text;
-  const answer = await compiles.compile(source, settings());
+  const answer = await compiles.compile(source, requests());
   count('compiled');
   if (answer.stopped) return say('The shader took too long; the compile was stopped.', true);
   if (answer.failed) return say(answer.failed, true);

@@ -22,11 +22,11 @@ async function compile(light, text, options) {
   return again.spirv.length ? { ...again, text: compiler.disassemble(again.spirv) } : again;
 }
 
-addEventListener('message', async ({ data: { module, number, text, settings } }) => {
+addEventListener('message', async ({ data: { module, number, text, requests } }) => {
   if (module) return setModule(module);
   const compiler = await ready;
   const began = performance.now();
   const results = [];
-  for (const options of settings) results.push(options && (await compile(compiler, text, options)));
+  for (const options of requests) results.push(options && (await compile(compiler, text, options)));
   postMessage({ number, results, milliseconds: performance.now() - began });
 });

@@ -52,13 +52,13 @@ for (const name of readdirSync(gallery).filter((file) => /\.(hlsl|fx)$/.test(fil
   const text = readFileSync(join(gallery, name), 'utf8');
   const options = text.match(/^\/\/ clipc (.*)$/m)[1].split(' ');
   const drawn = [...options, '--depth-range=negative-one-to-one'];
-  const settings = [
+  const requests = [
     { lower: 'clip-distance', options },
     { lower: 'clip-distance', options: drawn },
     { lower: 'discard', options: drawn },
   ];
   const run = () =>
-    settings.forEach((given) => compiler.compile(text, { target: 'webgl2', ...given }));
+    requests.forEach((given) => compiler.compile(text, { target: 'webgl2', ...given }));
   for (let i = 0; i < ROUNDS; ++i) run();
   const before = process.cpuUsage();
   for (let i = 0; i < ROUNDS; ++i) run();

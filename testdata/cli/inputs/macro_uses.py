@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Texts that ask for macros in every way that the preprocessor has, at random: what a run over all settings says of one
-must be what a preprocessing of that setting alone says.
+"""Texts that ask for macros in every way that the preprocessor has, at random: what a run over all permutations says of one
+must be what a preprocessing of that permutation alone says.
 
 usage: macro_uses.py CLIPC FOLDER
 """
@@ -66,7 +66,7 @@ def main():
         rng = random.Random(seed)
         text = list(lines(rng))
         (folder / "text.hlsl").write_text("\n".join([f"seed {seed}", *text]) + "\n")
-        # One of the macros is not defined in some settings.
+        # One of the macros is not defined in some permutations.
         manifest = {
             "version": 1,
             "shaders": [
@@ -97,7 +97,7 @@ def main():
                 ).read_text(), where
         shared += 18 - len(list(out.glob("*.i")))
     assert shared > 24, shared
-    print(f"{shared} settings share their files")
+    print(f"{shared} permutations share their files")
 
 
 main()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Ten thousand settings of an engine's macros for one vertex shader with 30 kB of includes, in one run; and five hundred
+"""Ten thousand permutations of an engine's macros for one vertex shader with 30 kB of includes, in one run; and five hundred
 of them as files that are compiled one by one in one process. Prints how many times as fast the first is, in processor
 time, its peak memory, and how many files it writes.
 
@@ -130,7 +130,7 @@ def main():
     files = len(list((folder / "out").glob("*.vert")))
     faster = single * COUNT / len(chosen) / batch
     print(
-        f"{size} bytes of includes, {batch:.2f} s for {COUNT} settings, {files} files, {memory:.0f} MiB, {faster:.1f} times as fast"
+        f"{size} bytes of includes, {batch:.2f} s for {COUNT} permutations, {files} files, {memory:.0f} MiB, {faster:.1f} times as fast"
     )
     assert size >= 30000 and files == 100 and memory < 100 and faster >= 5
 
