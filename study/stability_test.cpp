@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // What the laws on random draws (regimes_test.cpp) do not say: planes of other lengths, long edges,
-// and what peers do. Each has a mutation that breaks it. Seeds are fixed.
+// and what others do. Each has a mutation that breaks it. Seeds are fixed.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Compares the machine code of clipc's shaders with that of two peers, on a corpus that is not part of this repository.
+"""Compares the machine code of clipc's shaders with that of two reference compilers, on a corpus that is not part of this repository.
 
 usage: compare_machine_code.py CLIPC CLIPC_DRAW LIST [-j JOBS] [--families polaris10,navi21] [--list FILE]
 
 LIST is that of compare_corpus.py: path, entry, profile, include folders (a;b), defines (A=1;B), separated by tabs; the profile says
-whether it is a vertex or a pixel shader. The peers are
+whether it is a vertex or a pixel shader. The reference compilers are
 glslang's HLSL front end, legalised, and SPIRV-Cross's GLSL of that, which glslang compiles again. A shader counts where all three
 give SPIR-V that Mesa's driver for these AMD processors takes, without such a processor; of equal SPIR-V of clipc the first counts.
-Prints for each processor and peer the instructions in sum, and how many shaders are more than 2 % longer or shorter; --list
-writes a line for each: processor, peer, instructions of clipc and of the peer, path, entry."""
+Prints for each processor and reference compiler the instructions in sum, and how many shaders are more than 2 % longer or shorter; --list
+writes a line for each: processor, compiler, instructions of clipc and of the reference compiler, path, entry."""
 
 import argparse
 import concurrent.futures
@@ -21,7 +21,7 @@ import subprocess
 import sys
 import tempfile
 
-PEERS = ("glslang", "spirv-cross")
+REFERENCES = ("glslang", "spirv-cross")
 BINDINGS = [
     "--auto-map-bindings",
     "--auto-map-locations",
@@ -55,7 +55,7 @@ def make(arguments, folder, number, line):
     """Returns the three files of a shader, or none."""
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     stage = "frag" if profile.startswith("ps") else "vert"
-    ours, peer, text, crossed = (
+    ours, compiler, text, crossed = (
         folder / f"{number}.{end}" for end in ("clipc.spv", "glslang.spv", stage, "spirv-cross.spv")
     )
     flags = [word for name in filter(None, includes.split(";")) for word in ("-I", name)]
@@ -91,16 +91,16 @@ def make(arguments, folder, number, line):
         *flags,
         path,
         "-o",
-        peer,
+        compiler,
     ).returncode:
         return None
     if run(
-        "spirv-cross", "--vulkan-semantics", "--version", "450", peer, "--output", text
+        "spirv-cross", "--vulkan-semantics", "--version", "450", compiler, "--output", text
     ).returncode:
         return None
     if run("glslangValidator", "-V", text, "-o", crossed).returncode:
         return None
-    return ours, peer, crossed
+    return ours, compiler, crossed
 
 
 def count(arguments, family, files):
@@ -171,17 +171,17 @@ def main():
             counted = [
                 (files, line) for files, line in triples if all(file in counts for file in files)
             ]
-            for index, peer in enumerate(PEERS, 1):
+            for index, compiler in enumerate(REFERENCES, 1):
                 pairs = [(counts[files[0]], counts[files[index]]) for files, _ in counted]
                 ours, theirs = map(sum, zip(*pairs))
                 longer = sum(a > 1.02 * b for a, b in pairs)
                 shorter = sum(b > 1.02 * a for a, b in pairs)
                 print(
-                    f"{family}, {peer}: {len(pairs)} shaders, {ours} to {theirs} instructions, {ours / theirs:.4f} in sum; "
+                    f"{family}, {compiler}: {len(pairs)} shaders, {ours} to {theirs} instructions, {ours / theirs:.4f} in sum; "
                     f"{longer} longer, {shorter} shorter by more than 2 %"
                 )
                 rows += [
-                    (family, peer, *pair, *line.split("\t")[:2])
+                    (family, compiler, *pair, *line.split("\t")[:2])
                     for pair, (_, line) in zip(pairs, counted)
                 ]
     if arguments.list:

@@ -136,8 +136,8 @@ if "--costs" in sys.argv:
                     f"{way} with {planes} planes may cost {more:.3f} times what clip does, setting {setting}",
                 )
 
-# No way of the peers is as accurate and cheaper, by more than the costs are known to, where planes cut little.
-PEERS = {
+# No other way is as accurate and cheaper, by more than the costs are known to, where planes cut little.
+OTHERS = {
     "level9": "clip",
     "world": "world",
     "near-plane": "near-plane",
@@ -149,7 +149,7 @@ if "--costs" in sys.argv:
     for row in edges:
         if row["sweep"] != "eye to plane / near" or row["method"] not in ("xyw1", "object"):
             continue
-        for peer, arithmetic in PEERS.items():
+        for name, arithmetic in OTHERS.items():
             other = next(
                 r
                 for r in edges
@@ -159,10 +159,10 @@ if "--costs" in sys.argv:
             if other["applies"] != "1" or float(other["p99_px"]) > float(row["p99_px"]):
                 continue
             for setting in ("picture", "vertices"):
-                less = paired[setting, peer, "1"] / paired[setting, row["method"], "1"]
+                less = paired[setting, name, "1"] / paired[setting, row["method"], "1"]
                 expect(
                     less > 0.98,
-                    f"{peer} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}",
+                    f"{name} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}",
                 )
 
     costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}

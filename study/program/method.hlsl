@@ -39,7 +39,7 @@ Output main(float4 vertex : POSITION, float3 normal : NORMAL) {
   output.position = mul(vertex, world_view_projection);
   output.normal = mul(normal, (float3x3)world);
 #if defined BY_HAND
-  // As peers write it: the distances of the world-space vertex.
+  // As others write it: the distances of the world-space vertex.
   const float4 placed = mul(vertex, world);
   output.first = 0;
   output.first.x = dot(placed, planes[0]);

@@ -3,12 +3,12 @@
 """Compares clipc's GLSL with its reference evaluator on a corpus of shaders that are not part of this repository.
 
 usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450]
-       compare_corpus.py --peer CLIPC_PEER LIST [-j JOBS]
+       compare_corpus.py --reference CLIPC_REFERENCE_COMPILER LIST [-j JOBS]
 
 LIST has a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B). Every shader
 that clipc accepts runs on random vertices and constants through Mesa's software OpenGL, or Vulkan for that target, and through the
-evaluator. With --peer it is what glslang's HLSL front end makes of the shader that runs; its known bugs (docs/peers.md) are counted:
-tools/peer/run builds that program and runs this.
+evaluator. With --reference it is what glslang's HLSL front end makes of the shader that runs; its known bugs (docs/reference-compilers.md) are counted:
+tools/reference-compiler/run builds that program and runs this.
 A shader that differs is tried again with twice the tolerance (tools/draw/compare.h), and listed whatever comes out.
 """
 
@@ -25,7 +25,7 @@ def compare(arguments, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     command = (
         [arguments.program, path]
-        if arguments.peer
+        if arguments.reference
         else [
             arguments.program,
             "compare",
@@ -67,7 +67,7 @@ def compare(arguments, line):
         return "timeout", path, entry, []
     text = (done.stdout + done.stderr).strip().splitlines()
     if verdict == "not compared" and text and "glslang" in text[0]:
-        verdict = "not compiled by the peer"
+        verdict = "not compiled by the reference compiler"
     return verdict, path, entry, text
 
 
@@ -79,7 +79,7 @@ def main():
     parser.add_argument("list")
     parser.add_argument("-j", type=int, default=2)
     parser.add_argument("--target", default="glsl450")
-    parser.add_argument("--peer", action="store_true")
+    parser.add_argument("--reference", action="store_true")
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = file.readlines()
@@ -89,7 +89,9 @@ def main():
             pool.map(lambda line: compare(arguments, line), lines), 1
         ):
             counts[verdict] += 1
-            bugs.update(line for line in text if line.startswith("known bug of the peer: "))
+            bugs.update(
+                line for line in text if line.startswith("known bug of the reference compiler: ")
+            )
             if sys.stderr.isatty():
                 print(f"\r{done} of {len(lines)}", end="", file=sys.stderr)
             if verdict == "equal":

@@ -38,7 +38,7 @@ ATTRIBUTE = f"[clipplanes({', '.join(f'clip_pass_plane[{i}]' for i in range(PLAN
 INPUT = re.compile(r"layout\(location = (\d+)\) in (\w+) (\w+);")
 BLOCK = re.compile(r"layout\(([^)]*)\) uniform (\w+)")
 DISTANCES = re.compile(r"gl_ClipDistance\[(\d+)\];")
-PEER = ("glslangValidator", "-D", "-V", "-UVULKAN", "--amb", "-S", "vert")
+REFERENCE = ("glslangValidator", "-D", "-V", "-UVULKAN", "--amb", "-S", "vert")
 
 
 def run(*command):
@@ -152,15 +152,15 @@ def is_near(a, b):
 
 
 def options_of(line):
-    """The path, the options of clipc and those of the peer."""
+    """The path, the options of clipc and those of the reference compiler."""
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
-    options, peer = ["-E", entry, "-T", profile], ["-e", entry]
+    options, reference = ["-E", entry, "-T", profile], ["-e", entry]
     source = pathlib.Path(path)
     for flag, several in (("-I", f"{source.parent};{includes}"), ("-D", defines)):
         for value in filter(None, several.split(";")):
             options += [flag, value]
-            peer.append(flag + value)
-    return source, entry, options, peer
+            reference.append(flag + value)
+    return source, entry, options, reference
 
 
 def lines_of(folders):
@@ -182,7 +182,7 @@ def lines_of(folders):
 
 
 def is_laid_out_alike(spirv, buffers):
-    """Whether the peer gives the members of constant buffers the offsets of Direct3D, as clipc does."""
+    """Whether the reference compiler gives the members of constant buffers the offsets of Direct3D, as clipc does."""
     types = json.loads(run("spirv-cross", spirv, "--reflect").stdout).get("types", {}).values()
     offsets = {
         (kind["name"], member["name"]): member.get("offset")
@@ -196,30 +196,34 @@ def is_laid_out_alike(spirv, buffers):
     )
 
 
-def judge_at_peer(draw, scene, drawn, peer, folder, knows_planes):
-    """What the peer makes of the rewritten text; `drawn` is what clipc's GLSL draws."""
-    after, spirv, third = (folder / name for name in ("after.hlsl", "peer.spv", "3.vert"))
-    if run(*PEER, *peer, after, "-o", spirv).returncode:
-        plain = run(*PEER, *peer, folder / "plain.hlsl", "-o", spirv)
-        return "same; the peer reads neither" if plain.returncode else "refused by the peer"
+def judge_at_reference(draw, scene, drawn, reference, folder, knows_planes):
+    """What the reference compiler makes of the rewritten text; `drawn` is what clipc's GLSL draws."""
+    after, spirv, third = (folder / name for name in ("after.hlsl", "reference.spv", "3.vert"))
+    if run(*REFERENCE, *reference, after, "-o", spirv).returncode:
+        plain = run(*REFERENCE, *reference, folder / "plain.hlsl", "-o", spirv)
+        return (
+            "same; the reference compiler reads neither"
+            if plain.returncode
+            else "refused by the reference compiler"
+        )
     crossing = run("spirv-cross", spirv, "--version", "450")
-    if crossing.returncode:  # a buffer that the peer packs as GLSL cannot say
+    if crossing.returncode:  # a buffer that the reference compiler packs as GLSL cannot say
         return "same; SPIRV-Cross writes no GLSL"
     third.write_text(crossing.stdout)
     count = DISTANCES.search((folder / "1.vert").read_text())[1]
     if f"gl_ClipDistance[{count}];" not in crossing.stdout:
-        return "lost by the peer"
+        return "lost by the reference compiler"
     crossed = scene.draw(draw, third)
     if not crossed:
-        return "same; the peer's is not drawn"
+        return "same; the reference compiler's is not drawn"
     if is_near(drawn, crossed):
-        return "same, and at the peer"
+        return "same, and at the reference compiler"
     if not is_laid_out_alike(spirv, scene.cbuffers):
-        return "same; the peer lays a buffer out otherwise"
+        return "same; the reference compiler lays a buffer out otherwise"
     positions = ["\n".join(re.findall(r"gl_Position = .*", text)) for text in (drawn, crossed)]
     if is_near(*positions) or (knows_planes and not scene.has_distances(crossed)):
-        return "same; the peer differs"
-    return "same; the peer's position differs"
+        return "same; the reference compiler differs"
+    return "same; the reference compiler's position differs"
 
 
 def may_change(row, text, entry):
@@ -240,7 +244,7 @@ def may_change(row, text, entry):
 
 def judge(tools, line, is_test, folder):
     clipc, draw, space = tools
-    source, entry, options, peer = options_of(line)
+    source, entry, options, reference = options_of(line)
     plain = source.read_text(errors="replace")
     text = plain if is_test else with_planes(plain, entry)
     if text is None:
@@ -280,7 +284,9 @@ def judge(tools, line, is_test, folder):
             evaluated = run(draw, "compare", before, *planes, "--target", "glsl450", "--direct3d")
             is_undefined = "nothing was compared" in evaluated.stderr
         return "undefined" if is_undefined else "different", changed
-    return judge_at_peer(draw, scene, drawn, peer, folder, not is_test and space == "clip"), changed
+    return judge_at_reference(
+        draw, scene, drawn, reference, folder, not is_test and space == "clip"
+    ), changed
 
 
 def judge_alone(tools, line, is_test):
@@ -313,7 +319,7 @@ def main():
                 continue
             judged += verdict != "not drawn"
             changes[changed] += 1
-            if arguments.v and verdict != "same, and at the peer":
+            if arguments.v and verdict != "same, and at the reference compiler":
                 print(verdict, *line.split("\t")[:2], flush=True)
             if judged == arguments.most:
                 pool.shutdown(wait=False, cancel_futures=True)
@@ -328,7 +334,7 @@ def main():
         "another",
         "different",
         "lost",
-        "same; the peer differs",
+        "same; the reference compiler differs",
     )
     return 1 if any(verdict.startswith(wrong) for verdict in verdicts) else 0
 

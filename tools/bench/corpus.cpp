@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "compiler/compile.h"
-#include "tools/bench/peers.h"
+#include "tools/bench/reference_compilers.h"
 #include "tools/harness/timing.h"
 
 namespace clipc::bench {
@@ -74,30 +74,32 @@ void Say(const char* who, const std::vector<char>& accepted, double seconds) {
 void BenchCorpus(const std::string& list) {
   const std::vector<CompileRequest> requests = ReadList(list);
   std::vector<std::pair<double, std::size_t>> times(requests.size());
-  std::vector<char> accepted(requests.size()), accepted_by_peers(requests.size());
+  std::vector<char> accepted(requests.size()), accepted_by_reference(requests.size());
   Compiler compilers[kThreads];
   const double ours = OnThreads(requests.size(), [&](int thread, std::size_t index) {
     const double start = ThreadSeconds();
     accepted[index] = compilers[thread].Compile(requests[index]).ok();
     times[index] = {ThreadSeconds() - start, index};
   });
-  StartPeers();
+  StartReferenceCompilers();
   const double theirs = OnThreads(requests.size(), [&](int, std::size_t index) {
-    accepted_by_peers[index] = CompileFileWithPeers(requests[index]).has_value();
+    accepted_by_reference[index] = CompileFileWithReferenceCompilers(requests[index]).has_value();
   });
   Say("clipc", accepted, ours);
-  Say("glslang and SPIRV-Cross", accepted_by_peers, theirs);
-  // Shaders that the peers refuse cost them little: measures again with those that both accept.
+  Say("glslang and SPIRV-Cross", accepted_by_reference, theirs);
+  // Shaders that the reference compilers refuse cost them little: measures again with those that
+  // both accept.
   std::vector<std::size_t> both;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (accepted[i] && accepted_by_peers[i]) both.push_back(i);
+    if (accepted[i] && accepted_by_reference[i]) both.push_back(i);
   }
   const double our_both = OnThreads(both.size(), [&](int thread, std::size_t i) {
     compilers[thread].Compile(requests[both[i]]);
   });
-  const double their_both =
-      OnThreads(both.size(), [&](int, std::size_t i) { CompileFileWithPeers(requests[both[i]]); });
-  StopPeers();
+  const double their_both = OnThreads(both.size(), [&](int, std::size_t i) {
+    CompileFileWithReferenceCompilers(requests[both[i]]);
+  });
+  StopReferenceCompilers();
   const double ratio = their_both / our_both;
   std::printf(
       "the %zu that both accept: clipc %.2f s, the others %.2f s: %.1f times as fast (at least 10: "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Speed and memory as ratios against named peers, all taken in one run, each beside its limit.
+// Speed and memory as ratios against named reference compilers, all taken in one run, each beside
+// its limit.
 //   clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]
 //   clipc-bench shaders             compiles a hundred shaders, for a tool that counts instructions
 #include <algorithm>
@@ -12,8 +13,8 @@
 #include "compiler/compile.h"
 #include "tools/bench/corpus.h"
 #include "tools/bench/generate.h"
-#include "tools/bench/peers.h"
 #include "tools/bench/process.h"
+#include "tools/bench/reference_compilers.h"
 #include "tools/bench/report.h"
 #include "tools/harness/timing.h"
 
@@ -35,7 +36,7 @@ void BenchCold(const std::string& clipc, const std::string& hello, const std::st
   const auto cold = RunInTurn(
       {compile,
        {hello},
-       {glslang, "-D", "-V", "-e", "main", "-S", "vert", hlsl, "-o", folder + "/peer.spv"}},
+       {glslang, "-D", "-V", "-e", "main", "-S", "vert", hlsl, "-o", folder + "/reference.spv"}},
       100);
   std::printf(
       "| cold start: hello world %.2f ms, clipc %.2f ms, glslangValidator -D -V %.2f ms | | | |\n",
@@ -71,11 +72,11 @@ void CompileAll(Compiler& compiler, const std::vector<CompileRequest>& requests)
   }
 }
 
-// Measures a hundred shaders in this process, with clipc and with the peers in turn, and returns
-// the ratio.
+// Measures a hundred shaders in this process, with clipc and with the reference compilers in turn,
+// and returns the ratio.
 double WarmRatio(const char* profile, const std::vector<CompileRequest>& requests) {
   constexpr int kRounds = 7;
-  StartPeers();
+  StartReferenceCompilers();
   Compiler compiler;
   std::vector<double> ours, theirs;
   for (int round = 0; round < kRounds; ++round) {
@@ -84,11 +85,11 @@ double WarmRatio(const char* profile, const std::vector<CompileRequest>& request
     ours.push_back(1e3 * (harness::ProcessSeconds() - start) / kWarmShaders);
     start = harness::ProcessSeconds();
     for (const CompileRequest& request : requests) {
-      if (!CompileWithPeers(request)) std::exit(1);
+      if (!CompileWithReferenceCompilers(request)) std::exit(1);
     }
     theirs.push_back(1e3 * (harness::ProcessSeconds() - start) / kWarmShaders);
   }
-  StopPeers();
+  StopReferenceCompilers();
   std::printf(
       "| in one process, a shader of %s: clipc %.4f ms, glslang and SPIRV-Cross %.4f ms | | | |\n",
       profile, harness::Median(ours), harness::Median(theirs));

@@ -73,7 +73,7 @@ ROOMS = {
         "tools/harness",
         VOCABULARY,
     },
-    "tools/peer": {"base", "ir", "frontend/lex", "tools/harness", "tools/draw"},
+    "tools/reference-compiler": {"base", "ir", "frontend/lex", "tools/harness", "tools/draw"},
     "tools/values": {"base", "tools/harness", LIBRARY},
     "tools/random": {
         "base",
@@ -98,10 +98,10 @@ ROOMS = {
 # A library's headers, and the files that may include them.
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
-    r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/(draw/vulkan/glslang\.(cpp|h)|peer/glslang\.cpp)|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
+    r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/(draw/vulkan/glslang\.(cpp|h)|reference-compiler/glslang\.cpp)|tools/bench/reference_compilers\.cpp|web/module/page\.cpp|web/wasm/.*",
     r"epoxy/": r"tools/(harness|draw|values|study/program|scenes|effects)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
-    r"spirv_cross/": r"tools/(draw/vulkan|peer)/.*|tools/bench/peers\.cpp",
+    r"spirv_cross/": r"tools/(draw/vulkan|reference-compiler)/.*|tools/bench/reference_compilers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|link|rewrite|backend-glsl|compiler|tools/bench)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/values|study)/.*\.cpp",

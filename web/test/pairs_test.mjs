@@ -40,7 +40,7 @@ const run = (command, ...given) =>
   execFileSync(command, given, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 
 /** The shader's translations: both halves of the others, and the pixel shader to fit. */
-function peersOf(path, vertexEntry) {
+function referencesOf(path, vertexEntry) {
   const spirv = {};
   for (const [entry, stage] of [
     [vertexEntry, 'vert'],
@@ -132,7 +132,7 @@ for (const name of readdirSync(folder)
   const [line] = text.match(/^\/\/ RUN:.*/m);
   const halves = bothHalves(path);
   if (!halves) continue;
-  const { fragment, spirv, own } = peersOf(path, /--peer (\w+)/.exec(line)?.[1] ?? 'vs');
+  const { fragment, spirv, own } = referencesOf(path, /--reference (\w+)/.exec(line)?.[1] ?? 'vs');
   const theirs = await drawn(...own);
   assert.equal(theirs.problem, undefined, `${name}, the others' halves`);
   const colors = new Set(

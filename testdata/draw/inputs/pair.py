@@ -7,7 +7,7 @@ SHADER.hlsl has the entry points `vs` and `ps`. glslang and SPIRV-Cross translat
 as HLSL, as SPIR-V or as SPIRV-Cross's GLSL, or both at once as a pair. Its picture, with SPIRV-Cross's pixel shader, must be that of their own two halves in
 a GLSL whose halves match by location: by name, these two do not. On Vulkan clipc writes SPIR-V, the pixel shader is glslang's or is
 made of SPIRV-Cross's GLSL for Vulkan, and any message of the validation layers is a failure. glslang numbers a pixel shader's inputs
-by itself: where they are not those of `vs` in their order, --peer names a vertex shader that writes just what `ps` reads. WORK begins
+by itself: where they are not those of `vs` in their order, --reference names a vertex shader that writes just what `ps` reads. WORK begins
 the names of the files that are made.
 
     --targets A,B     of clipc, default glsl450,glsl330,essl310,essl300,vulkan
@@ -31,7 +31,12 @@ CROSS = {
 WITH_LOCATIONS = ("glsl450", "essl310", "vulkan")
 # clipc's numbers for Vulkan, where textures and samplers share them with constant buffers.
 SHIFTS = ["--shift-sampler-binding", "16", "--shift-texture-binding", "32"]
-PEER_OF = {"glsl450": "glsl450", "glsl330": "glsl450", "essl310": "essl310", "essl300": "essl310"}
+REFERENCE_OF = {
+    "glsl450": "glsl450",
+    "glsl330": "glsl450",
+    "essl310": "essl310",
+    "essl300": "essl310",
+}
 
 
 def run(*command):
@@ -49,7 +54,7 @@ def translate(shader, entry, stage, spirv, *options):
 
 
 class Halves:
-    """What one target draws: a pixel shader, the peers' two halves, and clipc's vertex shader for each form of the pixel shader."""
+    """What one target draws: a pixel shader, the reference compilers' two halves, and clipc's vertex shader for each form of the pixel shader."""
 
     def __init__(self, given, target):
         self.given = given
@@ -58,19 +63,23 @@ class Halves:
         stem = f"{given.work}.{target}"
         shifts = SHIFTS if self.is_vulkan else []
         self.spirv = translate(given.shader, "ps", "frag", f"{stem}.ps.spv", *shifts)
-        vertex = translate(given.shader, given.peer, "vert", f"{stem}.{given.peer}.spv", *shifts)
+        vertex = translate(
+            given.shader, given.reference, "vert", f"{stem}.{given.reference}.spv", *shifts
+        )
         self.glsl = pathlib.Path(f"{stem}.frag")
         if self.is_vulkan:
             self.glsl.write_text(
                 run("spirv-cross", self.spirv, "--version", "450", "--vulkan-semantics")
             )
             run("glslangValidator", "-V", self.glsl, "-o", f"{stem}.frag.spv")
-            self.peer = [vertex, self.spirv]
+            self.reference = [vertex, self.spirv]
         else:
             self.glsl.write_text(run("spirv-cross", self.spirv, *CROSS[target]))
-            self.peer = [f"{stem}.peer.vert", f"{stem}.peer.frag"]
-            for path, half in zip(self.peer, (vertex, self.spirv)):
-                pathlib.Path(path).write_text(run("spirv-cross", half, *CROSS[PEER_OF[target]]))
+            self.reference = [f"{stem}.reference.vert", f"{stem}.reference.frag"]
+            for path, half in zip(self.reference, (vertex, self.spirv)):
+                pathlib.Path(path).write_text(
+                    run("spirv-cross", half, *CROSS[REFERENCE_OF[target]])
+                )
 
     def fragment(self, form):
         if form == "pair":
@@ -128,7 +137,7 @@ def main():
     parser.add_argument("--draw", required=True)
     parser.add_argument("--targets", default=",".join([*CROSS, "vulkan"]))
     parser.add_argument("--forms", default="glsl,spirv,hlsl,pair")
-    parser.add_argument("--peer", default="vs")
+    parser.add_argument("--reference", default="vs")
     parser.add_argument("--spoil")
     parser.add_argument("shader")
     parser.add_argument("work")
@@ -142,7 +151,7 @@ def main():
                 continue
             if form == "pair" and given.spoil:
                 continue
-            files = [halves.mine(form), halves.fragment(form), *halves.peer]
+            files = [halves.mine(form), halves.fragment(form), *halves.reference]
             texts = tuple(pathlib.Path(path).read_bytes() for path in files)
             if texts not in answers:
                 answers[texts] = subprocess.run(

@@ -1,11 +1,11 @@
 // Outputs as parameters, in another order than the pixel shader's struct.
-// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --peer peer
+// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --reference reference
 void vs(float4 p : POSITION, float4 c : COLOR, out float4 color : COLOR, out float2 uv : TEXCOORD3, out float4 position : SV_Position) {
   position = p;
   color = c;
   uv = c.zw * p.xy;
 }
-void peer(float4 p : POSITION, float4 c : COLOR, out float4 position : SV_Position, out float2 uv : TEXCOORD3, out float4 color : COLOR) {
+void reference(float4 p : POSITION, float4 c : COLOR, out float4 position : SV_Position, out float2 uv : TEXCOORD3, out float4 color : COLOR) {
   position = p;
   color = c;
   uv = c.zw * p.xy;

@@ -1,5 +1,5 @@
 // The pixel shader reads a part of the outputs, in another order.
-// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --peer peer
+// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --reference reference
 cbuffer Frame : register(b0) { float4x4 view; };
 struct Varyings { float4 position : SV_Position; float3 normal : NORMAL; float2 uv : TEXCOORD0; float4 color : COLOR; };
 Varyings vs(float4 p : POSITION, float3 n : NORMAL, float2 uv : TEXCOORD0, float4 c : COLOR) {
@@ -11,7 +11,7 @@ Varyings vs(float4 p : POSITION, float3 n : NORMAL, float2 uv : TEXCOORD0, float
   return v;
 }
 struct Read { float4 color : COLOR; float2 uv : TEXCOORD0; float4 position : SV_Position; };
-Read peer(float4 p : POSITION, float3 n : NORMAL, float2 uv : TEXCOORD0, float4 c : COLOR) {
+Read reference(float4 p : POSITION, float3 n : NORMAL, float2 uv : TEXCOORD0, float4 c : COLOR) {
   Read v;
   v.position = mul(p, view);
   v.uv = uv;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/interface.h"
+#include "tools/reference-compiler/interface.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "tools/draw/textures.h"
 #include "tools/draw/vulkan/bind.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 using namespace ir;
@@ -17,8 +17,9 @@ const Reads::Binding* FindBinding(const Reads& reads, const std::string& name) {
   return found == reads.bindings.end() ? nullptr : &*found;
 }
 
-// The program with ordinary inputs in place of the built-in ones that the peer takes for ordinary.
-Program WithPeerInputs(const Program& program, const std::vector<const Vector*>& vectors) {
+// The program with ordinary inputs in place of the built-in ones that the reference compiler takes
+// for ordinary.
+Program WithReferenceInputs(const Program& program, const std::vector<const Vector*>& vectors) {
   Program changed = program;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     if (vectors[i]) changed.inputs[i].builtin = Builtin::kNone;
@@ -26,8 +27,8 @@ Program WithPeerInputs(const Program& program, const std::vector<const Vector*>&
   return changed;
 }
 
-// The places where the peer's shader reads the inputs and objects of the program, under the names
-// of the HLSL.
+// The places where the reference compiler's shader reads the inputs and objects of the program,
+// under the names of the HLSL.
 GlslInfo InfoOf(const Program& program, const Reads& reads,
                 const std::vector<const Vector*>& vectors, const RandomInputs& random) {
   GlslInfo info;
@@ -50,11 +51,11 @@ GlslInfo InfoOf(const Program& program, const Reads& reads,
   return info;
 }
 
-// Adds the peer's blocks to the draw call. A block that holds several cbuffers gets the members of
-// each.
+// Adds the reference compiler's blocks to the draw call. A block that holds several cbuffers gets
+// the members of each.
 void GiveBlocks(const Program& program, const Module& module, const Reads& reads,
                 const RandomInputs& random, DrawCall& call) {
-  for (const PeerBlock& block : module.blocks) {
+  for (const ReferenceBlock& block : module.blocks) {
     const Reads::Binding* binding = FindBinding(reads, block.name);
     if (!binding) continue;
     std::vector<Bytes> elements(1, Bytes(block.size));
@@ -133,12 +134,12 @@ DrawCall MakeDrawCall(const Program& program, const Module& module, const Random
                       const RandomOptions& draw) {
   const Reads reads = vulkan::ReadsOf(module.run);
   const std::vector<const Vector*> vectors = Match(program.inputs, module.inputs);
-  const Program changed = WithPeerInputs(program, vectors);
+  const Program changed = WithReferenceInputs(program, vectors);
   const GlslInfo info = InfoOf(changed, reads, vectors, random);
   RandomInputs relocated = random;
   for (const Resource& resource : program.resources) {
-    const auto elements =
-        std::ranges::find(module.elements, program.vars[resource.var].name, &PeerElements::name);
+    const auto elements = std::ranges::find(module.elements, program.vars[resource.var].name,
+                                            &ReferenceElements::name);
     if (elements == module.elements.end() ||
         !IsStructured(ObjectTypeOf(program, resource.var).object))
       continue;
@@ -169,4 +170,4 @@ std::vector<Captured> PickOutputs(const Program& program, const Module& module,
   return picked;
 }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/plain_text.h"
+#include "tools/reference-compiler/plain_text.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 
 #include "base/spelling.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 using enum TokenKind;
@@ -190,4 +190,4 @@ std::string PlainText(const Tokens& tokens, const std::string& entry) {
   return Writer(tokens, entry).Run();
 }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

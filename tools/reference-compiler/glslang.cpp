@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/glslang.h"
+#include "tools/reference-compiler/glslang.h"
 
 #include <glslang/Public/ShaderLang.h>
 #include <spirv-tools/libspirv.hpp>
@@ -7,7 +7,7 @@
 #include "tools/draw/vulkan/glslang.h"
 #include "tools/harness/glslang_includer.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 using vulkan::Spirv;
@@ -65,4 +65,4 @@ Spirv SpirvOfHlsl(const HlslSource& source, bool legalize) {
   return spirv;
 }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -1,6 +1,6 @@
-// What glslang's HLSL front end gets wrong (docs/peers.md), one entry point for each. The values are compared all the same: with
-// what the bug makes of the shader, and for the last ones, which move constants, with the constants where the peer reads them.
-// peer_test.cpp says which bug explains which.
+// What glslang's HLSL front end gets wrong (docs/reference-compilers.md), one entry point for each. The values are compared all the same: with
+// what the bug makes of the shader, and for the last ones, which move constants, with the constants where the reference compiler reads them.
+// reference_compiler_test.cpp says which bug explains which.
 
 float4 main(float4 p : P, out float4 lit_ : O) : SV_Position { return lit_ = p; }
 
@@ -58,6 +58,6 @@ float loose;
 #endif
 float4 placed(float4 p : P) : SV_Position { return p * first + loose; }
 
-#ifdef SCALES  // the peer makes invalid SPIR-V of it
+#ifdef SCALES  // the reference compiler makes invalid SPIR-V of it
 float4 scales(float4 p : P) : SV_Position { return ldexp(p, p.yzwx); }
 #endif

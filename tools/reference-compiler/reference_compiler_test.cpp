@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tools/peer/compare.h"
+#include "tools/reference-compiler/compare.h"
 
-// The comparison with a peer itself: it sees what is not the same, and a known bug excuses that bug
-// only.
-namespace clipc::draw::peer {
+// The comparison with a reference compiler itself: it sees what is not the same, and a known bug
+// excuses that bug only.
+namespace clipc::draw::reference_compiler {
 namespace {
 
 constexpr char kShader[] = R"(
@@ -37,11 +37,11 @@ Output main(float4 p : POSITION, float2 uv[2] : TEXCOORD1, uint id : SV_VertexID
 }
 )";
 
-class Peer : public ::testing::Test {
+class ReferenceCompiler : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     path_ = std::filesystem::temp_directory_path() /
-            ("peer_test." + std::to_string(getpid()) + ".hlsl");
+            ("reference_compiler_test." + std::to_string(getpid()) + ".hlsl");
   }
   static void TearDownTestSuite() { std::filesystem::remove(path_); }
 
@@ -57,25 +57,25 @@ class Peer : public ::testing::Test {
     return options;
   }
 
-  static PeerComparison Compare(const Shader& shader, const BuildOptions& options,
-                                std::uint32_t seed) {
+  static ReferenceComparison Compare(const Shader& shader, const BuildOptions& options,
+                                     std::uint32_t seed) {
     static const vulkan::Runner runner;
     return CompareWithGlslang(runner, shader, options, {.seed = seed, .vertices = 40}, {});
   }
 
   // Compares an entry point of a file beside this one, in the repository's root.
-  static PeerComparison RunFile(const char* file, const char* entry, const char* define = "NONE",
-                                std::uint32_t seed = 1) {
+  static ReferenceComparison RunFile(const char* file, const char* entry,
+                                     const char* define = "NONE", std::uint32_t seed = 1) {
     BuildOptions options = Options();
-    options.path = std::string("tools/peer/") + file;
+    options.path = std::string("tools/reference-compiler/") + file;
     options.entry = entry;
     options.profile = "vs_6_1";
     options.defines = {define};
     return Compare(Build(options), options, seed);
   }
 
-  // The peer reads the text with `from` replaced.
-  static PeerComparison Run(const std::string& from = "", const std::string& to = "") {
+  // The reference compiler reads the text with `from` replaced.
+  static ReferenceComparison Run(const std::string& from = "", const std::string& to = "") {
     std::string text = kShader;
     std::ofstream(path_) << text;
     const Shader shader = Build(Options());
@@ -90,15 +90,15 @@ class Peer : public ::testing::Test {
   static inline std::string path_;
 };
 
-TEST_F(Peer, AgreesOnWhatHasNoBug) {
-  const PeerComparison found = Run();
+TEST_F(ReferenceCompiler, AgreesOnWhatHasNoBug) {
+  const ReferenceComparison found = Run();
   EXPECT_EQ(found.values.wrong, 0) << found.values.mistakes.at(0);
   EXPECT_EQ(found.values.values, 40 * (4 + 4 + 6 + 1));
   EXPECT_THAT(found.known_bugs, ::testing::IsEmpty());
 }
 
-// docs/peers.md describes these bugs.
-TEST_F(Peer, KnownBugsAreNamed) {
+// docs/reference-compilers.md describes these bugs.
+TEST_F(ReferenceCompiler, KnownBugsAreNamed) {
   const std::pair<const char*, const char*> bugs[] = {{"clipped", "clip-planes"},
                                                       {"remainders", "float-remainder"},
                                                       {"lights", "lit"},
@@ -108,34 +108,34 @@ TEST_F(Peer, KnownBugsAreNamed) {
                                                       {"views", "system-values"},
                                                       {"columns", "matrix-signature"}};
   for (const auto& [entry, bug] : bugs) {
-    const PeerComparison found = RunFile("known_bugs.hlsl", entry, "NONE", 2);
+    const ReferenceComparison found = RunFile("known_bugs.hlsl", entry, "NONE", 2);
     EXPECT_THAT(found.known_bugs, ::testing::ElementsAre(bug)) << entry;
     EXPECT_EQ(found.values.wrong, 0) << entry;
   }
 }
 
-TEST_F(Peer, ConstantsMoveToWhereThePeerReadsThem) {
+TEST_F(ReferenceCompiler, ConstantsMoveToWhereTheReferenceCompilerReadsThem) {
   for (const char* entry : {"elements", "parameters", "packed", "globals", "placed"}) {
-    const PeerComparison found = RunFile("known_bugs.hlsl", entry, "PLACES");
+    const ReferenceComparison found = RunFile("known_bugs.hlsl", entry, "PLACES");
     EXPECT_EQ(found.values.wrong, 0) << entry;
     EXPECT_GT(found.values.values, 10) << entry;
     EXPECT_THAT(found.known_bugs, ::testing::IsEmpty()) << entry;
   }
 }
 
-TEST_F(Peer, AnEffectFileIsReadWithoutItsEffects) {
-  const PeerComparison found = RunFile("effect.hlsl", "RenderVS");
+TEST_F(ReferenceCompiler, AnEffectFileIsReadWithoutItsEffects) {
+  const ReferenceComparison found = RunFile("effect.hlsl", "RenderVS");
   EXPECT_EQ(found.values.wrong, 0);
   EXPECT_EQ(found.values.values, 40 * 7);
 }
 
-TEST_F(Peer, InvalidSpirvIsNoAnswer) {
+TEST_F(ReferenceCompiler, InvalidSpirvIsNoAnswer) {
   EXPECT_THAT([] { RunFile("known_bugs.hlsl", "scales", "SCALES"); },
               ::testing::ThrowsMessage<DrawError>(
                   ::testing::HasSubstr("glslang makes invalid SPIR-V: GLSL.std.450 Ldexp")));
 }
 
-TEST_F(Peer, OtherValuesAreSeen) {
+TEST_F(ReferenceCompiler, OtherValuesAreSeen) {
   EXPECT_GT(Run("uv[1] * lights", "uv[0] * lights").values.wrong, 0) << "an element of an input";
   EXPECT_GT(Run("lights[1].range", "lights[0].range").values.wrong, 0)
       << "an element of a constant";
@@ -148,11 +148,11 @@ TEST_F(Peer, OtherValuesAreSeen) {
       << "a texture's coordinate";
 }
 
-TEST_F(Peer, OtherSemanticsAreSeen) {
+TEST_F(ReferenceCompiler, OtherSemanticsAreSeen) {
   EXPECT_GT(Run("KIND;\n}", "SORT;\n}").values.wrong, 0) << "an output";
   EXPECT_GT(Run("TEXCOORD3", "TEXCOORD5").values.wrong, 0) << "its number";
   EXPECT_THROW(Run(" uv[2] : TEXCOORD1,", " uv[2] : TEXCOORD2,"), DrawError) << "an input";
 }
 
 }  // namespace
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/module.h"
+#include "tools/reference-compiler/module.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "base/spelling.h"
 #include "tools/draw/vulkan/reflect.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 using spirv_cross::Compiler;
@@ -75,9 +75,9 @@ class Walker {
   Offsets bytes_;
 };
 
-PeerBlock BlockOf(const Compiler& compiler, const Resource& resource, bool is_storage) {
+ReferenceBlock BlockOf(const Compiler& compiler, const Resource& resource, bool is_storage) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
-  PeerBlock block;
+  ReferenceBlock block;
   const std::string& variable = compiler.get_name(resource.id);
   block.name = variable.empty() ? compiler.get_name(resource.base_type_id) : variable;
   block.is_storage = is_storage;
@@ -137,10 +137,10 @@ std::string KeyOf(const std::string& semantic, std::uint32_t index) {
   return ToUpper(semantic + std::to_string(index));
 }
 
-std::vector<PeerBlock> BlocksOf(const Spirv& spirv) {
+std::vector<ReferenceBlock> BlocksOf(const Spirv& spirv) {
   return vulkan::Reflected(spirv, [](const Compiler& compiler) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
-    std::vector<PeerBlock> blocks;
+    std::vector<ReferenceBlock> blocks;
     for (const Resource& resource : resources.uniform_buffers)
       blocks.push_back(BlockOf(compiler, resource, false));
     for (const Resource& resource : resources.storage_buffers) {
@@ -150,9 +150,9 @@ std::vector<PeerBlock> BlocksOf(const Spirv& spirv) {
   });
 }
 
-std::vector<PeerElements> ElementsOf(const Spirv& spirv) {
+std::vector<ReferenceElements> ElementsOf(const Spirv& spirv) {
   return vulkan::Reflected(spirv, [](const Compiler& compiler) {
-    std::vector<PeerElements> all;
+    std::vector<ReferenceElements> all;
     for (const Resource& resource : compiler.get_shader_resources().storage_buffers) {
       if (!IsStructured(compiler, resource)) continue;
       const SPIRType& type = compiler.get_type(resource.base_type_id);
@@ -183,4 +183,4 @@ std::vector<Vector> OutputsOf(const Spirv& declared) {
   return Count(variables);
 }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/relocate.h"
+#include "tools/reference-compiler/relocate.h"
 
 #include <algorithm>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include "tools/draw/memory.h"
 #include "tools/draw/textures.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 using namespace ir;
@@ -27,24 +27,27 @@ Offsets BytesOf(const Program& program, VarId var) {
       program.types, ObjectTypeOf(program, var).element, program.vars[var].row_major, 0,
       [&](Scalar kind, std::uint32_t byte) {
         if (ByteSize(kind) == 8)
-          throw DrawError("64-bit parts of a structured buffer, which no test lets a peer read");
+          throw DrawError(
+              "64-bit parts of a structured buffer, which no test lets a reference compiler read");
         bytes.push_back(byte);
       },
       Packing::kStructured);
   return bytes;
 }
 
-const Offsets& PeerBytes(const PeerBlock& block, const PlacedMember& member, std::size_t count) {
+const Offsets& ReferenceBytes(const ReferenceBlock& block, const PlacedMember& member,
+                              std::size_t count) {
   const auto found = block.members.find(member.name);
   if (found == block.members.end())
-    throw DrawError("the peer's " + block.name + " has no `" + member.name + "`");
+    throw DrawError("the reference compiler's " + block.name + " has no `" + member.name + "`");
   if (found->second.size() != count)
-    throw DrawError("the peer's `" + member.name + "` has another number of components");
+    throw DrawError("the reference compiler's `" + member.name +
+                    "` has another number of components");
   return found->second;
 }
 
-// Whether the peer made a global constant of the member, and not a uniform.
-bool IsCompiledIn(const Cbuffer& cbuffer, const PeerBlock& block, const PlacedMember& member) {
+// Whether the reference compiler made a global constant of the member, and not a uniform.
+bool IsCompiledIn(const Cbuffer& cbuffer, const ReferenceBlock& block, const PlacedMember& member) {
   return cbuffer.kind == CbufferKind::kGlobals && !block.members.contains(member.name);
 }
 
@@ -69,33 +72,33 @@ std::vector<PlacedMember> MembersOf(const Program& program, const Cbuffer& cbuff
   return members;
 }
 
-const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const Cbuffer& cbuffer) {
+const ReferenceBlock* Find(const std::vector<ReferenceBlock>& blocks, const Cbuffer& cbuffer) {
   const bool is_loose =
       cbuffer.kind == CbufferKind::kGlobals || cbuffer.kind == CbufferKind::kParams;
   // The block of loose constants is called $Global by glslang, and `ConstantBuffer` is cut short.
   const std::string name = is_loose                           ? "$Global"
                            : cbuffer.name == "ConstantBuffer" ? "C"
                                                               : cbuffer.name;
-  const auto found = std::ranges::find(blocks, name, &PeerBlock::name);
+  const auto found = std::ranges::find(blocks, name, &ReferenceBlock::name);
   return found == blocks.end() ? nullptr : &*found;
 }
 
-void Relocate(const Program& program, const Cbuffer& cbuffer, const PeerBlock& block,
+void Relocate(const Program& program, const Cbuffer& cbuffer, const ReferenceBlock& block,
               const std::uint8_t* from, Bytes& to) {
   for (const PlacedMember& member : MembersOf(program, cbuffer)) {
     if (IsCompiledIn(cbuffer, block, member)) continue;
     const Offsets ours = BytesOf(program, member);
-    const Offsets& theirs = PeerBytes(block, member, ours.size());
+    const Offsets& theirs = ReferenceBytes(block, member, ours.size());
     for (std::size_t i = 0; i < ours.size(); ++i)
       std::memcpy(&to.at(theirs[i] + 3) - 3, from + ours[i], 4);
   }
 }
 
-Buffer Relocated(const Program& program, VarId var, const PeerElements& elements,
+Buffer Relocated(const Program& program, VarId var, const ReferenceElements& elements,
                  const Buffer& buffer) {
   const Offsets ours = BytesOf(program, var);
   if (ours.size() != elements.bytes.size())
-    throw DrawError("the peer's `" + elements.name + "` has other elements");
+    throw DrawError("the reference compiler's `" + elements.name + "` has other elements");
   const std::size_t stride =
       StructuredSizeOf(program.types, ObjectTypeOf(program, var).element).size;
   const std::size_t count = buffer.size() / stride;
@@ -109,4 +112,4 @@ Buffer Relocated(const Program& program, VarId var, const PeerElements& elements
   return relocated;
 }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -1,4 +1,4 @@
-// An effect file: the peer gets what the entry function needs of it, without what only effects have.
+// An effect file: the reference compiler gets what the entry function needs of it, without what only effects have.
 #define SCALE(x) ((x) * 2.0f)
 
 float4x4 world : WORLD <

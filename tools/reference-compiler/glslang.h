@@ -6,7 +6,7 @@
 
 #include "tools/draw/vulkan/spirv.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 
 struct HlslSource {
   std::string path, text, entry = "main";
@@ -20,4 +20,4 @@ struct HlslSource {
 // shader, or makes invalid SPIR-V.
 vulkan::Spirv SpirvOfHlsl(const HlslSource& source, bool legalize);
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

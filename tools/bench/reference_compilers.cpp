@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/bench/peers.h"
+#include "tools/bench/reference_compilers.h"
 
 #include <fstream>
 #include <vector>
@@ -13,8 +13,8 @@
 
 namespace clipc::bench {
 
-void StartPeers() { glslang::InitializeProcess(); }
-void StopPeers() { glslang::FinalizeProcess(); }
+void StartReferenceCompilers() { glslang::InitializeProcess(); }
+void StopReferenceCompilers() { glslang::FinalizeProcess(); }
 
 namespace {
 
@@ -60,11 +60,11 @@ std::optional<std::string> CompileText(const std::string& hlsl, const CompileReq
 
 }  // namespace
 
-std::optional<std::string> CompileWithPeers(const CompileRequest& request) {
+std::optional<std::string> CompileWithReferenceCompilers(const CompileRequest& request) {
   return CompileText(request.text.value_or(""), request);
 }
 
-std::optional<std::string> CompileFileWithPeers(const CompileRequest& request) {
+std::optional<std::string> CompileFileWithReferenceCompilers(const CompileRequest& request) {
   std::ifstream file(request.path, std::ios::binary);
   return CompileText({std::istreambuf_iterator<char>(file), {}}, request);
 }

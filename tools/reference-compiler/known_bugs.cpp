@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/known_bugs.h"
+#include "tools/reference-compiler/known_bugs.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -9,13 +9,13 @@
 #include "ir/builder.h"
 #include "ir/scalar.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 using namespace ir;
 
-// A rewriter of expressions to those that the peer makes of them. An expression that is used in two
-// places is evaluated twice: the result is for the evaluator only.
+// A rewriter of expressions to those that the reference compiler makes of them. An expression that
+// is used in two places is evaluated twice: the result is for the evaluator only.
 class Rewriter {
  public:
   explicit Rewriter(Program& program) : program_(program) {}
@@ -36,7 +36,7 @@ class Rewriter {
       if (binary->op == BinaryOp::kMod && BaseOf(type.scalar) == Scalar::kFloat)
         Replace(id, "float-remainder", Remainder(make, expr.type, binary->left, binary->right));
       if (binary->op == BinaryOp::kMul && type.kind == TypeKind::kMatrix) {
-        // The peer's matrices are transposed.
+        // The reference compiler's matrices are transposed.
         Replace(id, "matrix-product",
                 make.IntrinsicOf(Intrinsic::kMul, expr.type, {binary->right, binary->left}));
       }
@@ -54,14 +54,16 @@ class Rewriter {
     names_.insert(name);
   }
 
-  // The remainder as the peer has it, with the quotient rounded down and not towards zero.
+  // The remainder as the reference compiler has it, with the quotient rounded down and not towards
+  // zero.
   static ExprId Remainder(Builder& make, TypeId type, ExprId left, ExprId right) {
     const ExprId quotient =
         make.IntrinsicOf(Intrinsic::kFloor, type, {make.BinaryOf(BinaryOp::kDiv, left, right)});
     return make.BinaryOf(BinaryOp::kSub, left, make.BinaryOf(BinaryOp::kMul, right, quotient));
   }
 
-  // lit() as the peer has it, with the shine multiplied by the exponent and not raised to it.
+  // lit() as the reference compiler has it, with the shine multiplied by the exponent and not
+  // raised to it.
   static ExprId Lit(Builder& make, TypeId type, ExprId diffuse, ExprId shine, ExprId exponent) {
     const TypeId scalar = make.TypeOf(diffuse);
     const ExprId zero = make.Float(0), one = make.Float(1);
@@ -80,12 +82,12 @@ class Rewriter {
 
 }  // namespace
 
-bool GiveInitialValues(const Program& program, const std::vector<PeerBlock>& blocks,
+bool GiveInitialValues(const Program& program, const std::vector<ReferenceBlock>& blocks,
                        const std::string& hlsl, RandomInputs& random) {
   bool any = false;
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& cbuffer = program.cbuffers[id];
-    const PeerBlock* block = Find(blocks, cbuffer);
+    const ReferenceBlock* block = Find(blocks, cbuffer);
     for (const PlacedMember& member : MembersOf(program, cbuffer)) {
       if (cbuffer.kind != CbufferKind::kGlobals || (block && block->members.contains(member.name)))
         continue;
@@ -107,4 +109,4 @@ bool GiveInitialValues(const Program& program, const std::vector<PeerBlock>& blo
 
 std::set<std::string> ApplyValueBugs(Program& program) { return Rewriter(program).Run(); }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/peer/compare.h"
+#include "tools/reference-compiler/compare.h"
 
 #include <algorithm>
 #include <regex>
@@ -7,12 +7,12 @@
 #include "tools/draw/feed.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/harness/options.h"
-#include "tools/peer/glslang.h"
-#include "tools/peer/interface.h"
-#include "tools/peer/known_bugs.h"
-#include "tools/peer/plain_text.h"
+#include "tools/reference-compiler/glslang.h"
+#include "tools/reference-compiler/interface.h"
+#include "tools/reference-compiler/known_bugs.h"
+#include "tools/reference-compiler/plain_text.h"
 
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 namespace {
 
 // Removes the attributes for Vulkan, which mean nothing to Direct3D compilers.
@@ -41,8 +41,8 @@ Module Compile(const BuildOptions& options) {
   return module;
 }
 
-// Runs the peer's shader. Returns its outputs in the order of program.outputs; an output that it
-// does not write has no words.
+// Runs the reference compiler's shader. Returns its outputs in the order of program.outputs; an
+// output that it does not write has no words.
 std::vector<Captured> Run(const Runner& runner, const Module& module, const ir::Program& program,
                           const RandomInputs& random, const RandomOptions& draw) {
   const std::vector<Output> outputs = vulkan::OutputsOf(module.run);
@@ -64,7 +64,8 @@ Comparison Compare(const Shader& shader, const BuildOptions& options, const Rand
   return CompareOutputs(defined, matching, tolerance);
 }
 
-// Returns the bugs of the peer that no rewriting shows and that the shader's text invites.
+// Returns the bugs of the reference compiler that no rewriting shows and that the shader's text
+// invites.
 std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& found) {
   if (found.missing == 0 && std::regex_search(hlsl, std::regex(R"(\[\s*\]\s*=\s*\{)")))
     return {"unsized-initializer"};
@@ -89,8 +90,8 @@ bool EntryHasColumns(const ir::Program& program, bool row_major) {
 }
 
 // Whether two members of a block share bytes: then no values can be right.
-bool HasOverlap(const std::vector<PeerBlock>& blocks) {
-  for (const PeerBlock& block : blocks) {
+bool HasOverlap(const std::vector<ReferenceBlock>& blocks) {
+  for (const ReferenceBlock& block : blocks) {
     Offsets bytes;
     for (const auto& [name, places] : block.members)
       bytes.insert(bytes.end(), places.begin(), places.end());
@@ -110,12 +111,12 @@ bool TakesSystemValues(const std::vector<ir::IoVar>& list, const std::vector<Vec
 
 }  // namespace
 
-PeerComparison CompareWithGlslang(const Runner& runner, const Shader& shader,
-                                  const BuildOptions& options, const RandomOptions& draw,
-                                  const Tolerance& tolerance) {
+ReferenceComparison CompareWithGlslang(const Runner& runner, const Shader& shader,
+                                       const BuildOptions& options, const RandomOptions& draw,
+                                       const Tolerance& tolerance) {
   const Module module = Compile(options);
   RandomInputs random = MakeRandomInputs(shader.typed, draw);
-  PeerComparison result;
+  ReferenceComparison result;
   const std::vector<Captured> captured = Run(runner, module, shader.lowered, random, draw);
   result.values = Compare(shader, options, random, captured, tolerance);
   if (result.values.wrong > 0) {
@@ -145,4 +146,4 @@ PeerComparison CompareWithGlslang(const Runner& runner, const Shader& shader,
   return result;
 }
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler

@@ -11,7 +11,7 @@
 
 // The interface of a shader that another compiler made, in terms of the HLSL: semantics, names of
 // buffers, names of members.
-namespace clipc::draw::peer {
+namespace clipc::draw::reference_compiler {
 
 using vulkan::DescriptorKind;
 using vulkan::DrawCall;
@@ -23,7 +23,7 @@ using vulkan::Spirv;
 using Offsets = std::vector<std::uint32_t>;  // in bytes, of the components of a value
 
 // A cbuffer, tbuffer or ConstantBuffer.
-struct PeerBlock {
+struct ReferenceBlock {
   std::string name;
   std::uint32_t size = 0;
   bool is_storage = false;  // a tbuffer
@@ -31,15 +31,15 @@ struct PeerBlock {
   // fields, and of a matrix row after row of the HLSL matrix.
   std::map<std::string, Offsets> members;
 };
-std::vector<PeerBlock> BlocksOf(const Spirv& spirv);
+std::vector<ReferenceBlock> BlocksOf(const Spirv& spirv);
 
 // A StructuredBuffer.
-struct PeerElements {
+struct ReferenceElements {
   std::string name;
   std::uint32_t stride = 0;
   Offsets bytes;  // of an element's components, in the order of the value
 };
-std::vector<PeerElements> ElementsOf(const Spirv& spirv);
+std::vector<ReferenceElements> ElementsOf(const Spirv& spirv);
 
 // A vector that the shader reads or writes. An array counts as one vector for each element, a
 // matrix as one for each row.
@@ -54,4 +54,4 @@ std::string KeyOf(const std::string& semantic, std::uint32_t index);
 std::vector<Vector> InputsOf(const Spirv& declared);
 std::vector<Vector> OutputsOf(const Spirv& declared);
 
-}  // namespace clipc::draw::peer
+}  // namespace clipc::draw::reference_compiler
