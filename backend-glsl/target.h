@@ -175,9 +175,9 @@ class Target {
   std::uint32_t PixelBase() const;
 
   BindingRules bindings;  // the rules of a Vulkan target
-  bool flips_y = false;   // the picture is upside down, as textures are
+  bool flips_y = false;   // the image is upside down, as textures are
 
-  // Whether the window's y grows downwards in the picture, as in Direct3D.
+  // Whether the window's y grows downwards in the image, as in Direct3D.
   bool HasUpperLeftOrigin() const { return IsVulkan() || flips_y; }
 
  private:

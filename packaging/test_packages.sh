@@ -55,14 +55,14 @@ mount -t proc proc "$root/proc"
 mkdir "$root/debs" && cp "${debs[@]}" "$scratch"/clipc-*.tar.gz "$root/debs"
 cp -r examples/first cmake/outside_c_project study/scenes/harbour.json "$root/root"
 
-echo "-- the newcomer's path: install, three lines of CMake, a clipped picture"
+echo "-- the newcomer's path: install, three lines of CMake, a clipped image"
 inside sh -c 'dpkg --install /debs/*.deb' >"$scratch/log" || { cat "$scratch/log"; exit 1; }
 inside clipc --version
 newcomer() {
   inside cmake -S /root/first -B "/root/$1" "${@:2}" >"$scratch/log" 2>&1 && inside cmake --build "/root/$1" >>"$scratch/log" 2>&1 ||
     { cat "$scratch/log"; exit 1; }
   inside "/root/$1/first" "/root/$1.ppm"
-  [ "$(stat -c %s "$root/root/$1.ppm")" -eq $((13 + 3 * 64 * 64)) ] || fail "no picture"
+  [ "$(stat -c %s "$root/root/$1.ppm")" -eq $((13 + 3 * 64 * 64)) ] || fail "no image"
 }
 newcomer by_deb
 inside sh -c 'cc -std=c99 /root/outside_c_project/main.c -o /root/embed $(pkg-config --cflags --libs clipc clipc-runtime)'

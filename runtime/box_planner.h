@@ -10,7 +10,7 @@
 /// whole. The plans are safe to the pixel: whatever order and fusing a shader uses for its dot
 /// products, no vertex inside the box gets a distance whose sign contradicts the plan. A plane that
 /// is not needed can therefore be left out, and a culled object need not be drawn, without changing
-/// the picture. There is no tolerance: a surface just outside of a plane may fill the screen.
+/// the image. There is no tolerance: a surface just outside of a plane may fill the screen.
 ///
 /// Pure functions: any thread, no allocation.
 namespace clipc::runtime {

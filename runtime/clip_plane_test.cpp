@@ -110,7 +110,7 @@ TEST(ClipPlane, SameDotProductInBothSpaces) {
 }
 
 TEST(ClipPlane, GeneralMatricesMatchTheClosedForm) {
-  // A rotation of the picture (a tilted display) takes the projection out of the closed form's
+  // A rotation of the image (a tilted display) takes the projection out of the closed form's
   // shape.
   Random random(3);
   for (const Camera& camera : AllCameras()) {

@@ -134,7 +134,7 @@ clipc_error clipc_object_plane(const float world_plane[4], const float world[16]
 
 /** plane_space.h: PlaneConstantFor, the constant of a plane for the table's plane space. A matrix
  * that is NULL is the identity. Warning: none, or CLIPC_ILL_CONDITIONED with a sentence where the
- * edge moves by more than `most_pixels` in a picture of `rows` rows. */
+ * edge moves by more than `most_pixels` in an image of `rows` rows. */
 typedef enum clipc_known_in {
   CLIPC_KNOWN_IN_OBJECT = 0,
   CLIPC_KNOWN_IN_WORLD,
@@ -186,12 +186,12 @@ clipc_error clipc_shear_near_plane(const float view_plane[4], const float projec
 void clipc_set_depth_column(float to_clip[16], const float plane[4], double scale,
                             uint32_t depth_range);
 
-/** plane_space.h: PredictEdgeError, the displacement of the cut in pixels of a picture of `rows`
+/** plane_space.h: PredictEdgeError, the displacement of the cut in pixels of an image of `rows`
  * rows, at the 99th percentile. Negative if there is no prediction for plane and projection. */
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows);
 /** The edge error of a draw whose cut is known: `places` is x, y and z of `count` places of it, in
- * the object's own space; `edge` is the length of the triangles' edges in half pictures. */
+ * the object's own space; `edge` is the length of the triangles' edges in half images. */
 double clipc_cut_error(clipc_plane_space space, const float plane[4], clipc_known_in known_in,
                        const clipc_draw_matrices* draw, const double* places, size_t count,
                        double edge, double rows);

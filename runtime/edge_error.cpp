@@ -250,11 +250,11 @@ Vector3 Cross(const Vector3& a, const Vector3& b) {
 }
 Vector3 Row(const Matrix& m, int i) { return {{m.m[i][0], m.m[i][1], m.m[i][2]}}; }
 
-// The picture that a camera makes of view space.
+// The image that a camera makes of view space.
 class View {
  public:
-  View(const Matrix& world_view, const Matrix& projection, double picture_height)
-      : projection_(projection), half_height_(picture_height / 2) {
+  View(const Matrix& world_view, const Matrix& projection, double image_height)
+      : projection_(projection), half_height_(image_height / 2) {
     half_width_ = half_height_ * std::fabs(projection.m[1][1] / projection.m[0][0]);
     const Vector3 rows[3] = {Row(world_view, 0), Row(world_view, 1), Row(world_view, 2)};
     const Vector3 across = Cross(rows[1], rows[2]);
@@ -268,7 +268,7 @@ class View {
   double WAt(const Vector3& place) const {
     return projection_.m[2][3] * place.c[2] + projection_.m[3][3];
   }
-  // The number of pixels that a place moves by in the picture when it moves by `direction`.
+  // The number of pixels that a place moves by in the image when it moves by `direction`.
   double PixelsOf(const Vector3& place, const Vector3& direction) const {
     const double w = WAt(place), dw = projection_.m[2][3] * direction.c[2];
     double moved[2];
@@ -280,8 +280,8 @@ class View {
     }
     return std::hypot(moved[0] * half_width_, moved[1] * half_height_);
   }
-  // The length of a half picture at that place.
-  double HalfPictureAt(const Vector3& place) const {
+  // The length of a half image at that place.
+  double HalfImageAt(const Vector3& place) const {
     return std::fabs(WAt(place) / projection_.m[1][1]);
   }
   // A direction of view space in the object's.
@@ -365,9 +365,9 @@ double Percentile99(const double* deviations, std::size_t count) {
 
 double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane,
                    const Matrix& world_view, const Matrix& projection, const SeenCut& cut,
-                   double picture_height, double sine) noexcept {
+                   double image_height, double sine) noexcept {
   const Shader shader(arithmetic);
-  const View view(world_view, projection, picture_height);
+  const View view(world_view, projection, image_height);
   const Directions directions(view_plane, sine);
   double deviations[kEdges];
   std::size_t count = 0;
@@ -382,7 +382,7 @@ double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane
       for (int i = 0; i < 3; ++i) seen.c[j] += at[i] * world_view.m[i][j];
     }
     if (!(view.WAt(seen) > 0)) continue;
-    const double length = cut.edge * view.HalfPictureAt(seen);
+    const double length = cut.edge * view.HalfImageAt(seen);
     const double shared = shader.SharedAt(at);
     for (int number = static_cast<int>(place % static_cast<std::size_t>(stride));
          number < kDirections; number += stride) {

@@ -35,6 +35,6 @@ struct DistanceArithmetic {
 /// Infinity where no place lies before the eye.
 double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane,
                    const Matrix& world_view, const Matrix& projection, const SeenCut& cut,
-                   double picture_height, double sine) noexcept;
+                   double image_height, double sine) noexcept;
 
 }  // namespace clipc::runtime

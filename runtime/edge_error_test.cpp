@@ -119,7 +119,7 @@ TEST(EdgeError, PlacesAreSpreadOverTheCut) {
 }
 
 // An edge along the line of sight is seen as one place, wherever on it the plane cuts: what moves a
-// cut in depth moves it in the picture too. Without that the prediction for single draws of
+// cut in depth moves it in the image too. Without that the prediction for single draws of
 // study/regimes.h would be a quarter of what it is.
 TEST(EdgeError, CountsWhatIsSeenOfAMoveInDepth) {
   for (const double off : {0.0, 2.0}) {

@@ -104,9 +104,9 @@ void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
 // PredictEdgeError of a draw whose cut is not known: of an object around its own origin, which lies
 // where the world matrix puts it; 0 where there is no prediction.
 double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& draw,
-                 double picture_height) {
+                 double image_height) {
   const auto law = [&](PlaneSpace of, double reach) {
-    return PredictEdgeError(of, view_plane, draw.projection, picture_height, kAnySurface, reach)
+    return PredictEdgeError(of, view_plane, draw.projection, image_height, kAnySurface, reach)
         .value;
   };
   const double own = law(space, kAroundOrigin);
@@ -127,11 +127,11 @@ double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& 
 }  // namespace
 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
-                                double picture_height, double sine, double reach) noexcept {
-  const double unit = 0x1p-24 * picture_height / 2 / sine;
+                                double image_height, double sine, double reach) noexcept {
+  const double unit = 0x1p-24 * image_height / 2 / sine;
   const bool is_finite =
       std::isfinite(unit) && std::isfinite(sine) && std::isfinite(reach) && IsFinite(view_plane);
-  if (!(picture_height > 0 && sine > 0 && reach >= 0) || !is_finite)
+  if (!(image_height > 0 && sine > 0 && reach >= 0) || !is_finite)
     return Status::Failure(Error::kNotFinite,
                            "the plane, the image's height, the sine or the reach is not a number "
                            "that an error can be told for");
@@ -153,14 +153,14 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
 }
 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
-                                const DrawMatrices& draw, const SeenCut& cut, double picture_height,
+                                const DrawMatrices& draw, const SeenCut& cut, double image_height,
                                 double sine) noexcept {
   const Step in_view = InView(plane, known_in, draw);
   const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
   if (!constant.ok()) return constant.status;
   if (!in_view.ok()) return in_view.status;
   const Plane seen = Rounded(in_view.value);
-  if (const auto law = PredictEdgeError(space, seen, draw.projection, picture_height, sine);
+  if (const auto law = PredictEdgeError(space, seen, draw.projection, image_height, sine);
       !law.ok())
     return law.status;
   DistanceArithmetic arithmetic;
@@ -168,7 +168,7 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn kn
   arithmetic.is_xyw1 = space == PlaneSpace::kXyw1;
   if (space != PlaneSpace::kObject) AddMatrices(draw, arithmetic);
   const double pixels = EdgeErrorOf(arithmetic, *Unit(seen), Multiply(draw.world, draw.view),
-                                    draw.projection, cut, picture_height, sine);
+                                    draw.projection, cut, image_height, sine);
   if (!std::isfinite(pixels) || !(cut.edge > 0))
     return Status::Failure(Error::kInvalidArgument,
                            "no place of the cut lies before the eye, or its edges have no length");
@@ -176,7 +176,7 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn kn
 }
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
-                                       const DrawMatrices& draw, const Picture& picture) noexcept {
+                                       const DrawMatrices& draw, const Image& image) noexcept {
   // Space `object` does not need the view, but the prediction does: without one the plane is zero.
   const Step in_view = InView(plane, known_in, draw);
   const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
@@ -184,10 +184,9 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
   SpaceConstant result;
   result.plane = constant.value;
   const Plane seen = Rounded(in_view.value);
-  result.edge_error = PredictOf(space, seen, draw, picture.height);
-  if (result.edge_error > picture.most_pixels) {
-    const Result<double> of_one_step =
-        PredictEdgeError(space, seen, draw.projection, picture.height);
+  result.edge_error = PredictOf(space, seen, draw, image.height);
+  if (result.edge_error > image.most_pixels) {
+    const Result<double> of_one_step = PredictEdgeError(space, seen, draw.projection, image.height);
     const char* const cure =
         of_one_step.value < result.edge_error / 2
             ? "; multiply its matrices in double, or let the world begin at the camera"
@@ -198,7 +197,7 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
     result.warning =
         Status::Failure(Error::kIllConditioned,
                         "plane space %s displaces the cut by about %.2g pixels of %g rows%s",
-                        NameOf(space), result.edge_error, picture.height, cure);
+                        NameOf(space), result.edge_error, image.height, cure);
   }
   return result;
 }

@@ -38,17 +38,17 @@ struct DrawMatrices {
   MatrixOrder order = MatrixOrder::kOneMatrix;
 };
 
-/// The part of a cut that a picture shows.
+/// The part of a cut that an image shows.
 struct SeenCut {
-  /// Places of the cut in the object's own space, spread evenly over the picture: x, y and z of
+  /// Places of the cut in the object's own space, spread evenly over the image: x, y and z of
   /// each.
   const double* places = nullptr;
   std::size_t count = 0;
-  double edge = 0.1;  ///< the length of the triangles' edges, in half pictures
+  double edge = 0.1;  ///< the length of the triangles' edges, in half images
 };
 
-/// The picture that the draw goes to, in which errors are measured.
-struct Picture {
+/// The image that the draw goes to, in which errors are measured.
+struct Image {
   double height = 1080;      ///< rows of pixels
   double most_pixels = 0.5;  ///< the largest displacement of an edge without a warning, in pixels
 };
@@ -59,7 +59,7 @@ struct SpaceConstant {
   /// no prediction. Where DrawMatrices::order has the world's coordinates in float, it counts the
   /// distance from the world's origin.
   double edge_error = 0;
-  /// ok(), or kIllConditioned with a sentence if edge_error exceeds picture.most_pixels. The
+  /// ok(), or kIllConditioned with a sentence if edge_error exceeds image.most_pixels. The
   /// constant is then as good as the space allows, and another space is better.
   Status warning;
 };
@@ -73,19 +73,18 @@ struct SpaceConstant {
 /// (x, y, w, 1) does not contain the depth of a vertex. Compile such draws with --plane-space=clip,
 /// which loses nothing under such a projection, or with object.
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
-                                       const DrawMatrices& draw,
-                                       const Picture& picture = {}) noexcept;
+                                       const DrawMatrices& draw, const Image& image = {}) noexcept;
 
 /// The sine that stands for surfaces of every direction: surfaces that meet a plane at random
 /// angles from 3 degrees up have, at the 99th percentile, the error of a surface at this sine.
 inline constexpr double kAnySurface = 0.1;
 
-/// The reach of an object as large as the picture is high, around its own origin.
+/// The reach of an object as large as the image is high, around its own origin.
 inline constexpr double kAroundOrigin = 0.5;
 
 /// The 99th percentile of the distance, in pixels, by which float arithmetic in the vertex shader
 /// displaces the edge that the plane cuts into a surface. `sine` is the sine of the angle between
-/// surface and plane, 1 if they are perpendicular. With e = 2^-24 H/2 / sine of a picture of H
+/// surface and plane, 1 if they are perpendicular. With e = 2^-24 H/2 / sine of an image of H
 /// rows, the plane (N, Cw) with a unit normal, the elements of ProjectionShape, the reach R, o = 1
 /// + 2 |(ox, oy)|, K = |Nz - ox Nx/Px - oy Ny/Py| and t = 1 + 2 |(tx, ty)|:
 ///
@@ -98,7 +97,7 @@ inline constexpr double kAroundOrigin = 0.5;
 /// and 0 or 1/f for reversed depth from 1 to 0; |B/A| is n for standard depth, f for reversed.
 ///
 /// `reach` is how far the cut is from the origin of a space in which the shader has the vertices in
-/// float, in heights of the picture at the cut's depth; the farthest of these spaces counts. One is
+/// float, in heights of the image at the cut's depth; the farthest of these spaces counts. One is
 /// the object's own: a level or a terrain whose vertices are in world coordinates has a large
 /// reach, and so has a part of it that is near the eye. For `clip` and `xyw1` another is the world,
 /// of the orders kWorldFirst and kFloatViewProjection. Of kThreeMatrices and kFloatWorldView, where
@@ -106,26 +105,26 @@ inline constexpr double kAroundOrigin = 0.5;
 /// world's reach, of `clip` under an orthographic projection, or that of the space with the
 /// object's, whichever is more.
 ///
-/// A law knows neither the object's matrix nor where in the picture the cut is: a plane whose
+/// A law knows neither the object's matrix nor where in the image the cut is: a plane whose
 /// normal is an axis of the object loses less than it says, and a corner of the cut that is much
-/// nearer than the rest may lose more. The laws hold for triangles smaller than the picture; the
+/// nearer than the rest may lose more. The laws hold for triangles smaller than the image; the
 /// error of larger ones grows in proportion. Errors: kLooksTransposed; kWrongProjection unless
 /// ShapeOf holds, and for xyw1 without a perspective; kSingular if the plane has no normal or the
 /// projection has no inverse; kNotFinite unless height and sine are positive and finite, reach is
 /// not negative, and plane, projection and the error are finite.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
-                                double picture_height, double sine = kAnySurface,
+                                double image_height, double sine = kAnySurface,
                                 double reach = kAroundOrigin) noexcept;
 
 /// The edge error of one draw, followed from its own matrices and places of its cut through each
-/// rounding of the shader to the picture, which takes half a millisecond for 256 places, the most
+/// rounding of the shader to the image, which takes half a millisecond for 256 places, the most
 /// that count. `plane` is known in `known_in`. Tests in study/ compare it with __float128 over
 /// 10,000 draws of each order of matrices, up to 20 pixels, by which an edge is too short: what 20
 /// neighbouring views of a draw lose is 0.2 to 3 times it in all but a few (docs/study.md).
 /// Errors: as above, and those of PlaneConstantFor; kInvalidArgument unless a place of the cut lies
 /// before the eye and the edges have a length.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
-                                const DrawMatrices& draw, const SeenCut& cut, double picture_height,
+                                const DrawMatrices& draw, const SeenCut& cut, double image_height,
                                 double sine = kAnySurface) noexcept;
 
 }  // namespace clipc::runtime

@@ -308,7 +308,7 @@ TEST(PlaneConstantFor, TheOrderOfMatricesDecides) {
   EXPECT_GT(both(MatrixOrder::kFloatViewProjection), 10 * one);
 }
 
-// The distance of the world's origin is measured in heights of the picture at the depth where the
+// The distance of the world's origin is measured in heights of the image at the depth where the
 // world matrix puts the object.
 TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
   const auto is_law = [](DrawMatrices draw, PlaneSpace law, double reach) {
@@ -387,7 +387,7 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   EXPECT_NEAR(error(PlaneSpace::kClip, cut).value, 0.1, 0.07);
   EXPECT_LT(error(PlaneSpace::kObject, cut).value, 0.0005);
   EXPECT_GT(error(PlaneSpace::kObject, cut).value, 0);
-  // Edges that are much longer than the picture lose in proportion to their length.
+  // Edges that are much longer than the image lose in proportion to their length.
   const double hundred = error(PlaneSpace::kXyw1, {places, 2, 100}).value;
   EXPECT_GT(hundred, 5 * error(PlaneSpace::kXyw1, cut).value);
   EXPECT_NEAR(error(PlaneSpace::kXyw1, {places, 2, 200}).value / hundred, 2, 0.3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // "What Are User-defined Clip Planes?" (Microsoft). The document contradicts SetClipPlane's page
-// and its own pictures in several places; each test says what is right.
+// and its own images in several places; each test says what is right.
 #include <cmath>
 #include <vector>
 
@@ -79,7 +79,7 @@ TEST(Seed003RightTeapot, IsCutDiagonally) {
   EXPECT_GT(back_kept, back / 10);
 }
 
-// The document: the union of the half-spaces. Right: the intersection, as its picture shows.
+// The document: the union of the half-spaces. Right: the intersection, as its image shows.
 TEST(Seed003TwoPlanes, TheRenderedAreaIsTheIntersection) {
   int both = 0, either = 0, all = 0;
   for (const Point& p : Teapot()) {

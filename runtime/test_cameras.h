@@ -80,7 +80,7 @@ struct Camera {
   double far = 100;  // infinity for an infinite perspective
 };
 
-// The view-space point at depth `s` (forward is positive) whose position on the picture is (x, y)
+// The view-space point at depth `s` (forward is positive) whose position on the image is (x, y)
 // in [-1, 1].
 inline std::vector<double> ViewPoint(const Camera& camera, double x, double y, double s) {
   const auto& m = camera.projection.m;

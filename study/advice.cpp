@@ -14,7 +14,7 @@ namespace {
 double LawOf(const Way& way, const DrawFacts& facts) {
   double worst = 0;
   for (const Setup& cut : facts.cuts)
-    worst = std::max(worst, LawOf(cut, way, facts.means.order, facts.picture_height));
+    worst = std::max(worst, LawOf(cut, way, facts.means.order, facts.image_height));
   return worst;
 }
 

@@ -27,10 +27,10 @@ struct Means {
 struct DrawFacts {
   Camera camera;
   int planes = 1;
-  // The draw by each plane whose cut the picture shows. No single one stands for the others: the
+  // The draw by each plane whose cut the image shows. No single one stands for the others: the
   // nearest cut is worst for some ways, the plane farthest from the eye for others.
   std::vector<Setup> cuts;
-  double picture_height = kPictureHeight;  // pixels
+  double image_height = kImageHeight;  // pixels
   Means means;
 };
 

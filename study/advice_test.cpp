@@ -73,7 +73,7 @@ TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
   EXPECT_NE(Advise(facts, costs, 0.01).front().way, "clip");
 }
 
-// A difference that no picture shows does not decide: the way that comes first is taken.
+// A difference that no image shows does not decide: the way that comes first is taken.
 TEST(Advice, DigitsThatNobodySeesDoNotCount) {
   DrawFacts facts = FactsFor(PlaneAway(300));
   const std::vector<Advice> all = Advise(facts, SomeCosts());
@@ -198,7 +198,7 @@ TEST(Advice, TheBoundIsThreeTimesTheLaw) {
 TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
   const auto predicted = [](const Config& config, const char* way, double height = 1080) {
     DrawFacts facts = FactsFor(config);
-    facts.picture_height = height;
+    facts.image_height = height;
     return Of(Advise(facts, SomeCosts()), way).predicted;
   };
   const Config config = PlaneAway(3);
@@ -208,7 +208,7 @@ TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
   EXPECT_GT(predicted(far, "cpu"), 100 * predicted(config, "cpu"));
   const auto setup = Prepare(config);
   const auto law = [&](WayKind way, double sine) {
-    return LawOf(setup, WayOf(way), runtime::MatrixOrder::kOneMatrix, kPictureHeight, sine);
+    return LawOf(setup, WayOf(way), runtime::MatrixOrder::kOneMatrix, kImageHeight, sine);
   };
   EXPECT_GT(law(WayKind::kObject, 0.01), 10 * law(WayKind::kObject, 1));
   EXPECT_EQ(law(WayKind::kCpu, 0.01), law(WayKind::kCpu, 1));
@@ -244,7 +244,7 @@ TEST(Scenes, TheNearPlaneIsForWholePasses) {
   using ::testing::ElementsAre;
   EXPECT_THAT(WaysOf(Cubes({0, 0.5})), ElementsAre("near-plane", "near-plane"));
   EXPECT_THAT(WaysOf(Cubes({0, 3})), ElementsAre("cpu", ""));  // the second is drawn as it is
-  // An object that is not drawn does not count: below the water, or beside the picture.
+  // An object that is not drawn does not count: below the water, or beside the image.
   Scene hidden = Cubes({0, 0.5, -5, 0});
   hidden.objects[3].world.m[3][0] = 1000;
   EXPECT_THAT(WaysOf(hidden), ElementsAre("near-plane", "near-plane", "", ""));
@@ -282,7 +282,7 @@ TEST(Scenes, NothingIsPlannedWithARefusedPlane) {
 
 TEST(Scenes, FactsAreThoseOfTheObjectAndEachOfItsPlanes) {
   Scene scene = Cubes({0});
-  scene.picture_height = 700;
+  scene.image_height = 700;
   const Camera& camera = scene.cameras.front().camera;
   const SceneObject& object = scene.objects[0];
   // The eye is 5 below the water, 40 before the wall, and nowhere from a plane without a normal;
@@ -299,7 +299,7 @@ TEST(Scenes, FactsAreThoseOfTheObjectAndEachOfItsPlanes) {
   ASSERT_EQ(all.cuts.size(), 2u);
   EXPECT_NEAR(std::abs(all.cuts[0].view_plane.w), 5, 1e-9);
   EXPECT_NEAR(std::abs(all.cuts[1].view_plane.w), 40, 1e-9);
-  EXPECT_EQ(all.picture_height, 700);
+  EXPECT_EQ(all.image_height, 700);
   // The cuts are inside the cube.
   for (const auto& cut : all.cuts) {
     for (const Vector& corner : cut.cut) EXPECT_NEAR(corner.z, 40, 1.001);

@@ -14,12 +14,10 @@ Vec4<long double> ClipOf(const Setup& setup, const Vec4<float>& vertex) {
   return Transform(in_view, ConvertTo<Long>(setup.projection));
 }
 
-long double HalfWidth(const Setup& setup) {
-  return kPictureHeight / 2 * setup.config.camera.aspect;
-}
+long double HalfWidth(const Setup& setup) { return kImageHeight / 2 * setup.config.camera.aspect; }
 
 Point PixelOf(const Vec4<long double>& p, long double half_width) {
-  return {p[0] / p[3] * half_width, p[1] / p[3] * (kPictureHeight / 2)};
+  return {p[0] / p[3] * half_width, p[1] / p[3] * (kImageHeight / 2)};
 }
 
 }  // namespace

@@ -9,13 +9,13 @@
 
 namespace clipc::study {
 
-// A triangle's edge that crosses a plane in the picture.
+// A triangle's edge that crosses a plane in the image.
 struct Edge {
   Vec4<float> ends[2];  // object space
   Wide distances[2];    // the true distances, of different signs
 };
 
-// A place in the picture.
+// A place in the image.
 struct Point {
   long double x, y;  // pixels
 };

@@ -20,7 +20,7 @@ struct EdgeErrors {
   long not_finite = 0;                      // edges with a distance that is NaN or infinite
 };
 
-// Cuts `count` random edges that cross the plane inside the picture. The true sign and place follow
+// Cuts `count` random edges that cross the plane inside the image. The true sign and place follow
 // in Wide from the float vertices, the double matrices and the double world-space plane. The
 // displacement of a method that keeps or drops a whole edge is the distance from the cut to the end
 // that it chose. Vertices are rounded to float in object space first, so that no method pays for

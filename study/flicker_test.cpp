@@ -23,8 +23,7 @@ Flicker Of(const Config& config, const Method& method) {
 }
 
 double Law(const Config& config, PlaneSpace space) {
-  return PredictEdgeError(space, config.view_plane, config.camera.Projection(), kPictureHeight)
-      .value;
+  return PredictEdgeError(space, config.view_plane, config.camera.Projection(), kImageHeight).value;
 }
 
 // Each frame's constant and matrix round in a way of their own, so that the cut moves by as much as

@@ -72,7 +72,7 @@ void MakeGround(Config& config, Random& random) {
   config.camera.far = 3000;
 }
 
-// A tile of a picture that is several times as large.
+// A tile of an image that is several times as large.
 void MoveOffCentre(Config& config, Random& random) {
   Camera& camera = config.camera;
   camera.offset_x = random.Between(-3, 3), camera.offset_y = random.Between(-3, 3);
@@ -146,7 +146,7 @@ DrawsOf::DrawsOf(Regime regime, std::uint64_t seed)
 RegimeDraw DrawsOf::Next() { return OneDraw(regime_, random_); }
 
 double LawOf(const RegimeDraw& draw) {
-  return LawOf(Prepare(draw.config), WayOf(draw.way), draw.order, kPictureHeight, draw.sine);
+  return LawOf(Prepare(draw.config), WayOf(draw.way), draw.order, kImageHeight, draw.sine);
 }
 
 RegimeHeld HoldLaw(Regime regime, int count, long edges, std::uint64_t seed,

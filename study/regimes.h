@@ -23,7 +23,7 @@ enum class Regime {
   kWorldSpace,     // distances by hand from a world-space vertex
   kOrthographic,   // up to thousands of half heights away, standard or reversed depth
   kMinusOneToOne,  // clip space from -1 to 1, standard or reversed depth
-  kOffCentre,      // tiles of a large picture, up to three pictures off the axis
+  kOffCentre,      // tiles of a large image, up to three images off the axis
   kGround,         // one plane from near to far
   kMirrored,       // the view of a reflection
   kUnevenScale,    // a world matrix that stretches

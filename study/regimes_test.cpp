@@ -58,7 +58,7 @@ TEST(Regimes, EachRoundingCounts) {
     }
     change(draw);
     return PredictEdgeError(space, {0.4, 0.5, 0.77, -7.7}, runtime::KnownIn::kView, draw,
-                            {place, 1, 0.1}, kPictureHeight)
+                            {place, 1, 0.1}, kImageHeight)
         .value;
   };
   const auto once = [](runtime::DrawMatrices&) {};
@@ -80,7 +80,7 @@ TEST(Regimes, EachRoundingCounts) {
 }
 
 // How far the middle place of a cut is from the origin of the space that `to_view` transforms from,
-// in heights of the picture.
+// in heights of the image.
 double ReachOf(const Setup& setup, const Matrix& to_view) {
   std::vector<double> reaches;
   for (const Vector& place : RandomCuts(setup, 63)) {
@@ -97,7 +97,7 @@ double ClosedLawOf(const RegimeDraw& draw) {
   const double own = ReachOf(setup, setup.world_view),
                world = std::max(own, ReachOf(setup, setup.view));
   const auto law = [&](PlaneSpace space, double reach) {
-    return PredictEdgeError(space, draw.config.view_plane, setup.projection, kPictureHeight,
+    return PredictEdgeError(space, draw.config.view_plane, setup.projection, kImageHeight,
                             draw.sine, reach)
         .value;
   };
@@ -117,7 +117,7 @@ double ClosedLawOf(const RegimeDraw& draw) {
 }
 
 // The formulas are a page that a reader can follow. They leave out the object's matrix and how the
-// cut lies in the picture: in the middle of draws they are the followed law.
+// cut lies in the image: in the middle of draws they are the followed law.
 TEST(Regimes, TheFormulasAgreeWithTheRoundings) {
   for (int i = 0; i < kRegimes; ++i) {
     DrawsOf draws(static_cast<Regime>(i), 77);

@@ -97,7 +97,7 @@ std::vector<Scene> BuiltInScenes() {
     for (const Plane& plane : built_in.planes) scene.planes.push_back({"", plane});
     for (const harness::SceneObject& object : built_in.objects)
       scene.objects.push_back({"", object.box, object.world});
-    if (scene.name == "cascade") scene.picture_height = 2048;  // of a shadow map
+    if (scene.name == "cascade") scene.image_height = 2048;  // of a shadow map
   }
   return scenes;
 }
@@ -125,7 +125,7 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   DrawFacts facts;
   facts.camera = camera;
   facts.planes = std::max(1, std::popcount(needed));
-  facts.picture_height = scene.picture_height;
+  facts.image_height = scene.image_height;
   facts.means = scene.means;
   facts.means.rigid = object.rigid;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {

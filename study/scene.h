@@ -32,7 +32,7 @@ struct NamedPlane {
 // A scene for the study; it has at most 6 planes.
 struct Scene {
   std::string name;
-  double picture_height = 1080;
+  double image_height = 1080;
   double tolerance = 0.5;  // pixels that an edge may be displaced by
   Means means;
   std::vector<NamedCamera> cameras;
@@ -54,13 +54,13 @@ struct ObjectPlan {
   bool drawn() const { return !outside_frustum && !culled; }
 };
 
-// Plans one object. Box and planes are compared in the object's own space: drawn with `object`, a
-// picture without the objects and planes that plans leave out has the same pixels, as with
+// Plans one object. Box and planes are compared in the object's own space: drawn with `object`, an
+// image without the objects and planes that plans leave out has the same pixels, as with
 // runtime::PlanBox. With other ways a plane that is left out may have cut a pixel by its error.
 ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
                       const std::vector<NamedPlane>& planes);
 
-// The way to draw one object of a picture.
+// The way to draw one object of an image.
 struct ObjectAdvice {
   ObjectPlan plan;
   // The recommended way: none for an object that is not drawn, needs no plane, or has a plane that

@@ -19,7 +19,7 @@ void CutThrough(Config& config, Vector direction, Vector point) {
   config.nearest = point.z / 2, config.farthest = 2 * point.z;
 }
 
-double Setup::EdgeInHalfPictures() const {
+double Setup::EdgeInHalfImages() const {
   const Camera& camera = config.camera;
   return config.edge_length * (camera.orthographic ? 1 : 1 / camera.HalfHeightAt(1));
 }

@@ -9,8 +9,8 @@
 
 namespace clipc::study {
 
-// The rows of the picture that errors are given for; it has as many columns as the aspect says.
-inline constexpr double kPictureHeight = 1080;
+// The rows of the image that errors are given for; it has as many columns as the aspect says.
+inline constexpr double kImageHeight = 1080;
 
 // One case to measure: a camera, a plane, and the place of the surfaces that it cuts.
 struct Config {
@@ -43,7 +43,7 @@ struct Setup {
   // The part of the cut to measure, as VisibleCut returns it; if empty, `config` gives the part.
   std::vector<Vector> cut;
 
-  double EdgeInHalfPictures() const;  // config.edge_length at any depth
+  double EdgeInHalfImages() const;  // config.edge_length at any depth
 };
 
 // Sets the matrices that follow from world, view and projection.
@@ -53,9 +53,9 @@ void Compose(Setup& setup);
 // 1 by accident.
 Setup Prepare(const Config& config);
 
-// A random place of the visible cut in view space: a place of `setup.cut`, evenly over the picture,
+// A random place of the visible cut in view space: a place of `setup.cut`, evenly over the image,
 // or, if that is empty, a point of the frustum, at a depth of the surfaces, moved to the plane
-// along its normal; none where the moved point is outside of the picture.
+// along its normal; none where the moved point is outside of the image.
 std::optional<Vector> RandomCut(const Setup& setup, Random& random);
 
 // At most `count` random places of the cut, the same in every call.

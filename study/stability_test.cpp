@@ -30,7 +30,7 @@ double P99(const Config& config, const Method& method) {
 
 double Predicted(const Config& config, runtime::PlaneSpace space) {
   return runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(),
-                                   kPictureHeight)
+                                   kImageHeight)
       .value;
 }
 
@@ -108,7 +108,7 @@ TEST(Stability, HugeTrianglesLoseInProportionToTheirLength) {
   for (const double length : {50.0, 500.0, 5000.0}) {
     Config config = ObliqueAt(10);
     config.edge_length = length;
-    // Heights of the picture, of which a law has a fourth.
+    // Heights of the image, of which a law has a fourth.
     const double factor = 1 + length / (2 * std::tan(30 * std::numbers::pi / 180)) / 4;
     const auto share = [&](const Method& method, runtime::PlaneSpace space) {
       return P99(config, method) / (Predicted(config, space) * factor);

@@ -41,7 +41,7 @@ class Sweeps {
       config.camera.fov = fov;
       Add("field of view", fov, config);
     }
-    // Tiles of a picture that is several times as large: the plane goes through the tile's middle.
+    // Tiles of an image that is several times as large: the plane goes through the tile's middle.
     for (const double offset : Some({1, 2, 3, 5})) {
       Config config = ObliqueAt(30);
       config.camera.offset_x = offset, config.camera.offset_y = 0.7 * offset;

@@ -9,7 +9,7 @@
 namespace clipc::study {
 namespace {
 
-// The width of a polygon, by its length, that the picture shows as a line.
+// The width of a polygon, by its length, that the image shows as a line.
 constexpr double kThin = 1e-3;
 
 double At(const Plane& plane, Vector p) {
@@ -72,17 +72,17 @@ std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& bo
 Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random) {
   const Vector first = polygon[0];
   if (polygon.size() < 3) return first;
-  // Triangles around the first corner, by twice their size: in the picture, or in space where the
-  // picture shows a line, as of a plane that holds the eye.
-  const auto in_picture = [&](Vector p) {
+  // Triangles around the first corner, by twice their size: in the image, or in space where the
+  // image shows a line, as of a plane that holds the eye.
+  const auto in_image = [&](Vector p) {
     const double w = camera.orthographic ? 1 : p.z;
     return Vector{p.x / w, p.y / w, 0};
   };
   std::vector<double> seen, sizes;
   double longest = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    const Vector a = in_picture(polygon[i]) - in_picture(first),
-                 b = in_picture(polygon[i + 1]) - in_picture(first);
+    const Vector a = in_image(polygon[i]) - in_image(first),
+                 b = in_image(polygon[i + 1]) - in_image(first);
     const Vector across = Cross(polygon[i] - first, polygon[i + 1] - first);
     seen.push_back(std::fabs(a.x * b.y - a.y * b.x));
     sizes.push_back(std::sqrt(Dot(across, across)));
@@ -93,7 +93,7 @@ Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Ran
   double left = random.Between(0, std::accumulate(sizes.begin(), sizes.end(), 0.0));
   std::size_t chosen = 0;
   for (; chosen + 1 < sizes.size() && left > sizes[chosen]; ++chosen) left -= sizes[chosen];
-  // Even shares of the triangle in the picture, turned into shares of the triangle in space.
+  // Even shares of the triangle in the image, turned into shares of the triangle in space.
   double u = random.Unit(), v = random.Unit();
   if (u + v > 1) u = 1 - u, v = 1 - v;
   const auto share = [&](double even, Vector corner) {

@@ -18,8 +18,8 @@ std::vector<Vector> VisibleCut(const Camera& camera, const Plane& view_plane, do
 std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& box,
                              const Matrix& to_view);
 
-// A random place of a polygon with at least one corner, evenly over the picture; evenly over the
-// polygon where the picture shows a line.
+// A random place of a polygon with at least one corner, evenly over the image; evenly over the
+// polygon where the image shows a line.
 Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random);
 
 }  // namespace clipc::study

@@ -112,7 +112,7 @@ unsigned WaveTexture() {
   return texture;
 }
 
-Picture DrawLake() {
+Image DrawLake() {
   const MeshBuffers teapot(Teapot(24)), torus(Torus(24, 1.3, 0.3)), ground(Ground(400, 1));
   const auto place = [](double x, double y, double z, double size, double angle) {
     return Multiply(Multiply(Scaling(size), Rotation(angle)), Translation(x, y, z));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // An engine that compiles HLSL while it draws: libclipc.so in its process, beside the driver, which
 // for Mesa's software OpenGL contains another LLVM. One thread draws a cube, clipped by a plane
-// that the shader names; the others compile variants of the same shader all the while. The picture
+// that the shader names; the others compile variants of the same shader all the while. The image
 // must be clipped where the plane is, and every compile of one variant must give the same bytes.
 //   embed [FILE.png]
 #include <atomic>
@@ -70,19 +70,19 @@ void KeepCompiling(const std::atomic<bool>& is_done, std::map<int, std::set<std:
 }
 
 // The rows of pixels that the cube covers.
-int RowsCovered(const Picture& picture) {
+int RowsCovered(const Image& image) {
   int rows = 0;
-  for (int y = 0; y < picture.height; ++y) {
+  for (int y = 0; y < image.height; ++y) {
     bool is_covered = false;
-    for (int x = 0; x < picture.width; ++x)
-      is_covered |= picture.rgba[4 * static_cast<std::size_t>(y * picture.width + x)] > 128;
+    for (int x = 0; x < image.width; ++x)
+      is_covered |= image.rgba[4 * static_cast<std::size_t>(y * image.width + x)] > 128;
     rows += is_covered ? 1 : 0;
   }
   return rows;
 }
 
 // Draws the cube; if `is_clipped`, the plane removes its upper half.
-Picture Draw(bool is_clipped) {
+Image Draw(bool is_clipped) {
   library::Compiler compiler;
   const library::Result shader = Compile(compiler, 1);
   const std::string_view json = shader.Get(CLIPC_PART_TABLE_JSON);
@@ -113,7 +113,7 @@ void Run(const std::string& path) {
   std::vector<std::thread> threads;
   for (auto& own : texts) threads.emplace_back(KeepCompiling, std::cref(is_done), std::ref(own));
   std::exception_ptr problem;
-  Picture whole, clipped;
+  Image whole, clipped;
   try {
     const OpenGl opengl(Api::kCore);
     for (int i = 0; i < 5; ++i) {

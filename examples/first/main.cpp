@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Draws a square that a plane clips, without a display, and writes the picture:
+// Draws a square that a plane clips, without a display, and writes the image:
 //   first FILE.ppm
 #define GL_GLEXT_PROTOTYPES
 #include <cstdio>
@@ -84,7 +84,7 @@ void Write(const char* path, const std::vector<unsigned char>& rgb) {
   std::ofstream file(path, std::ios::binary);
   file << "P6\n" << kSize << ' ' << kSize << "\n255\n";
   file.write(reinterpret_cast<const char*>(rgb.data()), static_cast<std::streamsize>(rgb.size()));
-  if (!file.flush()) Fail("cannot write the picture");
+  if (!file.flush()) Fail("cannot write the image");
 }
 
 }  // namespace

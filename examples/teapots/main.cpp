@@ -27,10 +27,10 @@ namespace {
 using namespace clipc::harness;
 namespace runtime = clipc::runtime;
 
-constexpr int kSize = 200;  // of one teapot's part of the picture, in pixels
+constexpr int kSize = 200;  // of one teapot's part of the image, in pixels
 constexpr Vector kEye{-1.9, 2.6, -5.2};
 
-Picture DrawTeapots() {
+Image DrawTeapots() {
   const std::vector<std::vector<runtime::Plane>> cases = {
       {}, {{-1, 0, 0, 0}}, {{1, 0, 1, 0}}, {{1, 0, 0, 0}, {0, -1, 0, 0}}};
   const int count = static_cast<int>(cases.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Teapots in a lake, drawn to a PNG once for each of clipc's lowerings: the same reflection,
 // clipped at the water by clip distances, by glClipPlane as Direct3D 9's SetClipPlane would do it,
-// by the near plane, and by discard. A fifth picture is not clipped and shows what would go wrong:
+// by the near plane, and by discard. A fifth image is not clipped and shows what would go wrong:
 // the mirrored bottoms stick out of the water.
 //   water [FOLDER]
 #include <algorithm>
@@ -103,7 +103,7 @@ class Lake {
                 {&teapot_, place(-4.2, -0.9, 11, 1.6, -0.7), 0.55F, 0.75F, 0.45F}};
   }
 
-  Picture Draw(const Technique& technique) const {
+  Image Draw(const Technique& technique) const {
     const Canvas canvas(2 * kWidth, 2 * kHeight);
     DrawSky();
     glClear(GL_DEPTH_BUFFER_BIT);

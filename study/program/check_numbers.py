@@ -254,7 +254,7 @@ INLINE = [
     (
         "docs/study.md",
         r"image of 1920x(\d+)",
-        lambda: constant("study/setup.h", r"kPictureHeight = (\d+);"),
+        lambda: constant("study/setup.h", r"kImageHeight = (\d+);"),
     ),
     (
         "docs/study.md",

@@ -22,8 +22,8 @@ const rects=text.map(t=>t.getBoundingClientRect()).filter(r=>r.width>0);
 all[svg.id]={width:box.width,height:box.height,texts:rects.length,least:Math.min(...text.map(t=>{const m=t.getScreenCTM();return parseFloat(getComputedStyle(t).fontSize)*Math.sqrt(Math.abs(m.a*m.d-m.b*m.c))})),
 outside:rects.filter(r=>r.left<box.left-2||r.right>box.right+2||r.top<box.top-2||r.bottom>box.bottom+2).length,
 marks:svg.querySelectorAll('path,use,rect').length,visible:getComputedStyle(svg).visibility}}
-const pictures=[...document.querySelectorAll('.picture img')].map(i=>i.naturalWidth);
-const pre=document.createElement('pre');pre.id='measured';pre.textContent=JSON.stringify({charts:all,pictures:pictures,rows:document.querySelectorAll('td').length});
+const images=[...document.querySelectorAll('.image img')].map(i=>i.naturalWidth);
+const pre=document.createElement('pre');pre.id='measured';pre.textContent=JSON.stringify({charts:all,images:images,rows:document.querySelectorAll('td').length});
 document.body.append(pre)})</script></body>"""
 
 
@@ -85,8 +85,8 @@ def problems(page, sweeps):
             found.append(f"chart {name} has text {chart['least']} pixels high")
         if chart["outside"]:
             found.append(f"chart {name} has {chart['outside']} texts that stick out of it")
-    if len(result["pictures"]) < 10 or 0 in result["pictures"]:
-        found.append(f"pictures are missing: {result['pictures']}")
+    if len(result["images"]) < 10 or 0 in result["images"]:
+        found.append(f"images are missing: {result['images']}")
     if result["rows"] < 40:
         found.append(f"the tables have {result['rows']} cells")
     return found
@@ -106,7 +106,7 @@ def main():
             "text outside": page.replace(
                 "</style>", "#chart-cost text{transform:translate(900px,0)!important}</style>", 1
             ),
-            "a broken picture": page.replace(
+            "a broken image": page.replace(
                 "data:image/png;base64,iVBOR", "data:image/png;base64,AAAA", 1
             ),
             "a network load": page.replace("<h1>", '<img src="elsewhere.png"><h1>', 1),

@@ -68,7 +68,7 @@ expect(
 )
 expect(
     all(int(r["reference"]) > 1000 for r in pixels if r["applies"] == "1"),
-    "a picture with hardly a fragment",
+    "an image with hardly a fragment",
 )
 
 # The results for odd planes and triangles that must be right everywhere are.
@@ -174,7 +174,7 @@ if "--costs" in sys.argv:
 for row in read("scene-costs.csv"):
     expect(
         row["same_picture"] == ("0" if row["planes"] == "none" else "1"),
-        f"{row['scene']} with {row['planes']} planes: the picture",
+        f"{row['scene']} with {row['planes']} planes: the image",
     )
 expect(
     len(scenes) == 4 and all(int(r["need0"]) > int(r["need1"]) for r in scenes),
@@ -183,6 +183,6 @@ expect(
 
 print(
     "\n".join(problems)
-    or f"{len(edges)} edge rows, {len(pixels)} pictures, {len(laws)} regimes: as the study says"
+    or f"{len(edges)} edge rows, {len(pixels)} images, {len(laws)} regimes: as the study says"
 )
 sys.exit(bool(problems))

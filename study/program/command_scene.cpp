@@ -95,14 +95,14 @@ std::string Cell(const OrderedJson& value) {
   return text.find(' ') == text.npos ? text : "\"" + text + "\"";
 }
 
-void Print(const OrderedJson& picture) {
+void Print(const OrderedJson& image) {
   std::printf("%s, camera %s: %d planes, %zu objects, tolerance %g pixels\n",
-              Cell(picture["scene"]).c_str(), Cell(picture["camera"]).c_str(),
-              picture["planes"].get<int>(), picture["objects"].size(),
-              picture["tolerance"].get<double>());
+              Cell(image["scene"]).c_str(), Cell(image["camera"]).c_str(),
+              image["planes"].get<int>(), image["objects"].size(),
+              image["tolerance"].get<double>());
   std::printf("%-20s %-14s %-28s %-16s %12s %6s %13s\n", "object", "drawn", "planes needed",
               "method", "off, pixels", "meets", "cost, times 1");
-  for (const OrderedJson& object : picture["objects"]) {
+  for (const OrderedJson& object : image["objects"]) {
     std::printf("%-20s %-14s", Cell(object["object"]).c_str(),
                 object["drawn"].get<std::string>().c_str());
     if (object.contains("refused")) {
@@ -156,7 +156,7 @@ int RunScene(const std::vector<std::string>& arguments) {
   const Scene scene = ReadScene(paths[0]);
   const CostTable costs = costs_path.empty() ? MeasuredCosts() : ReadCosts(costs_path);
   Variants variants;
-  OrderedJson pictures = OrderedJson::array();
+  OrderedJson images = OrderedJson::array();
   int failures = 0;
   for (const NamedCamera& camera : scene.cameras) {
     OrderedJson objects = OrderedJson::array();
@@ -171,12 +171,12 @@ int RunScene(const std::vector<std::string>& arguments) {
       int& most = variants[advice[i].best->way];
       most = std::max(most, std::popcount(advice[i].plan.needed));
     }
-    pictures.push_back({{"scene", scene.name},
-                        {"camera", camera.name},
-                        {"planes", scene.planes.size()},
-                        {"tolerance", scene.tolerance},
-                        {"objects", std::move(objects)}});
-    Print(pictures.back());
+    images.push_back({{"scene", scene.name},
+                      {"camera", camera.name},
+                      {"planes", scene.planes.size()},
+                      {"tolerance", scene.tolerance},
+                      {"objects", std::move(objects)}});
+    Print(images.back());
   }
   for (const auto& [way, planes] : variants) {
     std::printf("build: %s with 0 to %d planes\n", way.c_str(), planes);
@@ -186,7 +186,7 @@ int RunScene(const std::vector<std::string>& arguments) {
                 failures);
   }
   if (!variants_path.empty()) WriteFile(variants_path, VariantList(scene, variants));
-  if (!json_path.empty()) WriteFile(json_path, pictures.dump(2) + "\n");
+  if (!json_path.empty()) WriteFile(json_path, images.dump(2) + "\n");
   return failures > 0 ? 1 : 0;
 }
 

@@ -129,15 +129,15 @@ class Study {
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
     }
-    Pictures();
+    Images();
   }
 
-  // Writes a picture of each way at a cut so far away that the default is visibly wrong.
-  void Pictures() {
+  // Writes an image of each way at a cut so far away that the default is visibly wrong.
+  void Images() {
     const Config far = ObliqueAt(3e4, 0.1, 1e6);
     for (const Way& way : kWays) {
-      if (const auto picture = DrawOnce(far, way.kind, KnotDetail(), 480, 270))
-        harness::WritePng(Path("picture-" + std::string(way.name) + ".png"), *picture);
+      if (const auto image = DrawOnce(far, way.kind, KnotDetail(), 480, 270))
+        harness::WritePng(Path("image-" + std::string(way.name) + ".png"), *image);
     }
   }
 

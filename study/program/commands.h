@@ -8,7 +8,7 @@ namespace clipc::study {
 
 inline constexpr char kUsage[] =
     R"(clipc-study [--quick] [--out FOLDER] [--no-report]
-  Measures every way to clip on Mesa's software OpenGL and writes tables (CSV), pictures and
+  Measures every way to clip on Mesa's software OpenGL and writes tables (CSV), images and
   report.html into FOLDER (default: study-report).
     --quick                 takes fewer points, edges and rounds
     --no-report             writes no report, which needs Python

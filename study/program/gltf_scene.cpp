@@ -73,7 +73,7 @@ tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
   const bool is_binary = bytes.starts_with("glTF");
   CheckDepth(JsonOf(bytes, is_binary));
   tinygltf::TinyGLTF loader;
-  // Pictures are not decoded.
+  // Images are not decoded.
   loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
                            const unsigned char*, int, void*) { return true; },
                         nullptr);
@@ -137,7 +137,7 @@ class Converter {
   }
 
   void Extras(const tinygltf::Value& extras) {
-    scene_.picture_height = Positive(extras, "picture_height", scene_.picture_height);
+    scene_.image_height = Positive(extras, "picture_height", scene_.image_height);
     scene_.tolerance = Positive(extras, "tolerance", scene_.tolerance);
     Means& means = scene_.means;
     means.clip_distances = Flag(extras, "clip_distances", means.clip_distances, "scene");

@@ -93,8 +93,8 @@ std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
   return all;
 }
 
-std::optional<harness::Picture> DrawOnce(const Config& config, WayKind kind, int detail, int width,
-                                         int height) {
+std::optional<harness::Image> DrawOnce(const Config& config, WayKind kind, int detail, int width,
+                                       int height) {
   const Setup setup = Prepare(config);
   const auto constants = ConstantsOf(kind, setup, {setup.world_plane});
   if (!constants) return std::nullopt;
@@ -104,11 +104,11 @@ std::optional<harness::Picture> DrawOnce(const Config& config, WayKind kind, int
   call->SetConstants(*constants);
   studio.Begin();
   call->Draw();
-  harness::Picture picture = studio.Read();
-  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-    if (picture.rgba[i + 3] == 0) std::fill_n(&picture.rgba[i], 3, 255);
+  harness::Image image = studio.Read();
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] == 0) std::fill_n(&image.rgba[i], 3, 255);
   }
-  return picture;
+  return image;
 }
 
 }  // namespace clipc::study

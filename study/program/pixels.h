@@ -32,7 +32,7 @@ class PixelMeter {
 };
 
 // The knot of that detail drawn once with one way, over white; none where the way cannot be used.
-std::optional<harness::Picture> DrawOnce(const Config& config, WayKind kind, int detail, int width,
-                                         int height);
+std::optional<harness::Image> DrawOnce(const Config& config, WayKind kind, int detail, int width,
+                                       int height);
 
 }  // namespace clipc::study

@@ -5,7 +5,7 @@
 usage: report.py FOLDER
        report.py --chart TABLES FOLDER
 
-The report is one file that loads nothing: charts are inline SVG, pictures are data URLs. Every number in it is read from
+The report is one file that loads nothing: charts are inline SVG, images are data URLs. Every number in it is read from
 the tables. --chart makes only the chart of speed against accuracy, of tables anywhere."""
 
 import base64
@@ -420,20 +420,20 @@ def laws_table(laws):
     )
 
 
-def pictures(folder):
+def images(folder):
     parts = []
-    for path in sorted(folder.glob("picture-*.png")):
-        way = path.stem.removeprefix("picture-")
+    for path in sorted(folder.glob("image-*.png")):
+        way = path.stem.removeprefix("image-")
         data = base64.b64encode(path.read_bytes()).decode()
         parts.append(
-            f'<figure class="picture"><img alt="{way}" src="data:image/png;base64,{data}"><figcaption>{way}</figcaption></figure>'
+            f'<figure class="image"><img alt="{way}" src="data:image/png;base64,{data}"><figcaption>{way}</figcaption></figure>'
         )
     return "".join(parts)
 
 
 STYLE = """body{font:15px/1.45 sans-serif;max-width:1240px;margin:1em auto;padding:0 1em;color:#222}
 .sweeps{display:grid;grid-template-columns:1fr 1fr;gap:0 12px}figure{margin:1em 0}figcaption{font-weight:bold;margin-bottom:.3em}.chart svg{max-width:100%;height:auto}
-.pictures{display:flex;flex-wrap:wrap;gap:8px}.picture img{width:290px;border:1px solid #ccc}.picture figcaption{font-weight:normal}
+.images{display:flex;flex-wrap:wrap;gap:8px}.image img{width:290px;border:1px solid #ccc}.image figcaption{font-weight:normal}
 table{border-collapse:collapse;font-size:13px}td,th{border:1px solid #ccc;padding:3px 7px;text-align:left;vertical-align:top}th{background:#f3f3f3}"""
 
 
@@ -471,7 +471,7 @@ def main():
     scene_chart(charts, scenes)
     charts.text(
         table(
-            "scene, planes, draws, planes of all, least CPU ms, picture as with all".split(", "),
+            "scene, planes, draws, planes of all, least CPU ms, image as with all".split(", "),
             [
                 [
                     r["scene"],
@@ -486,7 +486,7 @@ def main():
         )
     )
     charts.text(
-        f'<h2>A cut 230,000 near distances away</h2><div class="pictures">{pictures(folder)}</div>'
+        f'<h2>A cut 230,000 near distances away</h2><div class="images">{images(folder)}</div>'
     )
     body = "\n".join(charts.parts)
     (folder / "report.html").write_text(

@@ -18,7 +18,7 @@ enum class Planes {
   // them, and drawn in the order of the number of planes, so that each shader variant is bound
   // once.
   kNeeded,
-  kTooFew,  // as kNeeded, without the first needed plane: the picture must differ
+  kTooFew,  // as kNeeded, without the first needed plane: the image must differ
 };
 
 // Draws what a scene's first camera sees, with plane space `object`, a shader variant for each

@@ -146,7 +146,7 @@ Scene SceneFrom(const Json& json) {
   if (reader.Number("version", 0) != 1) reader.Fail("version", "is not 1");
   Scene scene;
   scene.name = reader.Text("name", "scene");
-  scene.picture_height = reader.Positive("picture_height", 1080);
+  scene.image_height = reader.Positive("picture_height", 1080);
   scene.tolerance = reader.Positive("tolerance", 0.5);
   scene.means.clip_distances = reader.Flag("clip_distances", true);
   scene.means.user_planes = reader.Flag("user_planes", false);

@@ -64,7 +64,7 @@ TEST(SceneFile, ReadsEveryOption) {
       {"orthographic": true, "half_height": 7, "aspect": 2, "yaw": 1, "pitch": 2, "roll": 3}],
     "planes": [{"plane": [1, 2, 3, 4]}], "objects": [{"low": [0, 0, 0], "high": [1, 1, 1]}]})";
   const Scene scene = ReadScene(path);
-  EXPECT_EQ(scene.picture_height, 720);
+  EXPECT_EQ(scene.image_height, 720);
   EXPECT_EQ(scene.tolerance, 0.25);
   EXPECT_FALSE(scene.means.clip_distances || scene.means.can_discard);
   EXPECT_EQ(scene.means.order, runtime::MatrixOrder::kWorldFirst);
@@ -123,8 +123,8 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
   EXPECT_THAT(text, Not(HasSubstr("clipc lighthouse.hlsl")));
   EXPECT_THAT(text, ContainsRegex("lighthouse +yes +none +any +0 +yes +1.000"));
   EXPECT_THAT(text, ContainsRegex("wreck +clipped away *\n"));
-  const nlohmann::json pictures = nlohmann::json::parse(TextOf(json));
-  for (const auto& object : pictures[0]["objects"])
+  const nlohmann::json images = nlohmann::json::parse(TextOf(json));
+  for (const auto& object : images[0]["objects"])
     EXPECT_EQ(object.contains("planes"), object["drawn"] == "yes") << object["object"];
   EXPECT_THAT(text, ContainsRegex("behind +not in view"));
   EXPECT_THAT(text, HasSubstr("build: object with 0 to 1 planes"));
@@ -139,7 +139,7 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
 struct Said {
   int exit_code;
   std::string text, variants;
-  nlohmann::json pictures;
+  nlohmann::json images;
 };
 Said SayFor(const std::string& options, const std::string& plane, const std::string& objects,
             const std::string& eye = "[0, 0, 0]") {
@@ -159,7 +159,7 @@ Said SayFor(const std::string& options, const std::string& plane, const std::str
       {"scene", scene, "--costs", "study/scenes/speed.csv", "--json", json, "--variants", list});
   said.variants = TextOf(list);
   said.text = ::testing::internal::GetCapturedStdout();
-  said.pictures = nlohmann::json::parse(TextOf(json));
+  said.images = nlohmann::json::parse(TextOf(json));
   return said;
 }
 constexpr char kBox[] = R"({"name": "old ship", "low": [-3, -3, -3], "high": [3, 3, 3],
@@ -173,7 +173,7 @@ TEST(SceneCommand, SaysWhatMeetsTheTolerance) {
   EXPECT_EQ(said.exit_code, 0);
   EXPECT_THAT(said.text, HasSubstr("tolerance 0.5 pixels"));
   EXPECT_THAT(said.text, ContainsRegex("\"old ship\" +yes +\"the cut\" +object +[0-9.e-]+ +yes"));
-  const auto& object = said.pictures[0]["objects"][0];
+  const auto& object = said.images[0]["objects"][0];
   EXPECT_EQ(object["object"], "old ship");
   EXPECT_EQ(object["planes"][0], "the cut");
   EXPECT_EQ(object["method"], "object");
@@ -189,8 +189,8 @@ TEST(SceneCommand, NamesAllPlanesOfAnObject) {
   above.replace(above.find("0, 0, 100"), 9, "0, 9, 100");
   const Said said = SayFor("", second, std::string(kBox) + "," + above);
   EXPECT_THAT(said.text, ContainsRegex("\"old ship\" +yes +\"the cut.b\" +object"));
-  EXPECT_EQ(said.pictures[0]["objects"][0]["planes"].size(), 2u);
-  EXPECT_EQ(said.pictures[0]["objects"][1]["planes"].size(), 1u);
+  EXPECT_EQ(said.images[0]["objects"][0]["planes"].size(), 2u);
+  EXPECT_EQ(said.images[0]["objects"][1]["planes"].size(), 1u);
   EXPECT_THAT(said.text, HasSubstr("the cut+b"));
   EXPECT_THAT(said.text, HasSubstr("build: object with 0 to 2 planes"));
 }
@@ -200,7 +200,7 @@ TEST(SceneCommand, SaysThatNothingMeetsTheTolerance) {
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.text, ContainsRegex("flag +yes +\"the cut\" +world +0\\.[0-9]+ +no"));
   EXPECT_THAT(said.text, HasSubstr("the tolerance is not met 1 times"));
-  EXPECT_EQ(said.pictures[0]["objects"][0]["meets"], false);
+  EXPECT_EQ(said.images[0]["objects"][0]["meets"], false);
 }
 
 TEST(SceneCommand, NamesTheCure) {
@@ -215,14 +215,14 @@ TEST(SceneCommand, NamesTheCure) {
   const Said said = SayFor(far_away, "[0.6, 0, 0.8, -480080]", moved, "[8e5, 0, 0]");
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.text, HasSubstr("multiply its matrices in double"));
-  EXPECT_EQ(SayFor("", kCut, kBox).pictures[0]["objects"][0].contains("cure"), false);
+  EXPECT_EQ(SayFor("", kCut, kBox).images[0]["objects"][0].contains("cure"), false);
 }
 
 TEST(SceneCommand, GoesOnAfterAnImpossibleObject) {
   const Said said = SayFor(R"("clip_distances": false, "can_discard": false, )", kCut,
                            std::string(kBox) + "," + kMoved + "," + kBox);
   EXPECT_EQ(said.exit_code, 1);
-  const auto& objects = said.pictures[0]["objects"];
+  const auto& objects = said.images[0]["objects"];
   EXPECT_EQ(objects[0]["method"], "cpu");
   EXPECT_TRUE(objects[1]["method"].is_null());
   EXPECT_EQ(objects[2]["method"], "cpu");
@@ -238,7 +238,7 @@ TEST(SceneCommand, SaysThatAPlaneIsRefused) {
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.text, HasSubstr("refused: the cut: "));
   EXPECT_THAT(said.text, Not(HasSubstr("any")));
-  EXPECT_FALSE(said.pictures[0]["objects"][0].contains("planes"));
+  EXPECT_FALSE(said.images[0]["objects"][0].contains("planes"));
 }
 
 // The floor is cut next to the eye and the wall far away: a way that is good enough for the wall,

@@ -88,7 +88,7 @@ class Specials {
     Add("triangles through w = 0", "both halves", (one + other) / all, 1);
   }
 
-  // Draws a square that fills the picture, so that the cut is its only edge.
+  // Draws a square that fills the image, so that the cut is its only edge.
   void Smooth() {
     Mesh square;
     square.vertices = {{{-2, -2, 0, 1}}, {{2, -2, 0, 1}}, {{2, 2, 0, 1}}, {{-2, 2, 0, 1}}};

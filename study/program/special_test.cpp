@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The pictures of odd planes and odd triangles on a real clipper, for each way that can be given
+// The images of odd planes and odd triangles on a real clipper, for each way that can be given
 // them.
 #include "study/program/special.h"
 

@@ -12,7 +12,7 @@ namespace clipc::study {
 // The cost of a way: CPU time of the process, whose threads draw for llvmpipe, relative to drawing
 // without planes.
 struct Cost {
-  // "picture": 1280x720; "vertices": 64x64, hardly a fragment; "cut": the picture, most of it
+  // "picture": 1280x720; "vertices": 64x64, hardly a fragment; "cut": the image, most of it
   // clipped.
   std::string setting;
   std::string way;

@@ -25,7 +25,7 @@ class Studio {
   void Begin();  // makes the studio current and clears it
   // The sum that was added to each pixel, as the mean of its samples; only with `coverage`.
   std::vector<float> Counts();
-  harness::Picture Read() { return framebuffer_.Read(); }  // only without `coverage`
+  harness::Image Read() { return framebuffer_.Read(); }  // only without `coverage`
 
  private:
   bool coverage_;

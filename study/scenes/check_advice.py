@@ -137,7 +137,7 @@ class Draw:
         ] * self.rows / 2
 
     def places(self, view_plane, r):
-        """Random places of the cut that the picture shows, in view space."""
+        """Random places of the cut that the image shows, in view space."""
         c = self.camera
         inverse = [
             [float(x) for x in solve(self.world_view, [float(i == j) for j in range(4)])]
@@ -173,7 +173,7 @@ class Draw:
             ]
             if all(a <= b <= d for a, b, d in zip(low, inside, high)):
                 yield place, to_object
-        # A plane that is seen edge on: no pixel's ray meets it, and its line in the picture is where it cuts.
+        # A plane that is seen edge on: no pixel's ray meets it, and its line in the image is where it cuts.
         norm = sum(x * x for x in n)
         for _ in range(40 * EDGES):
             v = [r.uniform(a, b) for a, b in zip(low, high)] + [1]
@@ -403,7 +403,7 @@ def main():
         return not found["problems"]
     print("".join(f"{problem}\n" for problem in found["problems"]), end="")
     print(
-        f"{count} scenes, {found['advised']} objects that a plane cuts, {found['meets']} said to meet ({found['unseen']} with hardly a cut in the picture): "
+        f"{count} scenes, {found['advised']} objects that a plane cuts, {found['meets']} said to meet ({found['unseen']} with hardly a cut in the image): "
         f"{len(found['problems'])} problems, {found['dearer']} dearer than needed, {found['overlooked']} overlooked"
     )
     return bool(found["problems"])

@@ -100,7 +100,7 @@ LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
     r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/(draw/vulkan/glslang\.(cpp|h)|reference-compiler/glslang\.cpp)|tools/bench/reference_compilers\.cpp|web/module/page\.cpp|web/wasm/.*",
     r"epoxy/": r"tools/(harness|draw|values|study/program|scenes|effects)/.*|examples/.*\.cpp",
-    r"png\.h": r"tools/harness/picture\.cpp",
+    r"png\.h": r"tools/harness/image\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|reference-compiler)/.*|tools/bench/reference_compilers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|link|rewrite|backend-glsl|compiler|tools/bench)/.*",

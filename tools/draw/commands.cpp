@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "tools/draw/arguments.h"
+#include "tools/draw/opengl/image.h"
 #include "tools/draw/opengl/pair.h"
 #include "tools/draw/opengl/passes.h"
-#include "tools/draw/opengl/picture.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/vulkan/machine_code.h"
 #include "tools/draw/vulkan/pair.h"
@@ -85,7 +85,7 @@ std::vector<std::string> LinkOnVulkan(const std::vector<std::string>& texts) {
 
 struct PixelsOptions {
   std::string png;
-  PictureOptions picture;
+  ImageOptions image;
   Expectation expectation;
   bool any_depth = false;
 };
@@ -94,15 +94,15 @@ Flags PixelsFlags(PixelsOptions& options, Inputs& inputs) {
   return {
       {"block", BlockFlag(inputs)},
       {"uniform", With([&](auto& value) { AddUniform(value, inputs); })},
-      {"enable", Number(options.picture.enable_mask)},
+      {"enable", Number(options.image.enable_mask)},
       {"clip-plane", With([&](auto& value) {
          if (value.size() < 3 || value[0] < '0' || value[0] > '7' || value[1] != '=') {
            throw DrawError("--clip-plane 0=1,0,0,0, not `" + value + "`");
          }
-         options.picture.clip_planes[value[0] - '0'] = ParsePlane(value.substr(2));
+         options.image.clip_planes[value[0] - '0'] = ParsePlane(value.substr(2));
        })},
-      {"fragment", With([&](auto& value) { options.picture.fragment = ReadFile(value); })},
-      {"zero-to-one", On(options.picture.zero_to_one)},
+      {"fragment", With([&](auto& value) { options.image.fragment = ReadFile(value); })},
+      {"zero-to-one", On(options.image.zero_to_one)},
       {"expect-plane",
        With([&](auto& value) { options.expectation.planes.push_back(ParsePlane(value)); })},
       {"expect-flipped", On(options.expectation.flipped)},
@@ -145,15 +145,15 @@ int RunPixels(const Arguments& arguments) {
     const GlProgram program(vertex, version.es ? version.Line() + "void main() {}\n" : "", {});
     AddMesh(program.Attributes(), inputs);
   }
-  const Picture picture = Draw(vertex, inputs, options.picture);
-  if (!options.png.empty()) harness::WritePng(options.png, ColorsOf(picture));
+  const DrawnImage image = Draw(vertex, inputs, options.image);
+  if (!options.png.empty()) harness::WritePng(options.png, ColorsOf(image));
 
   constexpr double kDepthError = 1e-5;
-  const Difference difference = Compare(picture, options.expectation);
+  const Difference difference = Compare(image, options.expectation);
   const bool right = difference.missing == 0 && difference.extra == 0 &&
                      (options.any_depth || difference.depth_error < kDepthError);
   std::printf("%d of %zu pixels drawn: %d missing, %d too many, largest depth error %.2g\n",
-              difference.drawn, picture.pixels.size(), difference.missing, difference.extra,
+              difference.drawn, image.pixels.size(), difference.missing, difference.extra,
               difference.depth_error);
   return right ? 0 : 1;
 }
@@ -169,20 +169,20 @@ int RunPair(const Arguments& arguments) {
   if (vulkan::IsSpirv(texts[0])) {
     std::vector<vulkan::Spirv> spirv;
     for (const std::string& text : texts) spirv.push_back(vulkan::SpirvOfBytes(text));
-    vulkan::PairResult result = vulkan::ComparePictures({spirv[0], spirv[1]}, {spirv[2], spirv[3]});
+    vulkan::PairResult result = vulkan::CompareImages({spirv[0], spirv[1]}, {spirv[2], spirv[3]});
     found = result.difference;
     messages = std::move(result.messages);
   } else {
     const harness::OpenGl opengl(VersionOf(texts[0]).api);
-    found = ComparePictures({texts[0], texts[1]}, {texts[2], texts[3]});
+    found = CompareImages({texts[0], texts[1]}, {texts[2], texts[3]});
   }
   std::printf("%d of %d pixels drawn in %d colors, %d different\n", found.drawn, found.pixels,
               found.colors, found.different);
   for (const std::string& message : messages)
     std::printf("the validation layers say: %s\n", message.c_str());
-  // A picture with less in it would show nothing. An edge may fall to either side of a pixel.
+  // An image with less in it would show nothing. An edge may fall to either side of a pixel.
   const bool shows = 4 * found.drawn > found.pixels && found.colors > 64;
-  if (!shows) std::printf("the picture shows too little\n");
+  if (!shows) std::printf("the image shows too little\n");
   return shows && messages.empty() && 200 * found.different < found.pixels ? 0 : 1;
 }
 

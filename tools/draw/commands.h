@@ -22,16 +22,16 @@ clipc-draw pixels SHADER.vert [options]
     --fragment FILE         a fragment shader that draws red, and depth as green
     --expect-plane 1,0,0,0  pixels are drawn where 1x + 0y + 0z + 0w >= 0. Repeated: where this
                             holds for all planes
-    --expect-flipped        the picture is upside down
+    --expect-flipped        the image is upside down
     --expect-any-depth      the depth is not compared
-    --png FILE              writes the picture, to look at
+    --png FILE              writes the image, to look at
 
 For both commands: --block NAME@OFFSET=1,2,3,4
 Numbers: 1.5 float, 3i int, 3u uint, 0x7fc00000 bits; `identity` is a 4x4 matrix.
 
 clipc-draw pair A.vert A.frag B.vert B.frag
   Draws with both programs: the same vertices, by location; the same bytes in uniform blocks and the
-  same texels in textures of one name. Fails unless the pictures are equal and show something.
+  same texels in textures of one name. Fails unless the images are equal and show something.
   Files in SPIR-V are drawn on Vulkan, where blocks and textures are the same by set and binding. A
   message of Vulkan's validation layers about the first program fails too.
 
@@ -44,7 +44,7 @@ clipc-draw passes FIRST.vert SECOND.vert
   Draws with the first, and then with the second where its depth is equal. Fails where a pixel of
   the first pass is missing in the second.
 
-clipc-draw picture DRAW.json COLORS
+clipc-draw image DRAW.json COLORS
   Draws what DRAW.json describes: vertex and fragment shader, width and height, vertices, indices,
   the bits of attributes, blocks, uniforms and textures by name, a mask of clipDistances, clear,
   reversed, float. Writes four floats for each pixel, the bottom row first.
@@ -90,7 +90,7 @@ int RunPixels(const Arguments& arguments);
 int RunPair(const Arguments& arguments);
 int RunLink(const Arguments& arguments);
 int RunPasses(const Arguments& arguments);
-int RunPicture(const Arguments& arguments);
+int RunImage(const Arguments& arguments);
 int RunCompare(const Arguments& arguments);
 int RunMachineCode(const Arguments& arguments);
 int RunDevices();

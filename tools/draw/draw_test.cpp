@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/image.h"
 #include "tools/draw/opengl/program.h"
 
 // Tests of the tool itself, on GLSL that nobody generated: right shaders pass, and each kind of
@@ -149,11 +149,11 @@ TEST(Capture, SaysWhatIsMissingOrWrong) {
               HasSubstr("OpenGL refuses the vertex shader"));
 }
 
-// ---- pictures
+// ---- images
 
 // A shader as a clip-distance lowering would write it; `fix_up` and `distances` may have a mistake.
-std::string PictureShader(const std::string& version, const std::string& fix_up,
-                          const std::string& distances) {
+std::string ImageShader(const std::string& version, const std::string& fix_up,
+                        const std::string& distances) {
   return version +
          "in vec4 p;\nuniform vec4 plane[2];\nout float gl_ClipDistance[2];\n"
          "void main() { gl_Position = p; " +
@@ -169,7 +169,7 @@ const std::string kDepth = "gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;
 // Two planes: one that depends on depth, one that depends on height.
 const std::array<double, 4> kPlanes[] = {{1, 0.25, -0.5, 0.35}, {0.125, -1, 0, 0.5}};
 
-bool IsRight(const std::string& shader, PictureOptions options, bool flipped) {
+bool IsRight(const std::string& shader, ImageOptions options, bool flipped) {
   Inputs inputs;
   inputs.vertices = static_cast<int>(FullTarget().size());
   inputs.attributes = {{"p", {}}};
@@ -184,30 +184,30 @@ bool IsRight(const std::string& shader, PictureOptions options, bool flipped) {
   }
   if (options.enable_mask == 0) options.enable_mask = 3;
   UseContextFor(shader);
-  const Picture picture = Draw(shader, inputs, options);
-  const Difference difference = Compare(picture, {{kPlanes[0], kPlanes[1]}, flipped});
+  const DrawnImage image = Draw(shader, inputs, options);
+  const Difference difference = Compare(image, {{kPlanes[0], kPlanes[1]}, flipped});
   EXPECT_GT(difference.drawn, 500);
   return difference.missing == 0 && difference.extra == 0 && difference.depth_error < 1e-5;
 }
 
-TEST(Picture, RightOnesPass) {
-  const PictureOptions zero_to_one{.zero_to_one = true};
+TEST(Image, RightOnesPass) {
+  const ImageOptions zero_to_one{.zero_to_one = true};
   const std::string versions[] = {
       "#version 450\n", "#version 150\n", "#version 130\n",
       "#version 300 es\n#extension GL_EXT_clip_cull_distance : require\n"};
   for (const std::string& version : versions) {
-    EXPECT_TRUE(IsRight(PictureShader(version, kDepth, kRight), {}, false)) << version;
-    EXPECT_TRUE(IsRight(PictureShader(version, kFlip + kDepth, kRight), {}, true)) << version;
+    EXPECT_TRUE(IsRight(ImageShader(version, kDepth, kRight), {}, false)) << version;
+    EXPECT_TRUE(IsRight(ImageShader(version, kFlip + kDepth, kRight), {}, true)) << version;
     if (VersionOf(version).es) continue;
-    EXPECT_TRUE(IsRight(PictureShader(version, "", kRight), zero_to_one, false)) << version;
-    EXPECT_TRUE(IsRight(PictureShader(version, kFlip, kRight), zero_to_one, true)) << version;
+    EXPECT_TRUE(IsRight(ImageShader(version, "", kRight), zero_to_one, false)) << version;
+    EXPECT_TRUE(IsRight(ImageShader(version, kFlip, kRight), zero_to_one, true)) << version;
   }
 }
 
-TEST(Picture, MistakesAreSeen) {
-  const PictureOptions zero_to_one{.zero_to_one = true};
+TEST(Image, MistakesAreSeen) {
+  const ImageOptions zero_to_one{.zero_to_one = true};
   const auto wrong = [&](const std::string& distances) {
-    return !IsRight(PictureShader("#version 450\n", "", distances), zero_to_one, false);
+    return !IsRight(ImageShader("#version 450\n", "", distances), zero_to_one, false);
   };
   const std::string first = "gl_ClipDistance[0] = dot(gl_Position, plane[0]); ";
   const std::string second = "gl_ClipDistance[1] = dot(gl_Position, plane[1]); ";
@@ -224,9 +224,9 @@ TEST(Picture, MistakesAreSeen) {
       << "space";
 }
 
-TEST(Picture, PlanesInTheWrongSpaceAreSeen) {
+TEST(Image, PlanesInTheWrongSpaceAreSeen) {
   const auto shader = [](const std::string& before, const std::string& after) {
-    return PictureShader("#version 450\n", after, before + kRight);
+    return ImageShader("#version 450\n", after, before + kRight);
   };
   EXPECT_TRUE(IsRight(shader("", kDepth), {}, false));
   EXPECT_FALSE(IsRight(shader(kDepth, ""), {}, false)) << "distances after the depth range";
@@ -238,18 +238,18 @@ TEST(Picture, PlanesInTheWrongSpaceAreSeen) {
   EXPECT_FALSE(IsRight(shader("", kFlip), {.zero_to_one = true}, false)) << "upside down";
 }
 
-TEST(Picture, OnlyEnabledPlanesClip) {
-  PictureOptions options{.enable_mask = 1, .zero_to_one = true};
-  EXPECT_FALSE(IsRight(PictureShader("#version 450\n", "", kRight), options, false));
+TEST(Image, OnlyEnabledPlanesClip) {
+  ImageOptions options{.enable_mask = 1, .zero_to_one = true};
+  EXPECT_FALSE(IsRight(ImageShader("#version 450\n", "", kRight), options, false));
 }
 
-TEST(Picture, ClipVertex) {
+TEST(Image, ClipVertex) {
   const std::string shader =
       "#version 120\nattribute vec4 p;\nvoid main() { gl_Position = p; gl_ClipVertex = p; " +
       kFlip + kDepth + "}\n";
-  const PictureOptions options{.clip_planes = {{0, kPlanes[0]}, {1, kPlanes[1]}}};
+  const ImageOptions options{.clip_planes = {{0, kPlanes[0]}, {1, kPlanes[1]}}};
   EXPECT_TRUE(IsRight(shader, options, true));
-  const PictureOptions swapped{.clip_planes = {{0, kPlanes[0]}, {1, kPlanes[0]}}};
+  const ImageOptions swapped{.clip_planes = {{0, kPlanes[0]}, {1, kPlanes[0]}}};
   EXPECT_FALSE(IsRight(shader, swapped, true));
   const std::string fixed_up = "#version 120\nattribute vec4 p;\nvoid main() { gl_Position = p; " +
                                kFlip + kDepth + "gl_ClipVertex = gl_Position; }\n";

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     if (command == "pair") return RunPair(arguments);
     if (command == "link") return RunLink(arguments);
     if (command == "passes") return RunPasses(arguments);
-    if (command == "picture") return RunPicture(arguments);
+    if (command == "image") return RunImage(arguments);
     if (command == "compare") return RunCompare(arguments);
     if (command == "machine-code") return RunMachineCode(arguments);
     if (command == "devices") return RunDevices();

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/image.h"
 #include "tools/harness/random.h"
 
 namespace clipc::draw {

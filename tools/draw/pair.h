@@ -8,11 +8,11 @@
 
 #include "tools/draw/inputs.h"
 
-// Pictures of whole programs, a vertex shader with a pixel shader, on any API: what is drawn, and
-// how two pictures are compared.
+// Images of whole programs, a vertex shader with a pixel shader, on any API: what is drawn, and
+// how two images are compared.
 namespace clipc::draw {
 
-// The width and the height of a picture, in pixels.
+// The width and the height of an image, in pixels.
 inline constexpr int kPairSize = 64;
 
 // A number for a name, the same on every machine.
@@ -39,12 +39,12 @@ Inputs::Texture PairTexture(std::uint64_t seed, const TextureForm& form = {});
 
 struct PairDifference {
   int pixels = 0;
-  int drawn = 0;      // pixels drawn in the second picture
-  int colors = 0;     // different colors in the second picture
+  int drawn = 0;      // pixels drawn in the second image
+  int colors = 0;     // different colors in the second image
   int different = 0;  // pixels whose colors are further apart than 1e-3 of their size, or of 0.05
 };
 
-// Compares two pictures of four floats for each pixel. A pixel is drawn where it is not 0.
+// Compares two images of four floats for each pixel. A pixel is drawn where it is not 0.
 PairDifference CompareColors(std::span<const float> first, std::span<const float> second);
 
 }  // namespace clipc::draw

@@ -56,7 +56,7 @@ class SurfaceMaker {
   };
   struct Cell {
     bool is_front = true;
-    Slope inverse_w;  // what changes linearly in the picture
+    Slope inverse_w;  // what changes linearly in the image
     Slope depth;
     std::vector<std::vector<Component>> inputs;  // by index into Program::inputs
   };
@@ -265,13 +265,13 @@ std::vector<SurfaceTarget> TargetsOf(const Program& program, const GlslInfo& inf
   return targets;
 }
 
-Captured PixelsOf(const Words& picture, const SurfaceTarget& target, bool last_row_first) {
+Captured PixelsOf(const Words& image, const SurfaceTarget& target, bool last_row_first) {
   Captured captured{target.name, {target.kind, 1, target.components}, 1, {}};
   const int components = target.is_depth ? 1 : 4;
   for (std::size_t i = 0; i < std::size_t{kSurfaceWidth} * kSurfaceHeight; ++i) {
     const auto [x, y] = PlaceOf(i);
     const int row = last_row_first ? kSurfaceHeight - 1 - y : y;
-    const auto first = picture.begin() + std::ptrdiff_t{row * kSurfaceWidth + x} * components;
+    const auto first = image.begin() + std::ptrdiff_t{row * kSurfaceWidth + x} * components;
     captured.words.insert(captured.words.end(), first, first + target.components);
   }
   return captured;

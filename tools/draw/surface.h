@@ -14,14 +14,14 @@
 #include "tools/draw/inputs.h"
 #include "tools/draw/random_values.h"
 
-// The surface that a pixel shader is drawn on. It fills a small picture with cells of two triangles
+// The surface that a pixel shader is drawn on. It fills a small image with cells of two triangles
 // each. Over a cell, every component of an input changes by steps of which floats hold all
 // multiples, and w is a power of two, so that drivers interpolate without any error, unless
 // RandomOptions::perspective asks for another w. The triangles of a cell turn to the viewer or away
 // from it.
 namespace clipc::draw {
 
-// The size of the picture, in pixels: even, so that it consists of whole quads.
+// The size of the image, in pixels: even, so that it consists of whole quads.
 inline constexpr int kSurfaceWidth = 16, kSurfaceHeight = 4;
 
 struct Surface {
@@ -48,7 +48,7 @@ PixelPlace PlaceOf(std::size_t index);
 inline constexpr float kClearColor = -77, kClearDepth = 0.8125f;
 inline constexpr std::uint32_t kClearInteger = 77;
 
-// The picture's place in the API that draws it.
+// The image's place in the API that draws it.
 struct SurfaceSpace {
   bool is_vulkan = false;  // the depth begins at 0, and locations are written
   bool flips_y = false;    // clip space has y the other way than Direct3D
@@ -65,7 +65,7 @@ std::string SurfaceVertexShader(const Shader& shader, const std::string& glsl,
 // Adds the attributes of SurfaceVertexShader to `inputs`.
 void GiveSurface(const ir::Program& program, const Surface& surface, Inputs& inputs);
 
-// A part of the picture that the shader writes.
+// A part of the image that the shader writes.
 struct SurfaceTarget {
   std::string name;  // of the output in the GLSL
   bool is_depth = false;
@@ -76,8 +76,8 @@ struct SurfaceTarget {
 // The targets of the outputs of `program`; coverage and the like have none.
 std::vector<SurfaceTarget> TargetsOf(const ir::Program& program, const GlslInfo& info);
 
-// The values of the pixels, in their order, from the rows of a picture, which has four words a
+// The values of the pixels, in their order, from the rows of an image, which has four words a
 // pixel of a render target and one of the depth. The first row is Direct3D's, or its last.
-Captured PixelsOf(const Words& picture, const SurfaceTarget& target, bool last_row_first);
+Captured PixelsOf(const Words& image, const SurfaceTarget& target, bool last_row_first);
 
 }  // namespace clipc::draw

@@ -16,16 +16,16 @@ struct Camera {
   bool negative_one_to_one = false;  // z/w begins at -1, as OpenGL has it
   double near = 0.1, far = 1000;
   double fov = 60;          // degrees from bottom to top
-  double half_height = 10;  // of an orthographic picture
+  double half_height = 10;  // of an orthographic image
   double aspect = 16.0 / 9;
-  double offset_x = 0, offset_y = 0;  // of the frustum's axis, in half pictures: stereo, jitter
+  double offset_x = 0, offset_y = 0;  // of the frustum's axis, in half images: stereo, jitter
   double eye[3] = {0, 0, 0};
   double yaw = 0, pitch = 0, roll = 0;  // radians
 
   Matrix Projection() const;
   Matrix View() const;                      // world to view
   Matrix ViewToWorld() const;               // its inverse, computed without inverting
-  double HalfHeightAt(double depth) const;  // of the picture, in the world
+  double HalfHeightAt(double depth) const;  // of the image, in the world
   runtime::DepthRange Range() const { return {negative_one_to_one, reversed}; }
 };
 

@@ -47,29 +47,29 @@ void Framebuffer::Resolve(const Framebuffer& other) const {
   Bind();
 }
 
-Picture Framebuffer::ReadUpsideDown() const {
-  Picture picture{width_, height_, {}};
-  picture.rgba.resize(std::size_t{4} * static_cast<std::size_t>(width_ * height_));
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-  CheckErrors("reading the picture");
-  return picture;
+Image Framebuffer::ReadUpsideDown() const {
+  Image image{width_, height_, {}};
+  image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(width_ * height_));
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  CheckErrors("reading the image");
+  return image;
 }
 
-Picture Framebuffer::Read() const {
-  Picture picture = ReadUpsideDown();
+Image Framebuffer::Read() const {
+  Image image = ReadUpsideDown();
   const std::ptrdiff_t row = std::ptrdiff_t{4} * width_;
   for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom) {
-    const auto first = picture.rgba.begin() + top * row;
-    std::swap_ranges(first, first + row, picture.rgba.begin() + bottom * row);
+    const auto first = image.rgba.begin() + top * row;
+    std::swap_ranges(first, first + row, image.rgba.begin() + bottom * row);
   }
-  return picture;
+  return image;
 }
 
 std::vector<float> Framebuffer::ReadFloats(GLenum components) const {
   std::vector<float> floats(static_cast<std::size_t>(width_) * height_ *
                             (components == GL_RED ? 1 : 4));
   glReadPixels(0, 0, width_, height_, components, GL_FLOAT, floats.data());
-  CheckErrors("reading the picture");
+  CheckErrors("reading the image");
   return floats;
 }
 

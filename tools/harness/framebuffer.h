@@ -6,7 +6,7 @@
 #include <epoxy/gl.h>
 
 #include "base/not_copied.h"
-#include "tools/harness/picture.h"
+#include "tools/harness/image.h"
 
 namespace clipc::harness {
 
@@ -31,9 +31,9 @@ class Framebuffer : NotCopied {
 
   // The colors with the top row first. This framebuffer must be bound, also for the functions
   // below; they throw DrawError when OpenGL has noted an error.
-  Picture Read() const;
-  // The colors with the bottom row first, for a picture that was drawn upside down.
-  Picture ReadUpsideDown() const;
+  Image Read() const;
+  // The colors with the bottom row first, for an image that was drawn upside down.
+  Image ReadUpsideDown() const;
   // The values of `components`, GL_RED or GL_RGBA, as floats with the bottom row first.
   std::vector<float> ReadFloats(GLenum components) const;
 
@@ -42,7 +42,7 @@ class Framebuffer : NotCopied {
   GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
 };
 
-// A framebuffer for pictures, with a depth test.
+// A framebuffer for images, with a depth test.
 class Canvas : public Framebuffer {
  public:
   Canvas(int width, int height) : Framebuffer(width, height, {.depth = GL_DEPTH_COMPONENT24}) {

@@ -77,7 +77,7 @@ Scene CutAway() {
   });
 }
 
-// One slice of a cascade of shadow maps, seen from the sun: an orthographic picture with six
+// One slice of a cascade of shadow maps, seen from the sun: an orthographic image with six
 // planes.
 Scene Cascade() {
   Camera camera;

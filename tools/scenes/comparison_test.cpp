@@ -18,7 +18,7 @@ TEST(Compare, TellsTheCutFromTheRest) {
   EXPECT_EQ(comparison.differ_elsewhere, 1);
 }
 
-TEST(Compare, APictureOfAnotherSizeDiffersEverywhere) {
+TEST(Compare, AnImageOfAnotherSizeDiffersEverywhere) {
   EXPECT_EQ(Compare({}, {1, 2, 3, 255}, {0, 0, 0, 255}).differ_elsewhere, 1);
 }
 

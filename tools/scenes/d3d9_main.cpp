@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // A program for Windows: draws the scenes on a real IDirect3DDevice9, where the planes go from
-// clipc's table through Level9Binder to SetClipPlane, and writes the pictures as raw RGBA, rows
+// clipc's table through Level9Binder to SetClipPlane, and writes the images as raw RGBA, rows
 // from top to bottom: FOLDER/<planes>-<mistake>.rgba, FOLDER/skinned.rgba and, drawn without a
 // vertex shader, FOLDER/fixed-function.rgba. Prints the time that setting unchanged planes takes
 // for each draw, for docs/runtime.md.
@@ -180,7 +180,7 @@ void DrawObjects(IDirect3DDevice9& device, const Scene& scene, SetMatrix& set_ma
   }
 }
 
-void WritePicture(IDirect3DDevice9& device, const std::string& path) {
+void WriteImage(IDirect3DDevice9& device, const std::string& path) {
   IDirect3DSurface9 *target = nullptr, *copy = nullptr;
   Check(device.GetRenderTarget(0, &target), "GetRenderTarget");
   Check(device.CreateOffscreenPlainSurface(kSize, kSize, D3DFMT_X8R8G8B8, D3DPOOL_SYSTEMMEM, &copy,
@@ -219,8 +219,7 @@ void DrawScene(IDirect3DDevice9& device, Level9Binder& binder, const Table& tabl
 void Draw(IDirect3DDevice9& device, Level9Binder& binder, const Table& table, int plane_count,
           Mistake mistake, const std::string& folder) {
   DrawScene(device, binder, table, MakeScene(plane_count), mistake, SetOneMatrix);
-  WritePicture(device,
-               folder + "/" + std::to_string(plane_count) + "-" + NameOf(mistake) + ".rgba");
+  WriteImage(device, folder + "/" + std::to_string(plane_count) + "-" + NameOf(mistake) + ".rgba");
 }
 
 void DrawSkinned(IDirect3DDevice9& device, Level9Binder& binder, const std::string& path) {
@@ -228,7 +227,7 @@ void DrawSkinned(IDirect3DDevice9& device, Level9Binder& binder, const std::stri
   Check(table.status);
   SetShader(device, kSkinnedShader);
   DrawScene(device, binder, table.value, MakeScene(3), Mistake::kNone, SetSkin);
-  WritePicture(device, path);
+  WriteImage(device, path);
 }
 
 // Draws without a vertex shader, where planes are in world space ("SetClipPlane", Remarks).
@@ -257,7 +256,7 @@ void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
           "DrawPrimitiveUP");
   }
   Check(device.EndScene(), "EndScene");
-  WritePicture(device, path);
+  WriteImage(device, path);
 }
 
 double Nanoseconds() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The pictures that d3d9_main.cpp drew on a real IDirect3DDevice9, against OpenGL's clip distances.
+// The images that d3d9_main.cpp drew on a real IDirect3DDevice9, against OpenGL's clip distances.
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -17,13 +17,13 @@ namespace {
 class Direct3D9 : public ::testing::Test {
  protected:
   static Comparison CompareWithClipDistances(const std::string& name, int plane_count) {
-    const std::string path = std::string(CLIPC_D3D9_PICTURES) + "/" + name + ".rgba";
+    const std::string path = std::string(CLIPC_D3D9_IMAGES) + "/" + name + ".rgba";
     std::ifstream file(path, std::ios::binary);
-    const std::vector<std::uint8_t> picture{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_EQ(picture.size(), std::size_t{4} * kSize * kSize) << path;
+    const std::vector<std::uint8_t> image{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(image.size(), std::size_t{4} * kSize * kSize) << path;
     const Scene scene = MakeScene(plane_count);
     const Comparison comparison =
-        Compare(DrawScene(Lowering::kClipDistance, scene).rgba, picture, DrawCuts(scene).rgba);
+        Compare(DrawScene(Lowering::kClipDistance, scene).rgba, image, DrawCuts(scene).rgba);
     std::printf("Direct3D 9, %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n",
                 name.c_str(), comparison.cut_pixels, comparison.differ_at_cut,
                 comparison.differ_elsewhere);
@@ -50,8 +50,8 @@ TEST_F(Direct3D9, UnrolledLoopsAreCutAsClipDistancesDo) {
 
 TEST_F(Direct3D9, EveryMistakeIsSeen) {
   for (const Mistake mistake : kMistakes) {
-    const std::string picture = std::string("3-") + NameOf(mistake);
-    EXPECT_FALSE(Agree(CompareWithClipDistances(picture, 3), CutError(MakeScene(3)))) << picture;
+    const std::string image = std::string("3-") + NameOf(mistake);
+    EXPECT_FALSE(Agree(CompareWithClipDistances(image, 3), CutError(MakeScene(3)))) << image;
   }
 }
 

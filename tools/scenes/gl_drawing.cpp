@@ -41,7 +41,7 @@ namespace {
 using harness::Canvas;
 using harness::Check;
 using harness::Floats;
-using harness::Picture;
+using harness::Image;
 using harness::Program;
 using runtime::Matrix;
 using runtime::Multiply;
@@ -131,7 +131,7 @@ Shader ShaderOf(Lowering lowering, std::size_t plane_count) {
 constexpr double kOffset = 1.0 / kSize;
 
 // The projection with the offset that the shader adds for that, so that planes cut where they do on
-// Direct3D 9, which moves the picture after clipping.
+// Direct3D 9, which moves the image after clipping.
 Matrix MovedProjection(const Scene& scene) {
   Matrix move;
   move.m[3][0] = kOffset;
@@ -223,7 +223,7 @@ double NearPlaneScaleOf(const Scene& scene) {
       .scale;
 }
 
-Picture DrawWith(const Shader& shader, const Scene& scene, Mistake mistake, SetMatrix& set_matrix) {
+Image DrawWith(const Shader& shader, const Scene& scene, Mistake mistake, SetMatrix& set_matrix) {
   const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(harness::OpenGl::Load));
   const runtime::Table table = MistakenTable(Check(runtime::ReadTable(*shader.table)), mistake);
   const double scale = table.lowering == Lowering::kNearPlane ? NearPlaneScaleOf(scene) : 1;
@@ -253,15 +253,15 @@ Picture DrawWith(const Shader& shader, const Scene& scene, Mistake mistake, SetM
 
 }  // namespace
 
-Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
+Image DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
   return DrawWith(ShaderOf(lowering, scene.planes.size()), scene, mistake, SetOneMatrix);
 }
 
-Picture DrawSkinned(const Scene& scene) {
+Image DrawSkinned(const Scene& scene) {
   return DrawWith({skinned_vert, kFragment, &skinned_clip_table}, scene, Mistake::kNone, SetSkin);
 }
 
-Picture DrawKept(const Scene& scene, Kept kept) {
+Image DrawKept(const Scene& scene, Kept kept) {
   const Canvas canvas(kSize, kSize);
   Clear();
   const Program program(kWorldVertex, kKeptFragment, {"in_POSITION0", "in_COLOR0"});
@@ -273,7 +273,7 @@ Picture DrawKept(const Scene& scene, Kept kept) {
   return canvas.ReadUpsideDown();
 }
 
-Picture DrawCuts(const Scene& scene) {
+Image DrawCuts(const Scene& scene) {
   const Canvas canvas(kSize, kSize);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// One scene through every lowering: the same picture. d3d9_test.cpp adds Direct3D 9.
+// One scene through every lowering: the same image. d3d9_test.cpp adds Direct3D 9.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -15,17 +15,17 @@ namespace {
 
 class Lowerings : public ::testing::Test {
  protected:
-  // Compares the picture of a lowering with that of clip distances without a mistake.
+  // Compares the image of a lowering with that of clip distances without a mistake.
   static Comparison CompareWithClipDistances(Lowering way, int plane_count, Mistake mistake) {
     const Scene scene = MakeScene(plane_count);
-    const harness::Picture picture = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);
-    if (const char* folder = std::getenv("CLIPC_PICTURES"); folder != nullptr) {  // to look at them
+    const harness::Image image = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);
+    if (const char* folder = std::getenv("CLIPC_IMAGES"); folder != nullptr) {  // to look at them
       const std::string planes = folder + std::string("/") + std::to_string(plane_count);
-      WritePng(planes + "-" + NameOf(way) + "-" + NameOf(mistake) + ".png", picture);
+      WritePng(planes + "-" + NameOf(way) + "-" + NameOf(mistake) + ".png", image);
       WritePng(planes + "-cuts.png", cuts);
     }
     const Comparison comparison =
-        Compare(DrawScene(Lowering::kClipDistance, scene).rgba, picture.rgba, cuts.rgba);
+        Compare(DrawScene(Lowering::kClipDistance, scene).rgba, image.rgba, cuts.rgba);
     std::printf(
         "%s, %d planes, mistake %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n",
         NameOf(way), plane_count, NameOf(mistake), comparison.cut_pixels, comparison.differ_at_cut,
@@ -36,8 +36,8 @@ class Lowerings : public ::testing::Test {
   const harness::OpenGl context_{harness::Api::kCompatibility};
 };
 
-// Were the cuts everywhere, every picture would agree with every other.
-TEST_F(Lowerings, TheCutsAreASmallPartOfThePicture) {
+// Were the cuts everywhere, every image would agree with every other.
+TEST_F(Lowerings, TheCutsAreASmallPartOfTheImage) {
   for (const int plane_count : {1, 3}) {
     const Comparison comparison =
         CompareWithClipDistances(Lowering::kClipDistance, plane_count, Mistake::kNone);

@@ -26,9 +26,9 @@ namespace {
 
 using harness::Camera;
 using harness::Floats;
+using harness::Image;
 using harness::Mesh;
 using harness::MeshBuffers;
-using harness::Picture;
 using harness::Program;
 using harness::Random;
 using harness::Scene;
@@ -114,7 +114,7 @@ enum class Plan {
 };
 
 struct Drawing {
-  Picture picture;
+  Image image;
   int planes = 0;  // handed to the device, over all draws
 };
 
@@ -141,11 +141,11 @@ class Planner : public ::testing::Test {
     Drawing drawing;
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
       DrawObject(scene, i, plan, switches, drawing);
-    drawing.picture = canvas.Read();
+    drawing.image = canvas.Read();
     return drawing;
   }
 
-  static int Differing(const Picture& one, const Picture& other) {
+  static int Differing(const Image& one, const Image& other) {
     int count = 0;
     for (std::size_t i = 0; i < one.rgba.size(); i += 4) {
       count += !std::equal(&one.rgba[i], &one.rgba[i] + 4, &other.rgba[i]);
@@ -158,15 +158,15 @@ class Planner : public ::testing::Test {
   void ExpectSavings(const Scene& scene, int planes) const {
     const Drawing all = Draw(scene, Plan::kAll, 320, 180),
                   planned = Draw(scene, Plan::kPlanned, 320, 180);
-    EXPECT_EQ(Differing(all.picture, planned.picture), 0);
+    EXPECT_EQ(Differing(all.image, planned.image), 0);
     const double ratio = all.planes / static_cast<double>(planned.planes);
     std::printf("%s: %d planes, %d where planned: %.1f times fewer\n", scene.name.c_str(),
                 all.planes, planned.planes, ratio);
     EXPECT_EQ(planned.planes, planes);
     // The planes cut something, or leaving them out would prove nothing.
-    EXPECT_GT(Differing(all.picture, Draw(scene, Plan::kOneTooFew, 320, 180).picture), 0);
-    if (const char* folder = std::getenv("CLIPC_PICTURES"); folder != nullptr) {
-      WritePng(folder + ("/" + scene.name) + ".png", planned.picture);
+    EXPECT_GT(Differing(all.image, Draw(scene, Plan::kOneTooFew, 320, 180).image), 0);
+    if (const char* folder = std::getenv("CLIPC_IMAGES"); folder != nullptr) {
+      WritePng(folder + ("/" + scene.name) + ".png", planned.image);
     }
   }
 
@@ -232,9 +232,9 @@ TEST_F(Planner, AThousandRandomScenes) {
     const Scene scene = RandomScene(random);
     const Drawing all = Draw(scene, Plan::kAll, 64, 64),
                   planned = Draw(scene, Plan::kPlanned, 64, 64);
-    ASSERT_EQ(Differing(all.picture, planned.picture), 0) << "scene " << i;
+    ASSERT_EQ(Differing(all.image, planned.image), 0) << "scene " << i;
     all_planes += all.planes, planned_planes += planned.planes;
-    mistakes_seen += Differing(all.picture, Draw(scene, Plan::kOneTooFew, 64, 64).picture) != 0;
+    mistakes_seen += Differing(all.image, Draw(scene, Plan::kOneTooFew, 64, 64).image) != 0;
   }
   std::printf("random: %d planes, %d where planned; a plane too few shows in %d scenes\n",
               all_planes, planned_planes, mistakes_seen);

@@ -12,7 +12,7 @@
 // that the Windows program has exactly the same numbers.
 namespace clipc::scenes {
 
-inline constexpr int kSize = 256;  // the picture's width and height in pixels
+inline constexpr int kSize = 256;  // the image's width and height in pixels
 
 struct SceneVertex {
   float position[3];
@@ -47,7 +47,7 @@ struct Skin {
 };
 Skin SkinOf(const runtime::Matrix& matrix);
 
-// Mistakes that an application or a binding can make. The picture with one must differ from the
+// Mistakes that an application or a binding can make. The image with one must differ from the
 // right one.
 enum class Mistake {
   kNone,

@@ -41,9 +41,9 @@ Scene TeapotScene(std::vector<Plane> planes) {
   return SceneOf(harness::Teapot(16), std::move(planes));
 }
 
-int WhitePixels(const harness::Picture& picture) {
+int WhitePixels(const harness::Image& image) {
   int count = 0;
-  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i] == 0xFF;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += image.rgba[i] == 0xFF;
   return count;
 }
 
@@ -51,7 +51,7 @@ class SeedDrawing : public ::testing::Test {
  protected:
   // Expects that the scene, drawn in every way, shows the points that `kept` names.
   static void ExpectKept(const Scene& scene, Kept kept) {
-    const harness::Picture expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
+    const harness::Image expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
     for (const Lowering way : kWaysOfManyPlanes) {
       const Comparison comparison = Compare(expected.rgba, DrawScene(way, scene).rgba, cuts.rgba);
       EXPECT_TRUE(Agree(comparison, CutError(scene)))
@@ -79,7 +79,7 @@ TEST_F(Seed000Background, NoPixelBehindAnyPlaneIsDrawn) {
 
 TEST_F(Seed000SyntaxNote, PlanesOfZerosChangeNoPixel) {
   const Scene scene = TeapotScene({{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
-  const harness::Picture expected = DrawKept(TeapotScene({}), Kept::kByAll);
+  const harness::Image expected = DrawKept(TeapotScene({}), Kept::kByAll);
   for (const Lowering way : kWaysOfManyPlanes)
     EXPECT_EQ(DrawScene(way, scene).rgba, expected.rgba) << NameOf(way);
 }
@@ -124,7 +124,7 @@ TEST_F(Seed003RightTeapot, IsDrawnCutDiagonally) {
   ExpectKept(TeapotScene({{1, 0, 1, 0}}), Kept::kByAll);
 }
 
-// The document says that the union is drawn; its own picture and every device show the
+// The document says that the union is drawn; its own image and every device show the
 // intersection.
 TEST_F(Seed003TwoPlanes, TheDrawnAreaIsTheIntersection) {
   const Scene scene = TeapotScene({{1, 0, 0, 0}, {0, -1, 0, 0}});

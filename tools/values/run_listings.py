@@ -63,7 +63,7 @@ def draw_both(draw, shaders, folder):
 
 
 def compare(draw, written, shaders, folder, has_inputs):
-    """What differs between the pictures, or nothing. They show something if there are two colors."""
+    """What differs between the images, or nothing. They show something if there are two colors."""
     seen = set()
     for change in CHANGES if has_inputs else CHANGES[:1]:
         shaders["a.vert"] = written.vertex_shader(change)

@@ -15,7 +15,7 @@ const about = (pixels) => `${pixels < 0.001 ? '' : 'about '}${off(pixels)}`;
 /** What a mesh shows of a displacement, with `found` of measure(): an edge is kept or dropped as a whole at most. */
 export const shownOf = (pixels, found) => (found ? Math.min(pixels, found.most) : pixels);
 
-/** {text, fix}: `fix` is {text, values}, values by the controls' ids, or null. `numbers`: what Pictures measured. */
+/** {text, fix}: `fix` is {text, values}, values by the controls' ids, or null. `numbers`: what Images measured. */
 export function adviceFor(numbers, { view, lower, chain }) {
   const isDropped = view === 'others' || lower === 'none';
   if (isDropped)

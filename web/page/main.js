@@ -9,7 +9,7 @@ import { Handle } from './handle.js';
 import { Lens } from './lens.js';
 import { readLink, writeLink } from './link.js';
 import { baked, MESHES } from './mesh.js';
-import { Pictures } from './pictures.js';
+import { Images } from './images.js';
 import { presetOf, PRESETS } from './presets.js';
 import { loadRuntime, SPACES } from './runtime.js';
 import { CHAINS, Scene } from './scene.js';
@@ -68,11 +68,11 @@ const views = [
   { element: element('discarded'), caption: element('discarded-caption'), name: 'Discard' },
 ];
 const lens = new Lens(element('lens'));
-const pictures = new Pictures(scene, views, lens, showScene, showNumbers);
+const images = new Images(scene, views, lens, showScene, showNumbers);
 const handle = new Handle(
   scene,
   Object.fromEntries(['stage', 'overlay', 'move', 'turn'].map((id) => [id, element(id)])),
-  () => pictures.redraw(),
+  () => images.redraw(),
 );
 const chart = new Chart(element('chart'), ({ space, lower }) => {
   setValues({ space, lower });
@@ -87,7 +87,7 @@ const editor = new Editor(element('source'), () => compileSoon());
 function showScene() {
   for (const id of ['height', 'tilt', 'heading']) element(id).value = scene.plane[id];
   handle.show();
-  const works = pictures.views.map(({ canvas }) => canvas.work);
+  const works = images.views.map(({ canvas }) => canvas.work);
   dataset.draws = String(works.reduce((sum, work) => sum + work.draws, 0));
   dataset.uploads = String(works.reduce((sum, work) => sum + work.uploads, 0));
 }
@@ -132,7 +132,7 @@ function showNumbers(numbers) {
       lower: element('lower').value,
     });
   count('measured');
-  dataset.shows = dataset.compiled ?? '0'; // the compile whose pictures were measured
+  dataset.shows = dataset.compiled ?? '0'; // the compile whose images were measured
 }
 
 function sentences({ space, predicted, found, problem, warning }) {
@@ -175,14 +175,14 @@ function requests() {
   });
   const isLeft = ['near-plane', 'none'].includes(lower);
   const left = viewChosen() === 'others' ? 'none' : isLeft ? lower : 'clip-distance';
-  pictures.views[0].name = {
+  images.views[0].name = {
     'near-plane': 'Near plane',
     none: 'Without the plane',
     'clip-distance': 'Clip distances',
   }[left];
   return [
     { target: element('target').value, lower, options, pixelEntry },
-    left === 'clip-distance' && !pictures.hasClipDistances ? null : drawn(left),
+    left === 'clip-distance' && !images.hasClipDistances ? null : drawn(left),
     drawn('discard'),
     tabs.needsSpirv
       ? { target: 'vulkan', lower: 'clip-distance', options: [...options, '-spirv'], pixelEntry }
@@ -214,22 +214,22 @@ async function compileNow() {
   const problems = [left, right].map((result) =>
     result && !result.ok && shown.ok ? (result.diagnostics[0]?.message ?? result.messages) : '',
   );
-  if (!left && !pictures.hasClipDistances)
+  if (!left && !images.hasClipDistances)
     problems[0] = 'this browser has no WEBGL_clip_cull_distance';
-  pictures.use([left, right], source, problems);
+  images.use([left, right], source, problems);
   showPlanes();
 }
 
-/** As many planes to choose from as the shader in the picture has. */
+/** As many planes to choose from as the shader in the image has. */
 function showPlanes() {
-  const planes = new Set(pictures.result ? planesOf(pictures.result.reflection) : []).size || 1;
+  const planes = new Set(images.result ? planesOf(images.result.reflection) : []).size || 1;
   if (element('plane').options.length !== planes)
     fill(
       'plane',
       Array.from({ length: planes }, (_, i) => String(i + 1)),
     );
   scene.chosen = Number(element('plane').value) - 1;
-  pictures.redraw();
+  images.redraw();
 }
 
 // ---- the controls
@@ -237,7 +237,7 @@ function showPlanes() {
 function bind(id, set) {
   element(id).addEventListener('input', () => {
     set(element(id).value);
-    pictures.redraw();
+    images.redraw();
   });
 }
 
@@ -252,7 +252,7 @@ function setValues(values) {
 /** The canvas that is looked at, and the presets whose values the controls have. */
 function showView() {
   const isDiscard =
-    viewChosen() === 'discard' || (viewChosen() === 'clipc' && !pictures.hasClipDistances);
+    viewChosen() === 'discard' || (viewChosen() === 'clipc' && !images.hasClipDistances);
   for (const [id, isHidden] of [
     ['clipped', isDiscard],
     ['discarded', !isDiscard],
@@ -261,7 +261,7 @@ function showView() {
     element(`${id}-caption`).hidden = isHidden;
   }
   showAdvice();
-  pictures.redraw();
+  images.redraw();
 }
 
 function showPreset() {
@@ -287,7 +287,7 @@ let meshChosen = null;
 /** Draws `mesh` from now on, with its vertices where the matrix chain has them. */
 function placeMesh(mesh = meshChosen) {
   meshChosen = mesh;
-  pictures.mesh = baked(mesh, scene.baked);
+  images.mesh = baked(mesh, scene.baked);
 }
 
 /** The mesh that the control names; a file's stays. */
@@ -331,38 +331,35 @@ function bindScene() {
     if (isStart(editor.text)) editor.text = startOf(value);
   });
   element('reference').addEventListener('input', () => {
-    pictures.showsReference = element('reference').checked;
-    pictures.redraw();
+    images.showsReference = element('reference').checked;
+    images.redraw();
   });
   element('mesh').addEventListener('input', () => placeMesh(meshNamed()));
   element('file').addEventListener('change', () => loadFile(element('file').files[0]));
   placeMesh(meshNamed());
   element('shows-lens').addEventListener('input', () => {
     lens.isOn = element('shows-lens').checked;
-    pictures.redraw();
+    images.redraw();
   });
   element('view').addEventListener('input', () => {
     showView();
     compileNow();
   });
-  for (const { element: picture } of views) {
-    picture.addEventListener('pointermove', ({ offsetX, offsetY, buttons }) => {
+  for (const { element: image } of views) {
+    image.addEventListener('pointermove', ({ offsetX, offsetY, buttons }) => {
       if (buttons) return;
-      lens.place = [
-        (2 * offsetX) / picture.clientWidth - 1,
-        1 - (2 * offsetY) / picture.clientHeight,
-      ];
-      pictures.redraw();
+      lens.place = [(2 * offsetX) / image.clientWidth - 1, 1 - (2 * offsetY) / image.clientHeight];
+      images.redraw();
     });
-    picture.addEventListener('pointerleave', () => {
+    image.addEventListener('pointerleave', () => {
       lens.place = null;
-      pictures.redraw();
+      images.redraw();
     });
     steer(
-      picture,
+      image,
       scene,
       () => element('drag').value,
-      () => pictures.redraw(),
+      () => images.redraw(),
     );
   }
 }
@@ -394,8 +391,8 @@ function start() {
   });
   loadRuntime().then(
     (loaded) => {
-      pictures.runtime = loaded;
-      pictures.redraw();
+      images.runtime = loaded;
+      images.redraw();
     },
     (error) => say(String(error), true),
   );

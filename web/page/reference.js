@@ -57,7 +57,7 @@ export class Reference {
     );
   }
 
-  /** The edges that plane `index` cuts in the picture, at an angle that can be measured: {a, b, share}. */
+  /** The edges that plane `index` cuts in the image, at an angle that can be measured: {a, b, share}. */
   cutEdges(index) {
     const edges = edgesOf(this.mesh);
     const { positions } = this.mesh;
@@ -92,7 +92,7 @@ export class Reference {
 
   /**
    * What of a cut the prediction takes: {places, edge}, with x, y and z of places in the mesh's own space, and the length of the
-   * triangles' edges in half pictures. `cut`: cutEdges(); null where it is empty.
+   * triangles' edges in half images. `cut`: cutEdges(); null where it is empty.
    */
   seenCut(cut) {
     if (!cut.length) return null;

@@ -8,7 +8,7 @@ const FIELD_OF_VIEW = 60 * RADIANS; // the study's
 const FAR = 100;
 export const MOST_PLANES = 8;
 
-/** How a vertex gets from the mesh to the picture, and what the page says of it. */
+/** How a vertex gets from the mesh to the image, and what the page says of it. */
 export const CHAINS = {
   steps: 'world, then view × projection',
   one: 'one matrix',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Drags, the wheel and the arrow keys on a picture change the scene.
+// Drags, the wheel and the arrow keys on an image change the scene.
 
 /** What a drag of so many pixels does, by the choice of the page; Shift and Alt choose for one drag. */
 const DRAGS = {

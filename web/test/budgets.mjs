@@ -40,7 +40,7 @@ async function timed(name, budget, run) {
   return result;
 }
 
-// What the page's worker does after a key: the text's result, and those of both pictures.
+// What the page's worker does after a key: the text's result, and those of both images.
 const { createCompiler } = await import(pathToFileURL(resolve(packed, 'node.js')));
 const compiler = await timed('module loaded in node', LOAD_MILLISECONDS, () => createCompiler());
 await timed('first shader in node', FIRST_MILLISECONDS, () =>

@@ -9,7 +9,7 @@ import { join } from 'node:path';
 
 import { Page } from './browser.mjs';
 
-const ROWS = 360; // of the page's pictures; the study's have 1080
+const ROWS = 360; // of the page's images; the study's have 1080
 const STUDY_ROWS = 1080;
 
 const [folder, chromium, tables] = process.argv.slice(2);
@@ -141,7 +141,7 @@ const TWO = `cbuffer C { float4x4 world, view_projection; float4 planes[2]; };
 [clipplanes(planes[0], planes[1])]
 float4 main(float4 p : POSITION) : SV_Position { return mul(mul(p, world), view_projection); }`;
 
-/** How many pixels of the right picture are drawn. */
+/** How many pixels of the right image are drawn. */
 const drawn = () =>
   page.evaluate(`new Promise((resolve) => {
     document.getElementById('near').dispatchEvent(new Event('input'));

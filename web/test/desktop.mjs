@@ -12,11 +12,11 @@ export function scratchFolder(name) {
   return folder;
 }
 
-/** The colors that `clipc-draw picture` gives, four floats for each pixel, the bottom row first. */
+/** The colors that `clipc-draw image` gives, four floats for each pixel, the bottom row first. */
 export function onDesktop(draw, description, scratch) {
   const [from, to] = [join(scratch, 'draw.json'), join(scratch, 'colors')];
   writeFileSync(from, JSON.stringify(description));
-  execFileSync(draw, ['picture', from, to], { stdio: ['ignore', 'inherit', 'inherit'] });
+  execFileSync(draw, ['image', from, to], { stdio: ['ignore', 'inherit', 'inherit'] });
   const { buffer, byteOffset, byteLength } = readFileSync(to);
   return new Float32Array(buffer.slice(byteOffset, byteOffset + byteLength));
 }

@@ -55,8 +55,8 @@ function blocksOf(gl, program) {
 }
 
 /**
- * Draws a mesh over the whole picture by WebGL 2. The same vertices go to equal locations, the same numbers to uniform blocks of equal
- * names. Returns {colors} and the draw as `clipc-draw picture` takes it, or {problem}.
+ * Draws a mesh over the whole image by WebGL 2. The same vertices go to equal locations, the same numbers to uniform blocks of equal
+ * names. Returns {colors} and the draw as `clipc-draw image` takes it, or {problem}.
  */
 export function drawPair(vertex, fragment) {
   const canvas = new OffscreenCanvas(SIZE, SIZE);

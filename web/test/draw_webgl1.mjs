@@ -42,7 +42,7 @@ function setUniforms(gl, program, uniforms) {
   }
 }
 
-/** Draws by WebGL 1 what `clipc-draw picture` takes; integers among the attributes are floats. Returns {colors} or {problem}. */
+/** Draws by WebGL 1 what `clipc-draw image` takes; integers among the attributes are floats. Returns {colors} or {problem}. */
 export function drawWebgl1({ vertex, fragment, vertices, attributes, uniforms }) {
   const canvas = new OffscreenCanvas(SIZE, SIZE);
   const gl = canvas.getContext('webgl');

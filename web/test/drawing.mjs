@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The mesh and the numbers of test draws, in pages and in node.
-export const SIZE = 64; // pixels, of both sides of the picture
+export const SIZE = 64; // pixels, of both sides of the image
 const CELLS = 4;
 
-/** The corners of triangles that cover the picture: [x, y]. */
+/** The corners of triangles that cover the image: [x, y]. */
 export const corners = [];
 for (let row = 0; row < CELLS; ++row) {
   for (let column = 0; column < CELLS; ++column) {

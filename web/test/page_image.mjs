@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Writes an image of the page: docs/pictures/page.png, or the page at other widths to look at.
+// Writes an image of the page: docs/images/page.png, or the page at other widths to look at.
 //   node page_image.mjs FOLDER CHROMIUM FILE.png [WIDTH] [light|dark] [PRESET]
 import { writeFileSync } from 'node:fs';
 

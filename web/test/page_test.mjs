@@ -31,7 +31,7 @@ async function type(text, options = '-T vs_5_0') {
   await compiled(() => page.send('Input.insertText', { text }));
 }
 
-/** The pixels of both pictures after a draw: how many differ from the background, and from each other, of how many. */
+/** The pixels of both images after a draw: how many differ from the background, and from each other, of how many. */
 const pixels = () =>
   page.evaluate(`new Promise((resolve) => {
     document.getElementById('near').dispatchEvent(new Event('input'));
@@ -74,7 +74,7 @@ const hasPlanes = await page.evaluate(
   '!!document.createElement("canvas").getContext("webgl2")?.getExtension("WEBGL_clip_cull_distance")',
 );
 let first;
-await test(`both pictures show one cut${hasPlanes ? '' : ' (discard only: no WEBGL_clip_cull_distance)'}`, async () => {
+await test(`both images show one cut${hasPlanes ? '' : ' (discard only: no WEBGL_clip_cull_distance)'}`, async () => {
   await set('height', '0');
   first = await pixels();
   assert.ok(first.drawnBeside > first.all / 50, JSON.stringify(first));
@@ -238,7 +238,7 @@ float4 ps(V v) : SV_Target { return float4(${color}, 1) + 0.1 * v.n.xyzz; }`;
   await compiled(() => set('gallery', 'A cut model'));
 });
 
-await test('a wrong shader shows its message and keeps the last picture', async () => {
+await test('a wrong shader shows its message and keeps the last image', async () => {
   const before = await pixels();
   await type('float4 main() : SV_Position { return nothing; }');
   await page.until('document.querySelector(".cm-lintRange-error")?.textContent === "nothing"');

@@ -2,8 +2,8 @@
 // Draws pairs by WebGL 2 in headless Chromium: of a vertex shader of clipc's and a pixel shader of other tools, and both of clipc's.
 //   node pairs_test.mjs CLIPC CLIPC-DRAW CHROMIUM FOLDER       FOLDER: testdata/draw/pairs
 // glslang and SPIRV-Cross translate both entry points of a shader to ES 3.00; clipc translates `vs` for the target webgl2 to fit
-// the pixel shader, given as GLSL and as SPIR-V. Its picture is that of the tools' own two halves, whose varyings SPIRV-Cross
-// names by location; and the desktop's OpenGL ES draws the same. A swapped name and a swapped member give another picture. So do both halves by
+// the pixel shader, given as GLSL and as SPIR-V. Its image is that of the tools' own two halves, whose varyings SPIRV-Cross
+// names by location; and the desktop's OpenGL ES draws the same. A swapped name and a swapped member give another image. So do both halves by
 // clipc, that of examples/water too, but where a pixel reads its place: Direct3D counts rows from the top, the others leave that out.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -138,7 +138,7 @@ for (const name of readdirSync(folder)
   const colors = new Set(
     Array.from({ length: 4096 }, (_, i) => theirs.colors.slice(4 * i, 4 * i + 4).join()),
   );
-  assert.ok(colors.size > 64, `${name}: the picture shows too little`);
+  assert.ok(colors.size > 64, `${name}: the image shows too little`);
   const ours = await drawn(...halves);
   assert.equal(ours.problem, undefined, `${name}, both halves\n${halves.join('\n')}`);
   if (!/gl_FragCoord/.test(halves[1])) {

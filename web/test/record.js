@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Runs in a page before its own scripts. Draws of triangles by WebGL 2 are kept as descriptions that `clipc-draw picture` draws
-// too: window.draws, by the canvas's id. Pictures are not smoothed, and stay to be read.
+// Runs in a page before its own scripts. Draws of triangles by WebGL 2 are kept as descriptions that `clipc-draw image` draws
+// too: window.draws, by the canvas's id. Images are not smoothed, and stay to be read.
 (() => {
   const gl2 = WebGL2RenderingContext.prototype;
   const [texts, parts, names, data, states] = [

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// clipc's GLSL for the target webgl1, drawn by WebGL 1 in headless Chromium with the planes by discard: its picture is that of the
+// clipc's GLSL for the target webgl1, drawn by WebGL 1 in headless Chromium with the planes by discard: its image is that of the
 // target glsl330 on the desktop's OpenGL, where the planes are clip distances. Both get the same vertices and constants.
 //   node webgl1_test.mjs CLIPC CLIPC-DRAW CHROMIUM FOLDER...     FOLDERs of shaders; those that OpenGL ES 2 cannot say are left out
 import assert from 'node:assert/strict';
@@ -15,7 +15,7 @@ import { SIZE, corners, differing, random } from './drawing.mjs';
 // Rasterisers move vertices to places of their own, 1/16 or 1/256 of a pixel apart, and colors with them.
 const SNAPPED = 0.03;
 const AT_EDGES = 40; // pixels of 4096: some along the mesh's end and along the planes
-const LEAST_COLORS = 64; // a picture with fewer shows nothing
+const LEAST_COLORS = 64; // an image with fewer shows nothing
 const ROUGH = ['exact.hlsl']; // NaNs and infinities, which interpolate as they like
 
 const [clipc, draw, chromium, ...folders] = process.argv.slice(2);
@@ -131,7 +131,7 @@ function integersOf({ type, offset }) {
   );
 }
 
-/** The words of each constant buffer: matrices are nearly the identity, planes cut the picture, integers are 1. */
+/** The words of each constant buffer: matrices are nearly the identity, planes cut the image, integers are 1. */
 function buffersOf({ cbuffers, clipPlanes }) {
   return Object.fromEntries(
     cbuffers.map(({ name, size, members }) => {
@@ -155,7 +155,7 @@ function buffersOf({ cbuffers, clipPlanes }) {
   );
 }
 
-/** The draws of a shader by WebGL 1 and by OpenGL, as `clipc-draw picture` takes them. */
+/** The draws of a shader by WebGL 1 and by OpenGL, as `clipc-draw image` takes them. */
 function drawsOf(ours, theirs) {
   const [numbers, buffers] = [numbersOf(ours.reflection), buffersOf(ours.reflection)];
   const common = {

@@ -1,4 +1,4 @@
-// A dropped plane is a wrong picture, so a misspelt attribute is an error, not a warning.
+// A dropped plane is a wrong image, so a misspelt attribute is an error, not a warning.
 // RUN: not %clipc -T vs_5_0 -E main -DATTRIBUTE=clipplane %s 2>&1 | FileCheck %s -DNAME=clipplane
 // RUN: not %clipc -T vs_5_0 -E main -DATTRIBUTE=clipplanez %s 2>&1 | FileCheck %s -DNAME=clipplanez
 // RUN: not %clipc -T vs_5_0 -E main -DATTRIBUTE=clip_planes %s 2>&1 | FileCheck %s -DNAME=clip_planes

@@ -4,7 +4,7 @@
     pair.py --clipc FILE --draw FILE [options] SHADER.hlsl WORK
 
 SHADER.hlsl has the entry points `vs` and `ps`. glslang and SPIRV-Cross translate both; clipc translates `vs` to fit `ps`, given
-as HLSL, as SPIR-V or as SPIRV-Cross's GLSL, or both at once as a pair. Its picture, with SPIRV-Cross's pixel shader, must be that of their own two halves in
+as HLSL, as SPIR-V or as SPIRV-Cross's GLSL, or both at once as a pair. Its image, with SPIRV-Cross's pixel shader, must be that of their own two halves in
 a GLSL whose halves match by location: by name, these two do not. On Vulkan clipc writes SPIR-V, the pixel shader is glslang's or is
 made of SPIRV-Cross's GLSL for Vulkan, and any message of the validation layers is a failure. glslang numbers a pixel shader's inputs
 by itself: where they are not those of `vs` in their order, --reference names a vertex shader that writes just what `ps` reads. WORK begins
@@ -13,7 +13,7 @@ the names of the files that are made.
     --targets A,B     of clipc, default glsl450,glsl330,essl310,essl300,vulkan
     --forms A,B       of the pixel shader, default glsl,spirv,hlsl,pair; hlsl where the GLSL has locations, for names are not
                       HLSL's; pair is clipc's own two halves, which are not spoiled
-    --spoil OLD=>NEW  replaces this in clipc's GLSL, where it must be (`\\n` is the end of a line), and expects another picture,
+    --spoil OLD=>NEW  replaces this in clipc's GLSL, where it must be (`\\n` is the end of a line), and expects another image,
                       a program that does not link, or a message. What comes of it must still be a shader to glslang
 """
 

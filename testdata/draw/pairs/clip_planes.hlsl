@@ -1,4 +1,4 @@
-// A clipped shader, of whose picture the plane cuts nothing off: the reference compilers lose it.
+// A clipped shader, of whose image the plane cuts nothing off: the reference compilers lose it.
 // RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330,vulkan
 cbuffer Frame : register(b0) { float4 planes[4]; };
 struct Varyings { float4 position : SV_Position; float3 world : WORLD; float4 color : COLOR; };

@@ -1,4 +1,4 @@
-// A location, a member, a binding or a name that is another one, or a value a little off, gives another picture, a program that does
+// A location, a member, a binding or a name that is another one, or a value a little off, gives another image, a program that does
 // not link, or a message of Vulkan's validation layers.
 // RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t
 // RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --spoil "v_uv = =>v_uv = 1.01 * "

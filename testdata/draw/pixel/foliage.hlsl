@@ -30,7 +30,7 @@ float4 old(float2 uv : TEXCOORD0, float4 light : COLOR0) : COLOR {
   clip(color.a - light.w);
   return color * light;
 }
-// The same on a picture of four samples a pixel: a pixel on the edge of two triangles runs once for each.
+// The same on an image of four samples a pixel: a pixel on the edge of two triangles runs once for each.
 // RUN: %draw compare %s -T ps_5_0 --target glsl450,glsl330 --samples 4
 // RUN: %draw compare %s -T ps_5_0 -E depth --target glsl450 --samples 4
 // RUN: %draw compare %s -T ps_6_0 -E count --target glsl450 --samples 4

@@ -1,5 +1,5 @@
 // Distances at the end that are non-negative constants, written as such or computed, clip nothing: they are removed, with a
-// warning. The others keep their indices, and the picture is the same.
+// warning. The others keep their indices, and the image is the same.
 // RUN: %clipc -T vs_5_0 -E scalars --dump-after=split-variables %s 2>&1 | FileCheck %s --check-prefix=IDLE
 // RUN: %clipc -T vs_5_0 -E scalars --dump-after=drop-idle-clip-distances %s 2>&1 | FileCheck %s --check-prefix=DROPPED
 // RUN: %clipc -T vs_5_0 -E all --dump-after=drop-idle-clip-distances %s 2>&1 | FileCheck %s --check-prefix=NO-OUTPUT

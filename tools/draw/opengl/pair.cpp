@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/image.h"
 #include "tools/harness/framebuffer.h"
 
 namespace clipc::draw {
@@ -135,7 +135,7 @@ Inputs MeshInputs(const GlProgram& program) {
   return inputs;
 }
 
-PairDifference ComparePictures(const Pair& first, const Pair& second) {
+PairDifference CompareImages(const Pair& first, const Pair& second) {
   GlProgram one(first.vertex, first.fragment, {}), other(second.vertex, second.fragment, {});
   const IntegerWords ints = IntegersOf(one);
   const std::vector<float> a = Draw(one, ints), b = Draw(other, ints);

@@ -17,10 +17,10 @@ struct Pair {
 Inputs MeshInputs(const GlProgram& program);
 
 // Draws a mesh over the whole target with both programs, on the current context, and compares the
-// pictures. Both get the same vertices by location, the same bytes in uniform blocks of one name,
+// images. Both get the same vertices by location, the same bytes in uniform blocks of one name,
 // small integers where the first declares integers, and the same texels in textures of one name.
 // Throws DrawError where a program does not link or
 // reads what it cannot be given: plain uniforms, attributes that are matrices.
-PairDifference ComparePictures(const Pair& first, const Pair& second);
+PairDifference CompareImages(const Pair& first, const Pair& second);
 
 }  // namespace clipc::draw

@@ -6,7 +6,7 @@
 
 namespace clipc::draw::vulkan {
 
-// A texture that shaders can read, or a picture that they draw.
+// A texture that shaders can read, or an image that they draw.
 struct Image {
   vk::raii::DeviceMemory memory{nullptr};
   vk::raii::Image image{nullptr};
@@ -14,7 +14,7 @@ struct Image {
 };
 Image UploadImage(const Device& device, const Inputs::Texture& texture);
 
-// A picture that can be drawn to.
+// An image that can be drawn to.
 Image MakeTarget(const Device& device, vk::Extent2D size,
                  vk::Format format = vk::Format::eR32G32B32A32Sfloat);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/image.h"
 #include "tools/draw/vulkan/descriptors.h"
 #include "tools/draw/vulkan/device.h"
 #include "tools/draw/vulkan/pipeline.h"
@@ -78,7 +78,7 @@ std::vector<float> Draw(const Device& device, const SpirvPair& pair) try {
   const vk::raii::PipelineLayout layout(device.get(),
                                         vk::PipelineLayoutCreateInfo({}, set_layouts));
   const vk::raii::Pipeline pipeline = MakePipeline(
-      device.get(), {pair.vertex, pair.fragment, PipelineEnd::kPicture}, attributes, layout);
+      device.get(), {pair.vertex, pair.fragment, PipelineEnd::kImage}, attributes, layout);
   const Image target = MakeTarget(device, {kPairSize, kPairSize});
   const Buffer pixels = device.NewBuffer(vk::BufferUsageFlagBits::eTransferDst,
                                          Bytes(std::size_t{16} * kPairSize * kPairSize));
@@ -107,7 +107,7 @@ void Link(const Device& device, const SpirvPair& pair) {
       vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0, kPushedBytes);
   const vk::raii::PipelineLayout layout(device.get(),
                                         vk::PipelineLayoutCreateInfo({}, layouts, pushed));
-  MakePipeline(device.get(), {pair.vertex, pair.fragment, PipelineEnd::kPicture},
+  MakePipeline(device.get(), {pair.vertex, pair.fragment, PipelineEnd::kImage},
                AttributesOf(reads[0]), layout, TargetsOf(pair.fragment));
 }
 
@@ -129,7 +129,7 @@ std::vector<std::string> LinkPrograms(std::span<const SpirvPair> pairs) {
   return said;
 }
 
-PairResult ComparePictures(const SpirvPair& first, const SpirvPair& second) {
+PairResult CompareImages(const SpirvPair& first, const SpirvPair& second) {
   const Device device(Validation::kOn);
   TakeMessages();
   const std::vector<float> mine = Draw(device, first);

@@ -19,11 +19,11 @@ struct PairResult {
   std::vector<std::string> messages;  // of the validation layers, about the first program
 };
 
-// Draws a mesh over the whole target with both programs and compares the pictures, while Vulkan's
+// Draws a mesh over the whole target with both programs and compares the images, while Vulkan's
 // validation layers watch. Both get the same vertices by location, and the same bytes and texels by
 // set and binding. Throws DrawError where a program reads what it cannot be given: arrays of
 // blocks or textures, storage.
-PairResult ComparePictures(const SpirvPair& first, const SpirvPair& second);
+PairResult CompareImages(const SpirvPair& first, const SpirvPair& second);
 
 // Makes a pipeline of each pair, while the validation layers watch. Returns for each what they and
 // the driver say of it: nothing where locations, types and bindings of the two shaders fit.

@@ -26,8 +26,8 @@ void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& a
 // The stage that a pipeline ends with.
 enum class PipelineEnd : std::uint8_t {
   kCapture,     // points are captured and drawn nowhere
-  kPicture,     // triangles are drawn into targets
-  kStatistics,  // as kPicture, and the driver tells of its code
+  kImage,       // triangles are drawn into targets
+  kStatistics,  // as kImage, and the driver tells of its code
 };
 
 struct PipelineShaders {

@@ -121,7 +121,7 @@ std::vector<Captured> Runner::DrawSurface(const Spirv& vertex, const Spirv& frag
   if (range.size > 0) layout_info.setPushConstantRanges(range);
   const vk::raii::PipelineLayout layout(device_->get(), layout_info);
   const vk::raii::Pipeline pipeline =
-      MakePipeline(device_->get(), {vertex, fragment, PipelineEnd::kPicture}, attributes, layout,
+      MakePipeline(device_->get(), {vertex, fragment, PipelineEnd::kImage}, attributes, layout,
                    images.Formats());
   device_->Submit([&](const vk::raii::CommandBuffer& commands) {
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Draws the pictures of an example and holds them against the pictures in docs/pictures.
+"""Draws the images of an example and holds them against the images in docs/images.
 
-usage: check_pictures.py FOLDER SCRATCH_FOLDER [--write] PICTURE[=KEPT][@X,Y,A,B]... -- PROGRAM [ARGUMENT...]
+usage: check_images.py FOLDER SCRATCH_FOLDER [--write] IMAGE[=KEPT][@X,Y,A,B]... -- PROGRAM [ARGUMENT...]
 
-PROGRAM, started in SCRATCH_FOLDER, writes the PICTUREs there. Each is compared with the file KEPT in FOLDER, which has the
+PROGRAM, started in SCRATCH_FOLDER, writes the IMAGEs there. Each is compared with the file KEPT in FOLDER, which has the
 same name unless it is given; with `@`, after an ellipse around the pixel X, Y with the radii A and B is drawn into it. A
 pixel is another one where a channel differs by more than 8; of those at most one in a thousand may be, for drivers
-differ. --write renews the kept pictures: look at them before you commit them.
+differ. --write renews the kept images: look at them before you commit them.
 """
 
 import pathlib
@@ -19,7 +19,7 @@ import zlib
 
 
 def pixels(path):
-    """Width, height and rows of an RGB picture of 8 bits, which is all that the examples write."""
+    """Width, height and rows of an RGB image of 8 bits, which is all that the examples write."""
     data = path.read_bytes()
     at, packed, width, height = 8, b"", 0, 0
     while at < len(data):
@@ -28,7 +28,7 @@ def pixels(path):
         if kind == b"IHDR":
             width, height, *form = struct.unpack(">IIBBBBB", body)
             if form != [8, 2, 0, 0, 0]:
-                sys.exit(f"{path}: not a plain RGB picture")
+                sys.exit(f"{path}: not a plain RGB image")
         elif kind == b"IDAT":
             packed += body
         at += 12 + size
@@ -51,8 +51,8 @@ def pixels(path):
     return width, height, rows
 
 
-def write_png(path, picture):
-    width, height, rows = picture
+def write_png(path, image):
+    width, height, rows = image
 
     def chunk(kind, body):
         return (
@@ -68,9 +68,9 @@ def write_png(path, picture):
     )
 
 
-def mark(picture, x, y, a, b):
+def mark(image, x, y, a, b):
     """Draws a red ellipse, three pixels wide, around the pixel x, y with the radii a and b."""
-    width, height, rows = picture
+    width, height, rows = image
     for row in range(height):
         for column in range(width):
             radius = (((column - x) / a) ** 2 + ((row - y) / b) ** 2) ** 0.5
@@ -96,20 +96,17 @@ def differing(one, other):
 def main():
     split = sys.argv.index("--")
     write = "--write" in sys.argv[:split]
-    folder, scratch, *pictures = [
-        argument for argument in sys.argv[1:split] if argument != "--write"
-    ]
+    folder, scratch, *images = [argument for argument in sys.argv[1:split] if argument != "--write"]
     scratch = pathlib.Path(scratch)
     scratch.mkdir(parents=True, exist_ok=True)
-    pictures = [
-        re.fullmatch(r"([^=@]+)(?:=([^@]+))?(?:@([\d,]+))?", picture).groups()
-        for picture in pictures
+    images = [
+        re.fullmatch(r"([^=@]+)(?:=([^@]+))?(?:@([\d,]+))?", image).groups() for image in images
     ]
-    for name, _, _ in pictures:
+    for name, _, _ in images:
         (scratch / name).unlink(missing_ok=True)
     subprocess.run(sys.argv[split + 1 :], cwd=scratch, check=True)
     bad = 0
-    for name, kept_name, ellipse in pictures:
+    for name, kept_name, ellipse in images:
         kept, drawn = pathlib.Path(folder) / (kept_name or name), pixels(scratch / name)
         if ellipse:
             mark(drawn, *map(int, ellipse.split(",")))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The page's pictures against the desktop's: each shader of the gallery, by each way to clip, drawn by WebGL 2 in headless Chromium
+// The page's images against the desktop's: each shader of the gallery, by each way to clip, drawn by WebGL 2 in headless Chromium
 // and by Mesa's OpenGL ES with the same texts, vertices and constants.
-//   node pictures_test.mjs FOLDER CHROMIUM CLIPC-DRAW
+//   node images_test.mjs FOLDER CHROMIUM CLIPC-DRAW
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -14,7 +14,7 @@ const LAYERED = ['terrain.hlsl']; // it flattens the mesh, and colors of one dep
 const MOST_DIFFERENT = 1 / 400; // of the pixels that are drawn: edges that fall to either side of a pixel's middle
 
 const [folder, chromium, draw] = process.argv.slice(2);
-const scratch = scratchFolder('pictures');
+const scratch = scratchFolder('images');
 const script = readFileSync(fileURLToPath(new URL('record.js', import.meta.url)), 'utf8');
 const page = await Page.open(chromium, folder, { script });
 const set = page.set.bind(page);
@@ -87,5 +87,5 @@ for (const shader of await page.evaluate(
 await page.close();
 assert.deepEqual(page.errors, []);
 assert.deepEqual(wrong, []);
-console.log(`${compared} pictures are the desktop's, ${cut} of them with clip distances`);
-assert.ok(compared >= 20 && cut >= 4, 'too few pictures to show anything');
+console.log(`${compared} images are the desktop's, ${cut} of them with clip distances`);
+assert.ok(compared >= 20 && cut >= 4, 'too few images to show anything');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ std::string StandardFragmentFor(const Version& version) {
          "out vec4 color;\nvoid main() { color = vec4(1.0, gl_FragCoord.z, 0.0, 1.0); }\n";
 }
 
-void SetClipping(const PictureOptions& options, harness::Api api) {
+void SetClipping(const ImageOptions& options, harness::Api api) {
   for (int i = 0; i < 8; ++i) {
     (options.enable_mask >> i & 1 ? glEnable : glDisable)(GL_CLIP_DISTANCE0 + i);
   }
@@ -32,7 +32,7 @@ void SetClipping(const PictureOptions& options, harness::Api api) {
 
 }  // namespace
 
-Picture Draw(const std::string& vertex, const Inputs& inputs, const PictureOptions& options) {
+DrawnImage Draw(const std::string& vertex, const Inputs& inputs, const ImageOptions& options) {
   GlProgram program(
       vertex, options.fragment.empty() ? StandardFragmentFor(VersionOf(vertex)) : options.fragment,
       {});
@@ -44,19 +44,19 @@ Picture Draw(const std::string& vertex, const Inputs& inputs, const PictureOptio
   SetClipping(options, api);
   glDrawArrays(GL_TRIANGLES, 0, inputs.vertices);
   const std::vector<float> rgba = framebuffer.ReadFloats(GL_RGBA);
-  Picture picture{options.size, {}};
+  DrawnImage image{options.size, {}};
   for (std::size_t i = 0; i < rgba.size(); i += 4)
-    picture.pixels.push_back({rgba[i] != 0, rgba[i + 1]});
+    image.pixels.push_back({rgba[i] != 0, rgba[i + 1]});
   SetClipping({}, api);
   harness::CheckErrors("drawing");
-  return picture;
+  return image;
 }
 
-harness::Picture ColorsOf(const Picture& picture) {
-  harness::Picture colors{picture.size, picture.size, {}};
-  for (int y = picture.size - 1; y >= 0; --y) {
-    for (int x = 0; x < picture.size; ++x) {
-      const Pixel& pixel = picture.At(x, y);
+harness::Image ColorsOf(const DrawnImage& image) {
+  harness::Image colors{image.size, image.size, {}};
+  for (int y = image.size - 1; y >= 0; --y) {
+    for (int x = 0; x < image.size; ++x) {
+      const Pixel& pixel = image.At(x, y);
       const auto shade = static_cast<std::uint8_t>(255 - 160 * std::clamp(pixel.depth, 0.0f, 1.0f));
       const std::array<std::uint8_t, 4> drawn{static_cast<std::uint8_t>(shade / 2), shade, 255,
                                               255},
@@ -87,11 +87,11 @@ std::vector<std::array<float, 4>> FullTarget() {
   return vertices;
 }
 
-Difference Compare(const Picture& picture, const Expectation& expectation) {
+Difference Compare(const DrawnImage& image, const Expectation& expectation) {
   Difference difference;
-  const double pixel_width = 2.0 / picture.size;
-  for (int row = 0; row < picture.size; ++row) {
-    for (int column = 0; column < picture.size; ++column) {
+  const double pixel_width = 2.0 / image.size;
+  for (int row = 0; row < image.size; ++row) {
+    for (int column = 0; column < image.size; ++column) {
       const double x = (column + 0.5) * pixel_width - 1;
       const double y = ((row + 0.5) * pixel_width - 1) * (expectation.flipped ? -1 : 1);
       const double depth = 0.5 + 0.25 * x;
@@ -102,7 +102,7 @@ Difference Compare(const Picture& picture, const Expectation& expectation) {
         expected &= distance >= 0;
         is_edge |= change_per_pixel > 0 && std::abs(distance) < change_per_pixel / 20;
       }
-      const Pixel& pixel = picture.At(column, row);
+      const Pixel& pixel = image.At(column, row);
       difference.drawn += pixel.drawn;
       if (is_edge) continue;
       difference.missing += expected && !pixel.drawn;

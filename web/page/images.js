@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The two pictures of the scene, and what is predicted and measured of their cut.
+// The two images of the scene, and what is predicted and measured of their cut.
 import { Canvas } from './canvas.js';
 import { Capture } from './capture.js';
 import { fillConstants, planesOf } from './constants.js';
@@ -13,7 +13,7 @@ const spaceOf = (result) =>
   SPACES.includes(result.table?.position_space) ? result.table.position_space : 'clip';
 const stepsOf = (result) => result.reflection.positionMatrices || 1;
 
-export class Pictures {
+export class Images {
   runtime = null;
   showsReference = true;
   #capture;
@@ -36,7 +36,7 @@ export class Pictures {
     return this.views[0].canvas.clip !== null;
   }
 
-  /** The result that the left picture shows. */
+  /** The result that the left image shows. */
   get result() {
     return this.views[0].canvas.result ?? this.views[1].canvas.result;
   }
@@ -47,7 +47,7 @@ export class Pictures {
     this.redraw();
   }
 
-  /** Draws `results` from now on; null leaves a picture as it is. `source` is their text, `problems` what it says in their place. */
+  /** Draws `results` from now on; null leaves an image as it is. `source` is their text, `problems` what it says in their place. */
   use(results, source, problems) {
     this.views.forEach((view, i) => {
       const result = results[i];

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "tools/draw/inputs.h"
-#include "tools/harness/picture.h"
+#include "tools/harness/image.h"
 
 namespace clipc::draw {
 
-struct PictureOptions {
+struct ImageOptions {
   int size = 64;  // pixels in each direction
   // Bit i: glEnable(GL_CLIP_DISTANCE0 + i), which is the same as GL_CLIP_PLANE0 + i.
   std::uint32_t enable_mask = 0;
@@ -29,17 +29,17 @@ struct Pixel {
 };
 
 // The pixels that were drawn, with their depth.
-struct Picture {
+struct DrawnImage {
   int size = 0;
   std::vector<Pixel> pixels;  // the bottom row first
   const Pixel& At(int x, int y) const { return pixels[y * size + x]; }
 };
 
 // Draws the inputs' vertices as triangles, on the current context.
-Picture Draw(const std::string& vertex, const Inputs& inputs, const PictureOptions& options);
+DrawnImage Draw(const std::string& vertex, const Inputs& inputs, const ImageOptions& options);
 
-// The picture for people to look at: drawn pixels darken with depth.
-harness::Picture ColorsOf(const Picture& picture);
+// The image for people to look at: drawn pixels darken with depth.
+harness::Image ColorsOf(const DrawnImage& image);
 
 // The whole target as a mesh of triangles in Direct3D clip space: x and y from -1 to 1 after the
 // division by w, depth rising from 1/4 on the left to 3/4 on the right, w from 1 at the bottom to 2
@@ -47,7 +47,7 @@ harness::Picture ColorsOf(const Picture& picture);
 std::vector<std::array<float, 4>> FullTarget();
 constexpr float DepthAt(float x) { return 0.5f + 0.25f * x; }
 
-// The pixels that a picture of FullTarget must have.
+// The pixels that an image of FullTarget must have.
 struct Expectation {
   // A pixel is drawn where dot((x, y, DepthAt(x), 1), plane) >= 0 for each plane.
   std::vector<std::array<double, 4>> planes;
@@ -58,6 +58,6 @@ struct Difference {
   int drawn = 0, missing = 0, extra = 0;
   double depth_error = 0;  // the largest error of the pixels that are rightly drawn
 };
-Difference Compare(const Picture& picture, const Expectation& expectation);
+Difference Compare(const DrawnImage& image, const Expectation& expectation);
 
 }  // namespace clipc::draw

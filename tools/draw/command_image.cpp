@@ -49,7 +49,7 @@ Inputs InputsOf(const Json& draw, const GlProgram& program) {
 }
 
 // The colors, the bottom row first.
-std::vector<float> PictureOf(const Json& draw) {
+std::vector<float> ImageOf(const Json& draw) {
   GlProgram program(draw.at("vertex"), draw.at("fragment"), {});
   const bool is_reversed = draw.at("reversed");
   const harness::Framebuffer framebuffer(
@@ -76,12 +76,12 @@ std::vector<float> PictureOf(const Json& draw) {
 
 }  // namespace
 
-int RunPicture(const Arguments& arguments) {
+int RunImage(const Arguments& arguments) {
   const std::vector<std::string> paths = harness::options::Parse(arguments, {});
-  if (paths.size() != 2) throw DrawError("picture takes a draw and the file for its colors");
+  if (paths.size() != 2) throw DrawError("image takes a draw and the file for its colors");
   const Json draw = Json::parse(harness::ReadFile(paths[0]));
   const harness::OpenGl opengl(VersionOf(draw.at("vertex")).api);
-  const std::vector<float> colors = PictureOf(draw);
+  const std::vector<float> colors = ImageOf(draw);
   std::ofstream file(paths[1], std::ios::binary);
   file.write(reinterpret_cast<const char*>(colors.data()),
              static_cast<std::streamsize>(sizeof(float) * colors.size()));

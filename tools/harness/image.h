@@ -7,18 +7,18 @@
 
 namespace clipc::harness {
 
-// A picture of four bytes for each pixel, red, green, blue and alpha; the top row first.
-struct Picture {
+// An image of four bytes for each pixel, red, green, blue and alpha; the top row first.
+struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-// The picture at half its width and height, each pixel the mean of four: a picture that was drawn
+// The image at half its width and height, each pixel the mean of four: an image that was drawn
 // too large gets smooth edges.
-Picture Half(const Picture& picture);
+Image Half(const Image& image);
 
 // Writes red, green and blue. Throws DrawError when the file cannot be written.
-void WritePng(const std::string& path, const Picture& picture);
+void WritePng(const std::string& path, const Image& image);
 
 }  // namespace clipc::harness
