@@ -29,7 +29,7 @@ inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: D
 inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
 inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
 
-// The highest set that glslang takes: layoutSetEnd.
+// The highest set that glslang accepts: layoutSetEnd.
 inline constexpr std::uint32_t kHighestSet = 0x3e;
 
 class Descriptors {

@@ -53,7 +53,7 @@ constexpr Row<Builtin> kBuiltins[] = {
     {Builtin::kClipDistanceInput, {Feature::kClipDistance, nullptr, &diag::TargetPixelValue}},
     {Builtin::kCullDistanceInput, {Feature::kCullDistance, nullptr, &diag::TargetPixelValue}},
     {Builtin::kDepth, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
-    // That the depth is on one side only is a promise, which a target may do without.
+    // The promise that the depth is on one side only is one that a target may do without.
     {Builtin::kDepthGreaterEqual, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
     {Builtin::kDepthLessEqual, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
     {Builtin::kCoverage, {Feature::kSampleVariables, nullptr, &diag::TargetPixelValue}},

@@ -44,7 +44,7 @@ if(CLIPC_WERROR)
   add_compile_options(-Werror)
 endif()
 
-# The evaluator computes what a shader computes, rounding by rounding: no fused multiply-add behind its back, and g++ 12's SLP
+# The evaluator computes what a shader computes, rounding by rounding: a fused multiply-add rounds once only, and g++ 12's SLP
 # vectoriser drops a double -> float -> double round trip under -mavx.
 add_compile_options(-ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

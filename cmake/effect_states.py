@@ -56,7 +56,7 @@ def signed_bits(value):
 
 
 class Unknown(Exception):
-    """A value that is no constant of the kind that is wanted."""
+    """A value that is not a constant of the kind that is wanted."""
 
 
 def number(text):

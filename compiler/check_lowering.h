@@ -10,8 +10,8 @@
 #include "ir/profile.h"
 #include "ir/program.h"
 
-// The rules about what a user may ask of a shader's clip planes: which lowering goes with which
-// plane space, and with which shader.
+// The rules about what a user may ask of a shader's clip planes: which lowering is allowed with
+// which plane space, and with which shader.
 namespace clipc {
 
 // The lowering that the user asks for.

@@ -127,7 +127,7 @@ int Driver::CompileAll() {
       [&](std::size_t index, Compiler& compiler) {
         CompileRequest request = command_.request;
         request.path = command_.inputs[index];
-        // Both halves of a pair read the text.
+        // The two shaders of a pair read one text.
         if (request.path == "-" && request.reads_pixel_half())
           ReadText("-", request.text.emplace());
         return compiler.Compile(request);

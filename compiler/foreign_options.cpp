@@ -156,7 +156,7 @@ using enum Option::Form;
 using Action = CommandLine::Action;
 using Request = CompileRequest;
 
-// Those that clipc has, by other names too; then those without effect; then those that it refuses.
+// The options that clipc has, by other names too; then those without effect; then those refused.
 constexpr Option kForeignOptions[] = {
     Topic(kCompilersTopic, "options of fxc, dxc, glslang and glslc, with their meaning"),
     {"-fvk-bind-register", kFour, Bind<AddRegister>, nullptr,

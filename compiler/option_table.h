@@ -62,8 +62,8 @@ struct Option {
     kRegisters,         // --rsb t0 1 2 t1 1 3: also the numbers and the registers
   };
 
-  // Its spellings, apart by one blank: one where --help lists the option, none where the row
-  // begins a topic of --help.
+  // The option's spellings, apart by one blank: one where --help lists the option, none where the
+  // row begins a topic of --help.
   std::string_view names;
   Form form;
   void (*read)(Reading& reading, const std::string& value);

@@ -39,8 +39,8 @@ std::string InFolder(const std::string& place, const std::string& input,
   return fmt::format("{}{}{}{}", place, EndsWithSlash(place) ? "" : "/", stem, extension);
 }
 
-// The GLSL goes to standard output unless something else is asked for: the program or a dump takes
-// standard output, and whoever names a header or a listing wants that.
+// The GLSL is written to standard output unless something else is asked for: the program or a dump
+// takes standard output, and whoever names a header or a listing wants that.
 std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   const std::string& output = command.output;
   const bool wants_other =
@@ -91,8 +91,8 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   Outputs outputs;
   if (command.syntax_only) return outputs;
   const std::string glsl = PlaceGlsl(command, input);
-  // A file that is named after the GLSL is named after the first other file if the GLSL goes to
-  // standard output, or else after the input.
+  // A file that is named after the GLSL is named after the first other file if the GLSL is written
+  // to standard output, or else after the input.
   std::string name = input == "-" ? "stdin" : input;
   for (const std::string& file : {command.listing, command.header, glsl}) {
     if (!file.empty() && file != "-" && !IsExtension(file)) name = file;

@@ -210,7 +210,7 @@ void Machine::EvalNode(ExprId, const Unary& node) {
 }
 
 void Machine::EvalNode(ExprId, const Binary& node) {
-  // Both sides of a constant are constant, and so may be evaluated.
+  // The sides of a constant are constant, and so may be evaluated.
   if (IsShortCircuit(node.op) && !only_constants_) return EvalShortCircuit(node);
   const Scalar rep = RepOf(node.left);
   const std::uint32_t words = WordsOf(node.left);

@@ -277,7 +277,7 @@ TEST_F(Intrinsics, Products) {
             -5);
 }
 
-// The sum goes from left to right: (1e8 + 1) - 1e8 loses the 1; the other order would keep it.
+// The sum is made from left to right: (1e8 + 1) - 1e8 loses the 1; the other order would keep it.
 TEST_F(Intrinsics, DotAddsFromLeftToRight) {
   const ExprId a = Value(Scalar::kFloat, {1e8, 1, -1e8});
   const ExprId ones = Value(Scalar::kFloat, {1, 1, 1});

@@ -68,7 +68,7 @@ TEST_F(Quad, DerivativesInVaryingFlowAreUndefined) {
   EXPECT_THAT(RunPixels(build.Ref(v)), ElementsAre(5, 5, 5, 0));
 }
 
-// Iteration i of one pixel meets iteration i of another, however often each has run the loop.
+// Iteration i of one pixel is run with iteration i of another, however often each has run the loop.
 TEST_F(Quad, IterationsMeet) {
   const VarId i = Local("i", Float()), sum = Local("sum", Float());
   const ExprId condition = build.BinaryOf(BinaryOp::kLess, build.Ref(i), build.Float(3));

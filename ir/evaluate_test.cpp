@@ -41,7 +41,7 @@ TEST_F(Evaluator, ReadsMembersAtTheirOffsets) {
   EXPECT_THAT(Run(), ElementsAre(7, 7, 14, 7));
 }
 
-TEST_F(Evaluator, ReadsZeroBehindTheEndOfABuffer) {
+TEST_F(Evaluator, ReadsZeroAfterTheEndOfABuffer) {
   shader.camera_bytes.assign(3, 0xff);
   EXPECT_EQ(Result(build.Ref(shader.scale)), 0);
 }

@@ -173,7 +173,7 @@ enum class ObjectOp : std::uint8_t {
   kD3d9SampleBias,
   // (sampler, coordinate, ddx, ddy)
   kD3d9SampleGrad,
-  // (sampler of a texture that is no cube, float4): the coordinate is divided by w
+  // (sampler of a texture that is not a cube, float4): the coordinate is divided by w
   kD3d9SampleProjected,
   // (subpass input [, sample int]): the value of an earlier subpass in the pixel's place
   kSubpassLoad,

@@ -187,7 +187,7 @@ struct IoVar {
   bool is_unwritten = false;          // of an output: no path writes it, which is reported
 };
 
-// The locations that an input or output of this scalar or vector type takes: two for three or four
+// The locations that an input or output of this scalar or vector type needs: two for three or four
 // components of 64 bits.
 std::uint32_t LocationCount(const Type& type);
 // Sorts the inputs or outputs that are not built in by location and puts them after the built-in

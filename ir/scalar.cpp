@@ -10,7 +10,7 @@ namespace {
 template <typename Integer>
 Integer Saturating(double value) {
   if (std::isnan(value)) return 0;
-  // Both limits are exact or rounded up to a power of two, so `>=` keeps the cast in range.
+  // The limits are exact or rounded up to a power of two, so `>=` keeps the cast in range.
   if (value >= static_cast<double>(std::numeric_limits<Integer>::max()))
     return std::numeric_limits<Integer>::max();
   if (value <= static_cast<double>(std::numeric_limits<Integer>::min()))

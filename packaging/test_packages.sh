@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Makes the packages of a release build, of which the target `study` was built too, has lintian read them, installs them in a clean
-# root and builds examples/first there: what somebody does who meets clipc for the first time. Then the same with the .tar.gz, and
+# root and builds examples/first there: what somebody does who uses clipc for the first time. Then the same with the .tar.gz, and
 # with what `dpkg --remove` leaves.
 #   packaging/test_packages.sh BUILD_FOLDER      as root, with debootstrap, lintian, man-db and bash-completion installed
 # CLIPC_CLEAN_ROOT=FOLDER names what debootstrap made before, with the packages below.

@@ -9,7 +9,8 @@ namespace clipc::passes {
 
 // Makes a pixel shader discard what is outside of so many clip planes, whose distances the vertex
 // shader of lowering kDiscard writes to outputs of four numbers each. The shader gets an input for
-// each of those, of the semantic ir::kClipPlaneDistance. A distance that is no number is outside.
+// each of those, of the semantic ir::kClipPlaneDistance. A distance that is not a number is
+// outside.
 //
 //   color = tint;                          =>    if (!(clip_plane_distance0 >= 0.0)) discard;
 //                                                color = tint;

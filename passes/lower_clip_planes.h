@@ -14,7 +14,7 @@ struct ClipPlaneOptions {
 };
 
 // Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of
-// the shader meets.
+// the shader ends.
 //
 // Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at
 // most one plane; Supports(lowering, space); for PlaneSpace::kObject that

@@ -40,7 +40,7 @@ std::uint32_t LocationAfterOutputs(const ir::Program& vertex);
 //       return clipc_result;
 //   }
 //
-// A distance that is no number is outside, as for the device's clipping; clip() would keep it.
+// A distance that is not a number is outside, as for the device's clipping; clip() would keep it.
 std::string WritePixelWrapper(const EntryPoint& entry, const PixelForm& form,
                               const std::string& name, const std::string& inner,
                               std::size_t planes);

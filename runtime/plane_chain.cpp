@@ -92,7 +92,7 @@ Bounded ThroughShape(const Bounded& before, const ProjectionShape& s) noexcept {
   const auto rest = [&](double c_i, double o_x, double o_y) {
     return c_i - o_x * p[0] - o_y * p[1];
   };
-  // Both differences round c_i and the first product.
+  // The two differences round c_i and the first product.
   const auto rest_error = [&](double c_i, double c_error, double o_x, double o_y) {
     return 2 * std::fabs(c_i) + c_error + std::fabs(o_x) * (3 * std::fabs(p[0]) + e[0]) +
            std::fabs(o_y) * (2 * std::fabs(p[1]) + e[1]);

@@ -2,7 +2,7 @@
 """Fails when a test's name and its RUN lines disagree: a name starts with `fail_` exactly when the compile fails.
 
 lit makes sure that `not %clipc` fails and that a bare `%clipc` succeeds; this script makes sure that the name says so:
-the first RUN line of a fail_ file starts with `not`, and no RUN line of another file does. A `split-file` RUN line is no compile.
+the first RUN line of a fail_ file starts with `not`, and no RUN line of another file does. A `split-file` RUN line is not a compile.
 """
 
 import pathlib

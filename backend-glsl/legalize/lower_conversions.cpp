@@ -115,7 +115,7 @@ class ConversionLowering {
         legalizer_.ShapeAt(expr).IsScalar() && program_.types[type].kind != TypeKind::kScalar;
     ExprId inner = b.ConvertTo(BaseOf(from), operand);
     if (!is_single && kind == to) {
-      // This conversion itself is still to be lowered.
+      // The conversion itself is still to be lowered.
       program_.exprs[expr].node = Convert{operand = inner};
       return false;
     }

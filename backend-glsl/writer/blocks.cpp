@@ -110,7 +110,7 @@ class BlockWriter {
     return context_.names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
   }
 
-  // A name that nothing else in the block has, for what is no member of HLSL.
+  // A name that nothing else in the block has, for what is not a member in HLSL.
   std::string PartName(std::string name) {
     if (!layout_.has_instance) return context_.namer.Global(name);
     if (part_names_.empty()) {
@@ -231,7 +231,7 @@ class BlockWriter {
     std::uint32_t end = 0;
     for (const CbufferMember& member : cbuffer_.members) {
       const bool is_by_hand = context_.IsByHand(member.var);
-      // Both stages of a pair declare the same rows.
+      // The two stages of a pair declare the same rows.
       if (is_by_hand && context_.IsReadInProgram(member.var))
         end = std::max(end, member.offset + member.size);
       if (!context_.reached.Has(member.var)) continue;

@@ -12,7 +12,7 @@ namespace {
 std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached& reached,
                                       const Target& target, const WriteOptions& options) {
   std::vector<BlockLayout> layouts(program.cbuffers.size());
-  // Both stages lay out a block that they share by what either of them reads.
+  // The two stages lay out a block that they share by what either of them reads.
   std::vector<bool> is_read = reached.vars;
   for (std::size_t i = 0; options.other && i < is_read.size(); ++i)
     is_read[i] = is_read[i] || options.other->is_read[i];

@@ -19,7 +19,7 @@ enum class MatrixPacking : std::uint8_t { kColumnMajor, kRowMajor };
 
 struct CheckOptions {
   // The rules of that version of the language, which hold from shader model 6 on; the older shader
-  // models have one language. What is no matter of the language has its default.
+  // models have one language. Options that are not of the language have their defaults.
   static CheckOptions For(ir::Profile profile, LanguageVersion language);
 
   ir::Profile profile;

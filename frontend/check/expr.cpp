@@ -29,7 +29,7 @@ namespace clipc::check {
 namespace {
 
 // Whether the literal is a uint. fxc takes 0x3 for a uint and 3000000000 for an int, -1294967296;
-// DXC, whose shader models begin with 6, goes by the size of both. Direct3D 9 counts in floats,
+// DXC, whose shader models begin with 6, decides by the size of both. Direct3D 9 counts in floats,
 // where 0x3 makes no difference.
 bool IsUnsigned(const Context& context, const ast::Literal& literal) {
   const Profile& profile = context.program.profile;

@@ -230,7 +230,7 @@ TypeId ArrayOf(Context& context, TypeId element, std::span<const ast::ExprId> di
       size = implied;
     } else if (i == 0 && dimensions.size() == 1 &&
                (is_buffer || context.types[element].kind == TypeKind::kObject)) {
-      // The number of elements is no part of a stage's interface with another.
+      // The number of elements is not a part of a stage's interface with another.
       size = context.program.is_interface_only ? 1 : 0;
     } else {
       context.Report(span, diag::ArrayWithoutSize);

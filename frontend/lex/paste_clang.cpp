@@ -29,7 +29,7 @@ thread_local PasteScope* current_scope = nullptr;
   "9MacroArgsE"
 #define CLIPC_END_OF_MACRO "_ZN5clang12Preprocessor21HandleEndOfTokenLexerERNS_5TokenE"
 
-// The functions of Clang that stand behind the linker's names, and those that it calls instead.
+// The functions of Clang that the linker's names stand for, and those that it calls instead.
 extern "C" {
 void RealEnterMacro(Preprocessor*, clang::Token&, clang::SourceLocation, MacroInfo*,
                     MacroArgs*) __asm__("__real_" CLIPC_ENTER_MACRO) __attribute__((weak));

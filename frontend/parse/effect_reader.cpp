@@ -309,7 +309,7 @@ Effect ReadEffect(const File& file) {
   }
   for (const EffectVariable& variable : file.effect->variables) {
     EffectParameter parameter = ReadParameter(variable, tokens, file.names);
-    // A static variable is no parameter, but may hold a shader or a block of states.
+    // A static variable is not a parameter, but may hold a shader or a block of states.
     const bool is_data = parameter.shaders.empty() && parameter.states.empty();
     if (!is_data || !IsStatic(variable, tokens, file.names))
       effect.parameters.push_back(std::move(parameter));

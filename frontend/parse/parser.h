@@ -128,7 +128,7 @@ class Parser : private TreeBuilder {
   List<Enumerator> ParseEnumerators();
 
   // ---- declarators (declarator.cpp)
-  // Takes the current token as the name of `node`, and declares it.
+  // Reads the current token as the name of `node`, and declares it.
   template <typename Node>
   void TakeName(Node& node, Meaning meaning) {
     node.name_span = Here();

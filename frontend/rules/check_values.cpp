@@ -43,7 +43,7 @@ bool IsWholeExponent(const Program& program, ExprId exponent) {
   return AnyLiteral(program, exponent, is_whole);
 }
 
-// Whether both are paths into one variable: `x * x` is no product of independent signs.
+// Whether both are paths into one variable: `x * x` is not a product of independent signs.
 bool HaveOneRoot(const Program& program, ExprId left, ExprId right) {
   const VarId root = RootOf(program, left);
   return root && root == RootOf(program, right);

@@ -343,8 +343,8 @@ void WrittenWalk::Visit(ExprId expr) {
                program_.exprs[expr].node);
 }
 
-// Visits the indices of a path, and what it is a part of if that is no variable. Returns whether it
-// is a variable that is tracked.
+// Visits the indices of a path, and what it is a part of if that is not a variable. Returns whether
+// it is a variable that is tracked.
 bool WrittenWalk::VisitTarget(ExprId path) {
   return clipc::Visit(Overloaded{
                           [&](const VarRef& node) { return shared_.slots.IsTracked(node.var); },

@@ -220,7 +220,7 @@ class Folder {
   }
 
   // The statements folded, without those that an arm before them keeps from running. An arm that
-  // took the place of its `if` is no block of its own.
+  // took the place of its `if` is not a separate block.
   List<StmtId> FoldedList(List<StmtId> list) {
     std::vector<StmtId> left;
     for (std::uint32_t i = 0; i < list.size; ++i) {

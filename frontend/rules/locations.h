@@ -11,7 +11,7 @@
 
 namespace clipc::rules {
 
-// The number of locations that glslang takes, from 0 on (layoutLocationEnd).
+// The number of locations that glslang accepts, from 0 on (layoutLocationEnd).
 inline constexpr std::uint32_t kLocations = 0xFFF;
 
 // The locations of a shader's inputs, or of its outputs.

@@ -22,8 +22,8 @@ TextureTraits TraitsOf(ObjectKind kind);
 // The type that a read of the object gives: its element type, float4 if none was written.
 TypeId ElementOf(TypeTable& types, const Type& object);
 
-// The offsets in texels that a method takes. From 5.0 on those of a Gather have six bits: Direct3D
-// 11's gather4_po.
+// The offsets in texels that a method accepts. From 5.0 on those of a Gather have six bits:
+// Direct3D 11's gather4_po.
 struct OffsetRange {
   int least = -8, most = 7;
   bool Has(int texel) const { return least <= texel && texel <= most; }

@@ -277,7 +277,7 @@ class MethodCheck : IntrinsicCheck {
     if (i >= arguments.size()) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
-    // The place of a read is no part of a stage's interface with another.
+    // The place of a read is not a part of a stage's interface with another.
     if (program.is_interface_only) return true;
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {

@@ -14,7 +14,7 @@ struct ReservedRegisters {
   std::uint32_t count = 1;
 };
 
-// The number of registers that an object or an array of objects takes; 0: all from its first on.
+// The number of registers that an object or an array of objects needs; 0: all from its first on.
 std::uint32_t RegisterCount(const TypeTable& types, TypeId type);
 
 // Gives a register to every cbuffer and resource to which the user gave none. Buffers take the free

@@ -96,7 +96,7 @@ constexpr Semantic kSemantics[] = {
 // Any other system value. Compilers know more of the rasterizer's than clipc.
 constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
 
-// The meaning of a name that is no system value's: of data from stage to stage.
+// The meaning of a name that is not a system value's: of data from stage to stage.
 SystemValue OtherName(Stage stage, Direction direction) {
   return direction == Direction::kInput || InfoOf(stage).has_stage_after ? kPlain : kRefused;
 }

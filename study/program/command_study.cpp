@@ -148,7 +148,7 @@ class Study {
     }
   }
 
-  // Measures the costs and writes them. Returns those of the setting "picture".
+  // Measures the costs and writes them. Returns those in the rows "picture".
   CostTable Speed(const std::string& name, const char* what) {
     Csv csv(Path(name), {"setting", "way", "planes", "median_ms", "least_ms", "ratio",
                          "paired_ratio", "paired_low", "paired_high"});

@@ -16,7 +16,7 @@ class Specials {
  public:
   std::vector<SpecialResult> Run() {
     for (const Way& way : kWays) {
-      // These two ways take no plane as it is: one makes matrices of it, one clips in the
+      // Two ways take no plane as it is: one makes matrices of it, one clips in the
       // application.
       if (way.most_planes == 0 || way.kind == WayKind::kNearPlaneFloat || way.kind == WayKind::kCpu)
         continue;

@@ -31,7 +31,7 @@ struct Cost {
 // context of the compatibility profile must be current.
 std::vector<Cost> MeasureSpeed(int rounds, int detail, const std::function<void(double)>& progress);
 
-// The paired ratios of the setting "picture".
+// The paired ratios of the rows "picture".
 CostTable TableOf(const std::vector<Cost>& costs);
 // The paired ratios in a speed.csv that clipc-study wrote. Throws DrawError for another file.
 CostTable ReadCosts(const std::string& path);

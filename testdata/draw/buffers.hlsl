@@ -1,4 +1,4 @@
-// Buffers: typed elements, structs in HLSL's tight packing, bytes; and what lies behind their end is open.
+// Buffers: typed elements, structs in HLSL's tight packing, bytes; and what lies after their end is open.
 // RUN: %draw compare %s -T vs_5_0 -E typed --target vulkan,glsl450,glsl140,essl310,essl320 --lower none --ints 0..12
 // RUN: %draw compare %s -T vs_5_0 -E structured --target vulkan,glsl450,essl310 --lower none --ints 0..7
 // RUN: %draw compare %s -T vs_5_0 -E structured --target glsl430 --lower none --ints 0..300

@@ -32,7 +32,7 @@ float4 loads(uint id : SV_VertexID, uint n : N) : SV_Position {
   // LOADS: = n++ * 4u
   const float4x2 m = bytes.Load<float4x2>(n++ * 4);
   float sum = 0;
-  // What is no number of the input's range may be a NaN: only its bits are compared.
+  // What is not a number of the input's range may be a NaN: only its bits are compared.
   sum += (asuint(v.position.z) & 0xff) + (asuint(v.turn[1][0]) & 0xff) + (asuint(v.turn[0].y) & 0xff);
   sum += (asuint(v.weights[1]) & 0xff) + (v.inner[1].i.y & 0xff) + v.inner[0].b;
   sum += (asuint(places[1].y) & 0xff) + (asuint(m[3].x) & 0xff) + (asuint(m[0].y) & 0xff);

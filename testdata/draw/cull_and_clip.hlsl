@@ -1,4 +1,4 @@
-// Clip and cull distances that share a vector, and outputs behind them.
+// Clip and cull distances that share a vector, and outputs after them.
 // RUN: %draw compare %s -T vs_5_0 --target vulkan,glsl450 --lower none
 
 struct Output {

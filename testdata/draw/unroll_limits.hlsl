@@ -36,7 +36,7 @@ Output main(float4 p : POSITION) {
 float4 many(float4 p : POSITION) : SV_Position {
   [unroll(4)] for (int i = 8; i > 0; i -= 2) p += i;
   [unroll(5)] for (;;) p *= 2;
-  // A uint is never below 0, and 5 is never met.
+  // A uint is never below 0, and 5 is never reached.
   [unroll(4)] for (uint d = 3; d >= 0; --d) p += d;
   [unroll(3)] for (int e = 0; e != 6; e += 2) p += e;
   [unroll(4)] for (int f = 0; f != 5; f += 2) p += f;

@@ -1,4 +1,4 @@
-// What std140 would move is read by hand: scalars behind arrays, matrices and structs in their last row,
+// What std140 would move is read by hand: scalars after arrays, matrices and structs in their last row,
 // vectors that std140 would align, matrices whose registers hold one component, structs that mix row_major and column_major.
 // RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=glsl150 --validate %s -o %t

@@ -1,4 +1,4 @@
-// Names stay where GLSL lets them; keywords, built-in functions, `gl_` and `__` do not. What comes in and goes out is named first.
+// Names stay where GLSL lets them; keywords, built-in functions, `gl_` and `__` do not. Inputs and outputs are named first.
 // RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=essl300 --validate %s -o %t
 // RUN: %clipc -T vs_5_0 --target=glsl120 --validate %s -o %t

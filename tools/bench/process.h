@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// Measurements of whole processes from outside, as the user meets them.
+// Measurements of whole processes from outside, as the user sees them.
 namespace clipc::bench {
 
 struct Run {

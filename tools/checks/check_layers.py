@@ -11,8 +11,8 @@ import tempfile
 # these. From the bottom to the top, as in the top-level CMakeLists.txt.
 VOCABULARY = "clip-table/vocabulary.h"
 LIBRARY = "compiler/clipc.hpp"  # what an application sees of the compiler
-# Their headers are installed below include/clipc, and include each other by the way from one to the other: an application's own
-# runtime/status.h cannot stand for clipc's.
+# The headers of the runtime and the clip table are installed below include/clipc, and include each other by the way from one to
+# the other: an application's own runtime/status.h cannot stand for clipc's.
 INSTALLED = re.compile(r"(runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc\.hpp")
 ROOMS = {
     VOCABULARY: set(),

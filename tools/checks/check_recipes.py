@@ -72,7 +72,7 @@ def problems(root):
 def self_test():
     """A page with one of each mistake: the check must see them all and nothing else."""
     page = """# Contributing
-1. `not/a.cpp`, which is no step of a recipe.
+1. `not/a.cpp`, which is not a step of a recipe.
 
 ## Recipes
 

@@ -24,7 +24,7 @@ def main():
     named = set(re.findall(r"`(\w+\.\w+)`", (root / "docs" / "errata.md").read_text()))
     of_documents = {test for test in there if re.match(r"(fail_)?seed\d{3}", test, re.IGNORECASE)}
     for test in sorted(named - there):
-        print(f"docs/errata.md names {test}, which is no test")
+        print(f"docs/errata.md names {test}, which is not a test")
     for test in sorted(of_documents - named):
         print(f"{test} is not in docs/errata.md")
     if not of_documents:

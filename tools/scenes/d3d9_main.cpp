@@ -2,8 +2,8 @@
 // A program for Windows: draws the scenes on a real IDirect3DDevice9, where the planes go from
 // clipc's table through Level9Binder to SetClipPlane, and writes the images as raw RGBA, rows
 // from top to bottom: FOLDER/<planes>-<mistake>.rgba, FOLDER/skinned.rgba and, drawn without a
-// vertex shader, FOLDER/fixed-function.rgba. Prints the time that setting unchanged planes takes
-// for each draw, for docs/runtime.md.
+// vertex shader, FOLDER/fixed-function.rgba. Prints the time of a draw whose planes do not
+// change, for docs/runtime.md.
 //   d3d9_scenes FOLDER TABLE.bin
 #include <algorithm>
 #include <cstdio>

@@ -151,7 +151,8 @@ void AddBuffers(const Json& reflection, const std::string& text, CompiledPair& p
     if (!each.at("used").get<bool>()) continue;
     const Json& glsl = each.at("glsl");
     if (!glsl.contains("block"))
-      throw std::runtime_error("the buffer " + each.at("name").get<std::string>() + " is no block");
+      throw std::runtime_error("the buffer " + each.at("name").get<std::string>() +
+                               " is not a block");
     ConstantBuffer buffer{glsl.at("block"), NumberOf(each.at("register")), each.at("size"), {}};
     Registers registers(reflection.at("structs"), buffer);
     registers.PlaceAll(each, text);

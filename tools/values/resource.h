@@ -19,7 +19,7 @@ struct Format {
   GLenum internal = GL_RGBA32F, components = GL_RGBA, type = GL_FLOAT;
   std::uint32_t count = 4;  // components of four bytes
 };
-// Takes the name of a format. Throws std::runtime_error for another word.
+// Reads the name of a format. Throws std::runtime_error for another word.
 const Format& TakeFormat(Scanner& line);
 const Format& FloatFormat();  // r32g32b32a32-float, what is meant where none is given
 

@@ -105,7 +105,7 @@ std::uint64_t Scanner::TakeInteger() {
 std::uint32_t Scanner::TakeCount() { return static_cast<std::uint32_t>(TakeInteger()); }
 
 std::optional<std::uint32_t> Scanner::TakeWord() {
-  // The words of a line end at what is no number, such as a comment.
+  // The words of a line end at what is not a number, such as a comment.
   if (at_end() || (std::isdigit(static_cast<unsigned char>(rest_.front())) == 0 &&
                    rest_.front() != '-' && rest_.front() != '.'))
     return std::nullopt;

@@ -53,22 +53,22 @@ class Scanner {
 
   bool at_end() const { return rest_.empty(); }
   std::string_view rest() const { return rest_; }
-  // Takes a word that a space, a parenthesis or the end follows, and the spaces after it.
+  // Reads a word that a space, a parenthesis or the end follows, and the spaces after it.
   bool Take(std::string_view word);
-  // Takes one character, and the spaces after it.
+  // Reads one character, and the spaces after it.
   bool TakeMark(char mark);
   void ExpectMark(char mark);
-  // Takes the characters up to the next space.
+  // Reads the characters up to the next space.
   std::string TakeName();
   double TakeNumber();
   std::uint32_t TakeCount();
-  // Takes an integer in any base that C has, negative ones as two's complement.
+  // Reads an integer in any base that C has, negative ones as two's complement.
   std::uint64_t TakeInteger();
-  // Takes a word of a resource: the bits of a float where there is a point, else an integer.
+  // Reads a word of a resource: the bits of a float where there is a point, else an integer.
   std::optional<std::uint32_t> TakeWord();
-  // Takes the numbers in parentheses, if the next character opens some.
+  // Reads the numbers in parentheses, if the next character opens some.
   std::vector<double> TakeList();
-  // Takes a qualifier, or nothing, which holds everywhere.
+  // Reads a qualifier, or nothing, which holds everywhere.
   Qualifier TakeQualifier(Model model);
 
  private:

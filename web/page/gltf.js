@@ -111,7 +111,7 @@ export function readGltf(bytes) {
   try {
     return meshOf(chunksOf(bytes));
   } catch (error) {
-    // What is no list, no object or no number where one has to be.
+    // A value that is not a list, an object or a number where one has to be.
     return error instanceof TypeError ||
       error instanceof RangeError ||
       error instanceof DOMException

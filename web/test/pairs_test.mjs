@@ -104,7 +104,7 @@ function withSwappedMembers(vertex) {
   return names && exchanged(blocks, names) + rest;
 }
 
-/** Both halves of the shader by clipc; null where the target or the browser cannot say them. */
+/** The two shaders of a pair by clipc; null where the target or the browser cannot say them. */
 function bothHalves(path) {
   const [vertex, fragment] = ['both.vert', 'both.frag'].map((file) => join(scratch, file));
   try {

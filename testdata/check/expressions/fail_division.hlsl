@@ -1,5 +1,5 @@
 // An integer divided by 0 is an error. Oracles: Microsoft's page of HLSL's errors, X4009 and X4010; dxc's validator, "No signed
-// integer division by zero". What control does not reach is no division.
+// integer division by zero". What control does not reach is not a division.
 // RUN: not %clipc -T vs_5_0 -fsyntax-only %s 2>&1 | FileCheck %s --implicit-check-not=error:
 // RUN: not %clipc -T vs_6_0 -fsyntax-only %s 2>&1 | FileCheck %s --implicit-check-not=error:
 #define COUNT 0

@@ -2,7 +2,7 @@
 float next(inout float x) { x += 1; return x; }
 float4 main(float4 v : POSITION, uint id : SV_VertexID) : SV_Position {
   float s = 0;
-  // fxc leaves the variable of a loop visible behind it: it moves to the top.
+  // fxc leaves the variable of a loop visible after it: it moves to the top.
   // CHECK: int last
   // CHECK: for (last = 0; last < 3; last++) {
   for (int last = 0; last < 3; last++) {

@@ -1,4 +1,4 @@
-// An argument of `unroll` that is no whole number is warned of, and the attribute is ignored. Oracle: fxc X3554, as DXC's test
+// An argument of `unroll` that is not a whole number is warned of, and the attribute is ignored. Oracle: fxc X3554, as DXC's test
 // attributes_Mod.hlsl cites it.
 // RUN: %clipc -T vs_6_0 -fsyntax-only %s 2>&1 | FileCheck %s --implicit-check-not=warning:
 float4 main(float4 p : POSITION) : SV_Position {

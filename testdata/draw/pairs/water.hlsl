@@ -1,4 +1,4 @@
-// Both halves of the lake of examples/water, in HLSL: the ground, lit, and the water over it, which reflects more the flatter the eye looks.
+// The two shaders of the lake of examples/water, in HLSL: the ground, lit, and the water over it, which reflects more the flatter the eye looks.
 // RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330,essl310,vulkan --forms pair
 // RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,vulkan --forms hlsl,spirv
 cbuffer Object : register(b0) {

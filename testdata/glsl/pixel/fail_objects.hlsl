@@ -1,4 +1,4 @@
-// What is no element for an atomic operation, no texel, and no one object.
+// What is not an element for an atomic operation, not a texel, and not one object.
 // RUN: not %clipc -T ps_5_0 -E index %s -o - 2>&1 | FileCheck %s --check-prefix=INDEX
 // RUN: not %clipc -T ps_5_0 -E tight --target=glsl450 %s -o - 2>&1 | FileCheck %s --check-prefix=TIGHT
 // RUN: not %clipc -T ps_5_0 -E texels -DTEXELS %s -o - 2>&1 | FileCheck %s --check-prefix=TEXELS

@@ -1,4 +1,4 @@
-// A pixel shader's inputs meet the vertex shader's outputs, and its outputs go to render targets.
+// A pixel shader's inputs match the vertex shader's outputs, and its outputs go to render targets.
 // RUN: %clipc -T ps_5_0 -E ps --validate --verify %s -o - | FileCheck %s
 // RUN: %clipc -T ps_5_0 -E ps --target=glsl330 --validate --verify %s -o - | FileCheck %s --check-prefix=BYNAME
 // RUN: %clipc -T ps_5_0 -E ps --target=vulkan --validate --verify %s -o - | FileCheck %s --check-prefix=VULKAN

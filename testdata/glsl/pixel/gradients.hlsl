@@ -52,7 +52,7 @@ float4 through_calls(float2 uv : UV) : SV_Target {
 }
 // CALLS: [[#@LINE-8]]:33: warning: a sample uses {{.*}} [-Wgradient-in-branch]
 
-// Both sides of `?:` are evaluated.
+// The two sides of `?:` are evaluated.
 float4 both_sides(float2 uv : UV) : SV_Target {
   bool is_far;
   Test(uv.y, is_far);

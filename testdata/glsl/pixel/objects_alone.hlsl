@@ -1,4 +1,4 @@
-// The name of an object is no statement in GLSL, so one that stands alone is left out (glslang's hlsl.automap.frag has such shaders).
+// The name of an object is not a statement in GLSL, so one that stands alone is left out (glslang's hlsl.automap.frag has such shaders).
 // RUN: %clipc -T ps_5_0 %s -o - --validate | FileCheck %s --match-full-lines
 Texture2D map;
 SamplerState linearly;

@@ -42,7 +42,7 @@ uint view(uint view : SV_ViewID, uint instance : SV_InstanceID) : SV_Target { re
 // VIEW: view = uint(gl_ViewID_OVR);
 // VIEW-NEXT: view + vs_SV_INSTANCEID0
 
-// Both halves pack the distances alike.
+// The two shaders pack the distances alike.
 struct Varyings {
   float4 position : SV_Position;
   float3 second : SV_ClipDistance1;

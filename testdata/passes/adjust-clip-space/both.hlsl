@@ -1,4 +1,4 @@
-// The last thing that main does, behind the distances, which are those of Direct3D's clip space.
+// The last thing that main does, after the distances, which are those of Direct3D's clip space.
 // RUN: %clipc -T vs_5_0 -E main --depth-range=negative-one-to-one --flip-y --dump-after=adjust-clip-space --stop-after=adjust-clip-space %s | FileCheck %s --check-prefixes=CHECK,FLIP,DEPTH
 // RUN: %clipc -T vs_5_0 -E main --flip-y --dump-after=adjust-clip-space --stop-after=adjust-clip-space %s | FileCheck %s --check-prefixes=CHECK,FLIP
 // RUN: %clipc -T vs_5_0 -E main --depth-range=negative-one-to-one --dump-after=adjust-clip-space --stop-after=adjust-clip-space %s | FileCheck %s --check-prefixes=CHECK,DEPTH

@@ -1,4 +1,4 @@
-// The pixel shader of a pair discards where one of the distances that the vertex shader writes is below 0, or is no number.
+// The pixel shader of a pair discards where one of the distances that the vertex shader writes is below 0, or is not a number.
 // RUN: %clipc %s -E vs --pixel-entry=ps --pixel-output=- --lower=discard --dump-after=discard-planes | FileCheck %s
 // RUN: %clipc %s -E vs --pixel-entry=ps --lower=discard -o %t.vert --pixel-output=%t.frag --validate
 cbuffer Planes { float4 planes[5]; };

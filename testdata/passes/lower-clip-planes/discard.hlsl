@@ -1,4 +1,4 @@
-// The distances reach the fragment shader as interpolated vectors; the discard is an include, or goes into a fragment shader.
+// The distances reach the fragment shader as interpolated vectors; the discard is an include, or is written into a fragment shader.
 // RUN: rm -rf %t && mkdir %t
 // RUN: %clipc -T vs_5_0 --lower=discard --validate %s -o %t/water.vert
 // RUN: FileCheck %s --check-prefix=VERT --input-file %t/water.vert

@@ -1,4 +1,4 @@
-// The planes are gone from the shader, on request.
+// The planes are removed from the shader, on request.
 // RUN: %clipc -T vs_5_0 -E main --lower=none --dump-after=lower-clip-planes --stop-after=lower-clip-planes %s | FileCheck %s
 
 cbuffer Planes {

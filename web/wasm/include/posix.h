@@ -25,7 +25,7 @@ int chmod(const char* path, mode_t mode);
 int fchmod(int file, mode_t mode);
 int fchmodat(int folder, const char* path, mode_t mode, int flags);
 mode_t umask(mode_t mask);
-/* These fail. */
+/* The functions that fail. */
 int dup(int file);
 int chown(const char* path, uid_t user, gid_t group);
 int fchown(int file, uid_t user, gid_t group);
