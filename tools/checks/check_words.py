@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Fails when a page or a message uses a word for which the field has a better known one.
+"""Fails when a page, a message or a comment uses a word for which the field has a better known one.
 
-    check_words.py            the pages, the man page, the help and the messages of this repository
+    check_words.py            the pages, the man page, the help, the messages and the comments of this repository
     check_words.py --test     the check's own examples
 
 The list below is that of a technical editor. Pages are those in docs/, CONTRIBUTING.md, CHANGELOG.md and each README.md, without code, paths and links;
 messages are the texts of base/diagnostic_kinds.def, their explanations are those in compiler/explanations/, and the help is that of compiler/own_options.cpp.
+Comments are those of the sources in C, C++, HLSL, Python, JavaScript and CMake, without code and quotations; a part of the list is for
+them.
 """
 
+import os
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+IS_NO = r"(?<!there )is no(?! (?:longer|more|less|better|larger|bigger|smaller|greater)\b)"
 
 # What is found, and what to write instead.
 WORDS = {
@@ -30,11 +35,18 @@ WORDS = {
     r"kin": "the names of what is meant",
     r"ask(?:s|ed)? for": "query, need or request",
     r"stands?(?! (?:for|in for|still)\b)": "is",
-    r"(?<!there )is no(?! (?:longer|more|less|better|larger|bigger|smaller|greater)\b)": "is not a",
+    IS_NO: "is not a",
     r"(?:^|[.:;] )Of (?!course\b|(?:the )?\d)": "In",
 }
-# These are for pages and the help. Messages say "takes 2 arguments", as compilers of C++ do.
+# More words for pages and the help. Messages say "takes 2 arguments", as compilers of C++ do.
 PAGE_WORDS = {r"tak(?:es?|en|ing)|took": "accept, read, use, need or last"}
+# For comments. The sources have other meanings of the words that are not here: "turns X into Y", a plane that meets a point.
+COMMENT_WORDS = {
+    pattern: WORDS[pattern]
+    for pattern in (r"pictures?", r"settings?", r"peers?", r"mend(?:s|ed)?", IS_NO)
+} | {
+    r"(?:\d|\bN|each|every|fewer|first|further|last|loop's|more|next|of|whose) turns?": "iteration",
+}
 
 # What a page says in its own right: (page, text).
 EXCEPTIONS = {
@@ -77,10 +89,25 @@ def rules(source):
     return strings(without, r'\s+"(?!.*", (?:R|""\)))')
 
 
-def readmes():
-    """Each README.md that is not in a folder of builds or of packages for node."""
-    skipped = {"build", "node_modules"}
-    return [path for path in sorted(ROOT.rglob("README.md")) if not skipped & set(path.parts)]
+SLASHES = re.compile(r"(?:^|\s)//+(.*)|^\s*(?:/\*+|\*(?= ))(.*)")
+SIGN = re.compile(r"(?:^|\s)#(.*)")
+COMMENT = dict.fromkeys([".c", ".cpp", ".h", ".hlsl", ".hpp", ".js", ".mjs"], SLASHES)
+COMMENT |= dict.fromkeys([".cmake", ".py"], SIGN)
+# What is quoted, and what a lit test runs or expects.
+QUOTED = re.compile(r"`[^`]*`|\"[^\"]*\"|^ ?[A-Z][A-Z0-9_-]*:.*")
+
+
+def comments(source, comment):
+    """The comment of each line, without code; the other lines become empty."""
+    found = (comment.search(line) for line in source.split("\n"))
+    return "\n".join(QUOTED.sub("", match[match.lastindex]) if match else "" for match in found)
+
+
+def files():
+    """Each file that is not in a folder of builds, of packages for node or of a fuzzer's corpus."""
+    for folder, folders, names in os.walk(ROOT):
+        folders[:] = sorted(set(folders) - {"build", "node_modules", "corpus", ".git"})
+        yield from (pathlib.Path(folder, name) for name in sorted(names))
 
 
 def texts():
@@ -88,7 +115,7 @@ def texts():
     for page in [
         ROOT / "CONTRIBUTING.md",
         ROOT / "CHANGELOG.md",
-        *readmes(),
+        *(path for path in files() if path.name == "README.md"),
         *sorted((ROOT / "docs").glob("[!R]*.md")),
     ]:
         if page.name == "diagnostics.md":
@@ -111,6 +138,11 @@ def texts():
             prose(rules(file.read_text())),
             WORDS | PAGE_WORDS,
         )
+    for path in files():
+        comment = SIGN if path.name == "CMakeLists.txt" else COMMENT.get(path.suffix)
+        if comment and path.name != pathlib.Path(__file__).name:
+            text = comments(path.read_text(errors="replace"), comment)
+            yield str(path.relative_to(ROOT)), text, COMMENT_WORDS
 
 
 def test():
@@ -139,6 +171,17 @@ def test():
         text for text, word in found.items() if [f[1] for f in faults(prose(text), words)] != [word]
     ]
     bad += [text for text in silent if list(faults(prose(text), words))]
+    source = """
+int peers;  // the peers
+# no comment: peers
+/* This is no error. */
+ * The loop's turns. It turns `settings` on, in turn, and "pictures" too.
+int n;  // mended
+// CHECK: image2D picture;
+"""
+    seen = [fault[:2] for fault in faults(comments(source, SLASHES), COMMENT_WORDS)]
+    if sorted(seen) != [(2, "peers"), (4, "is no"), (5, "loop's turns"), (6, "mended")]:
+        bad.append(f"comments: {seen}")
     print("\n".join(f"wrong about: {text}" for text in bad) or "every rule finds its word")
     return bool(bad)
 
@@ -151,7 +194,7 @@ def main():
         for name, text, words in texts()
         for line, word, better in faults(text, words)
     ]
-    print("\n".join(sorted(found)) or "every page and message uses the field's words")
+    print("\n".join(sorted(found)) or "every page, message and comment uses the field's words")
     return bool(found)
 
 
