@@ -5,7 +5,7 @@
     check_words.py            the pages, the man page, the help, the messages and the comments of this repository
     check_words.py --test     the check's own examples
 
-The list below is that of a technical editor. Pages are those in docs/, CONTRIBUTING.md, CHANGELOG.md and each README.md, without code, paths and links;
+The list below is that of a technical editor. Pages are those below docs/, CONTRIBUTING.md, CHANGELOG.md and each README.md, without code, paths and links;
 messages are the texts of base/diagnostic_kinds.def, their explanations are those in compiler/explanations/, and the help is that of compiler/own_options.cpp.
 Comments are those of the sources in C, C++, HLSL, Python, JavaScript and CMake, without code and quotations; a part of the list is for
 them.
@@ -116,7 +116,7 @@ def texts():
         ROOT / "CONTRIBUTING.md",
         ROOT / "CHANGELOG.md",
         *(path for path in files() if path.name == "README.md"),
-        *sorted((ROOT / "docs").glob("[!R]*.md")),
+        *sorted((ROOT / "docs").rglob("[!R]*.md")),
     ]:
         if page.name == "diagnostics.md":
             continue  # made of the messages and their explanations
