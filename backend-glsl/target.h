@@ -167,7 +167,7 @@ class Target {
   bool HasInCore(Feature feature) const { return Has(feature) && Of(feature).extension.empty(); }
 
   // The number of textures that every OpenGL 4 and OpenGL ES 3.1 can bind at once, the least that
-  // their GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang takes no binding from 80 on.
+  // their GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang accepts no binding from 80 on.
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
 
   // What is added to the numbers of registers in a pixel shader: to all bindings of Vulkan, and to

@@ -10,7 +10,7 @@
 /// the compiler, the clip table and an application that links clipc::runtime share one definition.
 namespace clipc {
 
-/// The number of planes that [clipplanes(...)] takes at most: Direct3D 9 has D3DCS_PLANE0 to 5.
+/// The number of planes that [clipplanes(...)] has at most: Direct3D 9 has D3DCS_PLANE0 to 5.
 inline constexpr std::uint32_t kMaxClipPlanes = 6;
 
 /// The way in which a compiled shader clips with its planes, which decides what the application

@@ -8,7 +8,7 @@
 #include "backend-glsl/target.h"
 
 // The options that say where a Vulkan shader's buffers and objects are bound. Their values are
-// words apart by one blank; a function returns false for a value that its option cannot take.
+// words apart by one blank; a function returns false for a value that its option does not accept.
 namespace clipc {
 
 // The words of an option's value, which one blank separates.

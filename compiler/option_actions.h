@@ -90,7 +90,7 @@ inline void SetVulkanVersion(Reading& reading, const std::string& value) {
   Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);
 }
 
-// Reads a rule for bindings. The advice of the option says what it takes.
+// Reads a rule for bindings. The advice of the option says what it accepts.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view), bool kIsForVulkan = true>
 void Bind(Reading& reading, const std::string& value) {
   if (kIsForVulkan) reading.vulkan_option = reading.option;

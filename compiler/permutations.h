@@ -11,7 +11,7 @@
 
 namespace clipc {
 
-// A macro that takes several values in turn.
+// A macro that has several values in turn.
 struct MacroAxis {
   std::string macro;
   std::vector<std::optional<std::string>> values;  // none: the macro is not defined
@@ -32,7 +32,7 @@ struct ShaderGroup {
 // The most permutations that one run compiles.
 inline constexpr std::size_t kMaxPermutations = std::size_t{1} << 18;
 
-// Takes the macros with a list of values, "A={0,1,2}", out of `defines`. A value is the text
+// Moves the macros with a list of values, "A={0,1,2}", out of `defines`. A value is the text
 // between two commas outside brackets; "A={{1,2}}" has the one value "{1,2}".
 std::vector<MacroAxis> TakeAxes(std::vector<std::string>& defines);
 

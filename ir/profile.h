@@ -33,9 +33,9 @@ struct Profile {
 };
 
 // Reads the name of a profile, "vs_4_0_level_9_1" or the like, in any case. Returns nullopt for a
-// name that neither compiler takes.
+// name that neither compiler accepts.
 std::optional<Profile> ParseProfile(std::string_view name);
-// The names of the stage's profiles that either compiler takes, in the order of their versions.
+// The names of the stage's profiles that either compiler accepts, in the order of their versions.
 std::vector<std::string> ProfilesOf(Stage stage);
 
 }  // namespace clipc::ir

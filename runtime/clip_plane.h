@@ -34,7 +34,7 @@ inline constexpr float kMaxPlaneScale = 0x1p112f;
 /// Rounds `plane`. Errors: kNotFinite, kNotRepresentable.
 Result<Float4> RoundPlane(const Plane& plane) noexcept;
 
-/// The plane C_P in clip space, which [clipplanes] and SetClipPlane take:
+/// The plane C_P in clip space, which [clipplanes] and SetClipPlane need:
 /// dot(v * projection, C_P) == dot(v, view_plane) for every v. Solves projection * C_P = view_plane
 /// for any invertible projection: perspective and orthographic, either handedness, either depth
 /// range, reversed, infinite, off-centre, jittered; by a closed form if ShapeOf holds, else by

@@ -62,7 +62,7 @@ class EdgeMaker {
   Vec4<Wide> plane_;
 };
 
-// At most `count` random edges; fewer where it takes too many tries.
+// At most `count` random edges; fewer where it needs too many tries.
 std::vector<Edge> MakeEdges(const Setup& setup, long count, std::uint64_t seed);
 
 }  // namespace clipc::study

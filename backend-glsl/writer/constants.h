@@ -12,7 +12,7 @@ namespace clipc::glsl {
 
 // Tells which expressions are constant expressions as the writer writes them: what GLSL asks of the
 // value of a `const` variable, and GLSL ES of the value of a global one. glslang, which decides
-// what is valid, takes fewer expressions for constants than section 4.3.3 does.
+// what is valid, accepts fewer expressions for constants than section 4.3.3 does.
 //
 // The answers for variables are kept, so the program must not change while this lives. Asking for
 // variables in the order of their declarations keeps the recursion flat.

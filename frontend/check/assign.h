@@ -20,7 +20,7 @@ ExprId ElementIn(const Context& context, ExprId expr);
 // must come before.
 ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue);
 // Whether the expression is m._m00_m11[i], a component chosen at run time among several of a
-// matrix, which CheckTarget takes and GLSL does not.
+// matrix, which CheckTarget accepts and GLSL does not.
 bool IsChosenComponent(const Context& context, ExprId expr);
 // Turns such an `element` into one of a variable that holds those components, so that it can be
 // changed. Returns the store of the variable into the matrix, which belongs after the change; an

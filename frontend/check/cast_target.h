@@ -4,7 +4,7 @@
 #include "frontend/check/context.h"
 
 // A cast of a variable or of a part of one that is assigned to, (float3)v = x, or passed for an
-// inout or out parameter, f((A)v). fxc takes both: engines pass the vertex of one material to the
+// inout or out parameter, f((A)v). fxc accepts both: engines pass the vertex of one material to the
 // functions of another.
 namespace clipc::check {
 

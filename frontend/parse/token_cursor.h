@@ -45,7 +45,7 @@ class TokenCursor {
     ++pos_;
     return true;
   }
-  // Takes one `>`, which may be the start of `>>`, `>=` or `>>=`.
+  // Accepts one `>`, which may be the start of `>>`, `>=` or `>>=`.
   bool AcceptGreater();
 
   Span Here() const { return Peek().span(); }
@@ -104,10 +104,10 @@ class TokenCursor {
 
   // ---- expected tokens, and going on after an error
   bool Expect(TokenKind kind, std::string_view expected);
-  // Takes the bracket that closes the one at position `open`, and ends the panic there. `or_else`
+  // Reads the bracket that closes the one at position `open`, and ends the panic there. `or_else`
   // names the other tokens that could be there: "`,` or ".
   bool ExpectClose(TokenKind close, std::size_t open, std::string_view or_else = {});
-  // Takes the bracket that closes the one at position `open`; if it is missing, goes on after the
+  // Reads the bracket that closes the one at position `open`; if it is missing, goes on after the
   // next one that fits.
   void Close(TokenKind close, std::size_t open) {
     if (!ExpectClose(close, open)) SkipToClose(close);

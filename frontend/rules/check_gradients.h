@@ -11,7 +11,7 @@ namespace clipc::rules {
 //
 // Flow varies where a condition follows from an input that is interpolated or from an atomic
 // operation, and after a `return` in such flow. Flat inputs, the front face and the like are the
-// same for the pixels of a quad. Requires a program without errors; takes time linear in it.
+// same for the pixels of a quad. Requires a program without errors; needs time linear in it.
 void CheckGradients(const Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules

@@ -89,7 +89,7 @@ class WrittenState {
                static_cast<std::uint16_t>(now_[slot].must | mask)});
   }
   std::size_t Mark() const { return log_.size(); }
-  // Takes back all changes since the mark, and returns each changed slot with its value.
+  // Reverts all changes since the mark, and returns each changed slot with its value.
   Changes TakeSince(std::size_t mark);
   // Makes the state that of a point where two paths join, which began with this one.
   void Join(const Changes& one, const Changes& other);

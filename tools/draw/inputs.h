@@ -62,7 +62,7 @@ struct Inputs {
   };
   struct Texture {
     struct Level {
-      // The size as glTexImage3D takes it: six layers for each cube of an array.
+      // The size as glTexImage3D needs it: six layers for each cube of an array.
       std::array<std::uint32_t, 3> size{1, 1, 1};
       Words words;  // four for each texel, one where `compares` is set
     };

@@ -36,7 +36,7 @@ Flag Number(Integer& to) {
 inline Flag On(bool& to) {
   return {false, [&to](const std::string&) { to = true; }};
 }
-// A flag whose value `handle` takes.
+// A flag whose value `handle` reads.
 inline Flag With(std::function<void(const std::string& value)> handle) {
   return {true, std::move(handle)};
 }

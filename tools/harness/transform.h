@@ -44,7 +44,7 @@ inline Matrix LookAt(Vector eye, Vector target) {
            {-Dot(x, eye), -Dot(y, eye), -Dot(z, eye), 1}}};
 }
 
-// The elements row after row, as glUniformMatrix4fv takes them without transposing, and as they lie
+// The elements row after row, as glUniformMatrix4fv reads them without transposing, and as they lie
 // in a constant buffer that was compiled with -Zpr.
 inline std::array<float, 16> Floats(const Matrix& matrix) {
   std::array<float, 16> floats;

@@ -44,7 +44,7 @@ struct Program {
   Structs structs;
   std::vector<ConstantBuffer> buffers;
 
-  // The options that clipc-draw compare takes for the program.
+  // The options that clipc-draw compare needs for the program.
   std::string Options() const;
 };
 

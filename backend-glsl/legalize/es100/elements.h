@@ -15,7 +15,7 @@ class Elements {
   explicit Elements(const Legalizer& legalizer);
 
   // The number of elements that an index which is not constant chooses from; 0 for an index that
-  // the target takes, and for an expression that is not an Index.
+  // the target accepts, and for an expression that is not an Index.
   std::uint32_t CountOf(ir::ExprId expr) const;
 
  private:

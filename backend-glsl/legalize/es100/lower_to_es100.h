@@ -6,14 +6,14 @@
 // The steps of LowerToEs100.
 namespace clipc::glsl {
 
-// Rewrites loops for targets that take only loops that count from constant to constant: the index
+// Rewrites loops for targets that accept only loops that count from constant to constant: the index
 // is declared in the head, and a further condition leaves the loop. CheckTarget refuses other
 // loops.
 //
 //   for (i = 0; i < 4 && more; ++i) ..  =>  for (int i = 0; i < 4; i++) { if (!more) break; .. }
 void LowerLoops(Legalizer& legalizer);
 
-// Replaces elements whose index is not constant, for targets that take such an index of uniforms
+// Replaces elements whose index is not constant, for targets that accept such an index of uniforms
 // only. An index out of range takes the last element. A vector or matrix may keep the index of a
 // loop.
 //
