@@ -91,11 +91,11 @@ Captured PartAt(const std::vector<Output>& outputs, const std::vector<Captured>&
   Captured part;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!outputs[i].location || location < *outputs[i].location) continue;
-    const std::size_t size = outputs[i].shape.rows, whole = outputs[i].Words();
+    const std::size_t size = outputs[i].layout.rows, whole = outputs[i].Words();
     const std::size_t first = (location - *outputs[i].location) * size;
     if (first >= whole) continue;
-    part.shape = outputs[i].shape;
-    part.shape.columns = 1;
+    part.layout = outputs[i].layout;
+    part.layout.columns = 1;
     for (std::size_t at = first; at < captured[i].words.size(); at += whole) {
       for (std::size_t k = 0; k < size; ++k) part.words.push_back(captured[i].words[at + k]);
     }

@@ -178,7 +178,7 @@ std::vector<Vector> OutputsOf(const Spirv& declared) {
   for (const Output& output : vulkan::OutputsOf(declared)) {
     if (!output.location) continue;
     variables.push_back({output.name, output.semantic, *output.location,
-                         static_cast<std::uint32_t>(output.count * output.shape.columns)});
+                         static_cast<std::uint32_t>(output.count * output.layout.columns)});
   }
   return Count(variables);
 }
