@@ -107,7 +107,13 @@ function showAdvice() {
     lower: element('lower').value,
     chain: scene.chain,
   });
-  element('sentence').textContent = text;
+  const words = text.split(/(--[\w=-]+)/).map((part, at) => {
+    if (at % 2 === 0) return part;
+    const option = document.createElement('code');
+    option.textContent = part;
+    return option;
+  });
+  element('sentence').replaceChildren(...words);
   element('fix').hidden = !fix;
   element('fix').textContent = fix?.text ?? '';
   element('fix').onclick = () => setValues(fix.values);
