@@ -135,7 +135,7 @@ def contents(sections):
     """The lists at the top: the groups, the names by their first letter, and fxc's codes."""
     yield "## Contents\n"
     for title, rows in sections.items():
-        yield f"- [{title}](#{anchor(title)}): {len(rows)}"
+        yield f"- [{title}](#{anchor(title)}): {len(rows)} kinds"
     yield "- [By name](#by-name)"
     yield "- [By fxc's code](#by-fxcs-code)"
     names = sorted((name for rows in sections.values() for name, *_ in rows), key=printed)
