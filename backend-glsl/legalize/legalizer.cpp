@@ -6,6 +6,7 @@
 
 #include "backend-glsl/intrinsics.h"
 #include "base/operators.h"
+#include "ir/evaluate.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
@@ -28,8 +29,27 @@ bool MayDiffer(const Program& program, BinaryOp op, ExprId left) {
          type.kind == TypeKind::kMatrix;
 }
 
-// Whether the expression is the least integer of 32 or 64 bits.
-bool IsLeastInteger(const Program& program, const Expr& expr) {
+// Whether the expression is an operator between literals, or between literals with a sign.
+bool IsOfLiterals(const Program& program, const Expr& expr) {
+  const auto is_literal = [&](ExprId operand) {
+    const auto* sign = As<Unary>(program, operand);
+    return As<Literal>(program, sign ? sign->operand : operand) != nullptr;
+  };
+  if (const auto* unary = std::get_if<Unary>(&expr.node)) return is_literal(unary->operand);
+  const auto* binary = std::get_if<Binary>(&expr.node);
+  return binary && is_literal(binary->left) && is_literal(binary->right);
+}
+
+// Whether the expression is the least integer of 32 or 64 bits, as a literal, as 1 << 31 or as
+// -2147483647 - 1.
+bool IsLeastInteger(const Program& program, ExprId id) {
+  const Expr& expr = program.exprs[id];
+  if (IsOfLiterals(program, expr)) {
+    const Scalar kind = program.types[expr.type].scalar;
+    const auto bits =
+        IsFloat(kind) || kind == Scalar::kBool ? std::nullopt : ConstantBits(program, id);
+    return bits && bits->front() == std::uint64_t{1} << (IsWide(kind) ? 63 : 31);
+  }
   const auto* literal = std::get_if<Literal>(&expr.node);
   if (!literal || literal->bits < std::uint64_t{1} << 31) return false;
   const Scalar kind = program.types[expr.type].scalar;
@@ -88,7 +108,7 @@ Legalizer::Legalizer(Program& program, const Target& target)
     : program(program), target(target), first_new_(program.exprs.size()) {
   for (const ExprId expr : program.exprs.ids()) {
     if (MayChange(program, target, program.exprs[expr])) operations_.push_back(expr);
-    names_least_integer_ |= IsLeastInteger(program, program.exprs[expr]);
+    names_least_integer_ |= IsLeastInteger(program, expr);
   }
 }
 

@@ -124,7 +124,7 @@ ExprId AssignToCast(Context& context, const ast::AssignExpr& expr, TypeId type, 
   ExprId value = expr.op || !context.Is<ast::InitListExpr>(expr.right)
                      ? CheckExpr(context, expr.right)
                      : CheckInit(context, expr.right, type);
-  if (context.IsError(target, value) || !CheckCastTarget(context, target, type))
+  if (context.IsError(target, value) || !CheckCastTarget(context, target, expr.left, type))
     return context.ErrorExpr(span);
   target = Stabilize(context, target, steps);
   if (expr.op) {
@@ -136,6 +136,15 @@ ExprId AssignToCast(Context& context, const ast::AssignExpr& expr, TypeId type, 
   const ExprId stored = Hoist(context, value, steps);
   StoreComponents(context, target, stored, steps);
   return WithPrologue(context, steps, Clone(context.program, stored));
+}
+
+// The assignment ((int4)v).xy = value  =>  v.xy = (float2)(int2)value: `path` is v.xy.
+ExprId AssignToUncast(Context& context, const ast::AssignExpr& expr, ExprId path, TypeId type,
+                      Span span) {
+  ExprId value = CheckInit(context, expr.right, type);
+  if (context.IsError(value) || !CheckTarget(context, path)) return context.ErrorExpr(span);
+  value = ConvertSilently(context, value, context.TypeIdOf(path));
+  return StoreTo(context, path, value, span);
 }
 
 // The assignment float4(a, b) = value  =>  (t = value, a = t.xy, b = t.zw, t), which fxc takes (its
@@ -291,6 +300,11 @@ ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
   const ExprId left = CheckExpr(context, expr.left);
   if (const ast::ExprId operand = CastOperand(context, left))
     return AssignToCast(context, expr, context.TypeIdOf(left), operand, span);
+  if (context.program.profile.IsDirect3D9() && !expr.op && context.Is<Swizzle>(left) &&
+      !RootOf(context.program, left)) {
+    if (const ExprId path = WithoutCasts(context, left))
+      return AssignToUncast(context, expr, path, context.TypeIdOf(left), span);
+  }
   if (IsBitField(context, left)) {
     const ExprId value = expr.op ? CheckExpr(context, expr.right)
                                  : CheckInit(context, expr.right, context.TypeIdOf(left));

@@ -2,6 +2,8 @@
 #include "frontend/check/byte_access.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <span>
 #include <utility>
 
 #include "frontend/check/type.h"
@@ -13,18 +15,18 @@
 namespace clipc::check {
 namespace {
 
-bool IsWord(Scalar scalar) {
+bool IsMadeOfWords(Scalar scalar) {
   const Scalar base = BaseOf(scalar);
-  return base == Scalar::kFloat || base == Scalar::kInt || base == Scalar::kUint ||
-         base == Scalar::kBool;
+  return IsWide(scalar) || base == Scalar::kFloat || base == Scalar::kInt ||
+         base == Scalar::kUint || base == Scalar::kBool;
 }
 
-// Whether a value of the type consists of 32-bit words alone.
+// Whether a value of the type consists of words of 32 bits alone, or of pairs of them.
 bool ConsistsOfWords(const Context& context, TypeId id) {
   const Type& type = context[id];
   if (type.kind == TypeKind::kArray)
     return type.count != 0 && ConsistsOfWords(context, type.element);
-  if (type.kind != TypeKind::kStruct) return type.IsNumeric() && IsWord(type.scalar);
+  if (type.kind != TypeKind::kStruct) return type.IsNumeric() && IsMadeOfWords(type.scalar);
   const std::vector<Field>& fields = context.types.StructOf(id).fields;
   return !fields.empty() && std::ranges::all_of(fields, [&](const Field& field) {
     return ConsistsOfWords(context, field.type);
@@ -49,8 +51,7 @@ class Access {
         object_(object),
         type_(type),
         span_(span),
-        is_single_(context[type].kind == TypeKind::kScalar ||
-                   context[type].kind == TypeKind::kVector) {
+        is_single_(!IsWide(context[type].scalar) && context[type].IsScalarOrVector()) {
     HoldIndex();
     address = Implicit(context, address, context.types.Make(Scalar::kUint));
     if (const auto* literal = context.GetIf<Literal>(address)) {
@@ -96,23 +97,51 @@ class Access {
         {context_.program, name, method_span_, arguments, span_, context_, context_.diagnostics},
         CopyOf(object_));
   }
-  ExprId CallIntrinsic(std::string_view name, ExprId argument) {
-    const ExprId arguments[] = {argument};
-    return CheckIntrinsicCall(
-        {context_.program, name, method_span_, arguments, span_, context_, context_.diagnostics});
+  ExprId CallIntrinsic(std::string_view name, std::initializer_list<ExprId> arguments) {
+    return CheckIntrinsicCall({context_.program, name, method_span_,
+                               std::span(arguments.begin(), arguments.size()), span_, context_,
+                               context_.diagnostics});
+  }
+
+  ExprId Word() {
+    const ExprId arguments[] = {Address()};
+    next_ += 4;
+    return CallMethod("Load", arguments);
+  }
+
+  // The scalar or vector of 64 bits a component that lies at the next words, the low one first.
+  ExprId Pairs(TypeId id) {
+    const Type type = context_[id];
+    Exprs components;
+    for (int i = 0; i < type.columns; ++i) {
+      const ExprId low = Word(), high = Word();
+      if (context_.IsError(low, high)) return low;
+      if (type.scalar == Scalar::kDouble) {
+        components.push_back(CallIntrinsic("asdouble", {low, high}));
+        continue;
+      }
+      Builder at = context_.At(span_);
+      const ExprId upper = at.BinaryOf(BinaryOp::kShiftLeft, at.ConvertTo(Scalar::kUint64, high),
+                                       at.Add(context_.types.Make(Scalar::kUint64), Literal{32}));
+      const ExprId whole = at.BinaryOf(BinaryOp::kBitOr, at.ConvertTo(Scalar::kUint64, low), upper);
+      components.push_back(at.ConvertTo(type.scalar, whole));
+    }
+    return type.kind == TypeKind::kScalar ? components[0]
+                                          : context_.At(span_).ConstructOf(id, components);
   }
 
   // The scalar or vector that lies at the next words.
   ExprId Words(TypeId id) {
     constexpr std::string_view kMethods[] = {"Load", "Load2", "Load3", "Load4"};
     const Type type = context_[id];
+    if (IsWide(type.scalar)) return Pairs(id);
     const ExprId arguments[] = {Address()};
     const ExprId words = CallMethod(kMethods[type.columns - 1], arguments);
     next_ += 4 * type.columns;
     if (context_.IsError(words)) return words;
     switch (BaseOf(type.scalar)) {
-      case Scalar::kFloat: return ConvertSilently(context_, CallIntrinsic("asfloat", words), id);
-      case Scalar::kInt: return ConvertSilently(context_, CallIntrinsic("asint", words), id);
+      case Scalar::kFloat: return ConvertSilently(context_, CallIntrinsic("asfloat", {words}), id);
+      case Scalar::kInt: return ConvertSilently(context_, CallIntrinsic("asint", {words}), id);
       default: return ConvertSilently(context_, words, id);
     }
   }
@@ -127,7 +156,7 @@ class Access {
       for (std::uint32_t i = 0; i < type.columns; ++i) parts.push_back(Words(column));
       if (context_.IsError(parts[0])) return parts[0];
       const TypeId transposed = context_.types.Matrix(type.scalar, type.columns, type.rows);
-      return CallIntrinsic("transpose", context_.At(span_).ConstructOf(transposed, parts));
+      return CallIntrinsic("transpose", {context_.At(span_).ConstructOf(transposed, parts)});
     }
     const std::uint32_t count = context_.types.PartCount(id);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -137,11 +166,42 @@ class Access {
     return context_.At(span_).ConstructOf(id, parts);
   }
 
+  void StoreWord(ExprId word) {
+    const ExprId arguments[] = {Address(), word};
+    stores_.push_back(CallMethod("Store", arguments));
+    next_ += 4;
+  }
+
+  // Adds the stores of a scalar or vector of 64 bits a component, whose low words come first.
+  void StorePairs(ExprId value) {
+    Builder at = context_.At(span_);
+    const Type type = context_.TypeOf(value);
+    const TypeId component = context_.types.Make(type.scalar);
+    const TypeId word = context_.types.Make(Scalar::kUint);
+    for (int i = 0; i < type.columns; ++i) {
+      const ExprId one =
+          type.kind == TypeKind::kScalar ? CopyOf(value) : at.Swizzled(CopyOf(value), {i});
+      if (type.scalar == Scalar::kDouble) {
+        const ExprId low = Hoist(context_, at.ZeroOf(word), prologue_);
+        const ExprId high = Hoist(context_, at.ZeroOf(word), prologue_);
+        stores_.push_back(CallIntrinsic("asuint", {one, low, high}));
+        StoreWord(Clone(context_.program, low));
+        StoreWord(Clone(context_.program, high));
+      } else {
+        StoreWord(at.ConvertTo(Scalar::kUint, one));
+        const ExprId upper = at.BinaryOf(BinaryOp::kShiftRight, Clone(context_.program, one),
+                                         at.Add(component, Literal{32}));
+        StoreWord(at.ConvertTo(Scalar::kUint, upper));
+      }
+    }
+  }
+
   // Adds the store of a scalar or vector.
   void StoreWords(ExprId value) {
     constexpr std::string_view kMethods[] = {"Store", "Store2", "Store3", "Store4"};
     const Type type = context_.TypeOf(value);
-    if (BaseOf(type.scalar) == Scalar::kFloat) value = CallIntrinsic("asuint", value);
+    if (IsWide(type.scalar)) return StorePairs(value);
+    if (BaseOf(type.scalar) == Scalar::kFloat) value = CallIntrinsic("asuint", {value});
     const ExprId arguments[] = {Address(), value};
     stores_.push_back(CallMethod(kMethods[type.columns - 1], arguments));
     next_ += 4 * type.columns;

@@ -110,6 +110,16 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
   // fxc calls an intrinsic where no function of the shader's can take the arguments.
   const bool shadows = choice.function && !is_later &&
                        !(choice.changes_shape && context.program.profile.IsAtLeast(6, 0));
+  // DXC looks for a function of the shader's only where no intrinsic takes the arguments
+  // (HLSLExternalSource::AddOverloadedCallCandidates; vkd3d's intrinsic-override.shader_test).
+  if (shadows && is_intrinsic && !is_method && context.program.profile.IsAtLeast(6, 0) &&
+      TakesArguments({context.program, context[name.name.name], name_span, arguments, span, context,
+                      context.diagnostics})) {
+    const ast::FunctionDecl& decl = DeclOf(context, context[choice.function]);
+    context.Report(name_span, diag::IntrinsicBeforeFunction, context[name.name.name])
+        .Note(decl.name_span, diag::DeclaredHere, context[decl.name]);
+    return call_intrinsic();
+  }
   if (is_intrinsic && !shadows) return call_intrinsic();
   if (!choice.function) {
     ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
@@ -214,7 +224,7 @@ ExprId BindCast(Context& context, const Parameter& parameter, TypeId type, ast::
                 Exprs& before, Exprs& after) {
   ExprId target = TakeSteps(context, CheckExpr(context, operand), before);
   const Span span = context[target].span;
-  if (context.IsError(target) || !CheckCastTarget(context, target, type))
+  if (context.IsError(target) || !CheckCastTarget(context, target, {}, type))
     return context.ErrorExpr(span);
   target = Stabilize(context, target, before);
   ExprId copy;

@@ -66,6 +66,10 @@ class Pieces {
   int offset_ = 0;
 };
 
+bool IsSameKind(Scalar one, Scalar other) {
+  return (IsFloat(one) && IsFloat(other)) || BaseOf(one) == BaseOf(other);
+}
+
 }  // namespace
 
 ast::ExprId PathOfCast(const Context& context, ExprId value, ast::ExprId operand, TypeId type) {
@@ -89,14 +93,41 @@ ast::ExprId CastOperand(const Context& context, ExprId value) {
   return found == context.casts.end() ? ast::ExprId{} : found->second;
 }
 
-bool CheckCastTarget(Context& context, ExprId target, TypeId type) {
+// Only fxc's 2.0 and 3.0 assign to a cast that changes the type of the components, whichever cast
+// of several it is: vkd3d's lhs-cast.shader_test and lhs-partial-assignment.shader_test.
+bool CheckCastTarget(Context& context, ExprId target, ast::ExprId cast, TypeId type) {
   if (!CheckTarget(context, target)) return false;
+  const auto* outer = cast ? context.GetIf<ast::CastExpr>(cast) : nullptr;
+  for (; outer && !context.program.profile.IsDirect3D9();
+       outer = context.GetIf<ast::CastExpr>(outer->operand)) {
+    const Type &from = context.TypeOf(target), &to = context[ResolveType(context, outer->type)];
+    if (!from.IsNumeric() || !to.IsNumeric() || IsSameKind(from.scalar, to.scalar)) continue;
+    context.Report(context[cast].span, diag::CastTargetKind, context.TypeName(target),
+                   context.TypeName(ResolveType(context, outer->type)));
+    return false;
+  }
   const bool is_whole =
       ComponentsOf(context, context.TypeIdOf(target)) >= ComponentsOf(context, type);
   if (is_whole && !context.Is<MatrixSwizzle>(target) && !IsChosenComponent(context, target))
     return true;
   context.Report(context[target].span, diag::NotAssignable);
   return false;
+}
+
+ExprId WithoutCasts(Context& context, ExprId path) {
+  Builder at = context.At(context[path].span);
+  if (const auto* cast = context.GetIf<Convert>(path)) return WithoutCasts(context, cast->operand);
+  if (const auto* swizzle = context.GetIf<Swizzle>(path)) {
+    Swizzle node = *swizzle;
+    ExprId base = WithoutCasts(context, node.base);
+    if (!base) return base;
+    if (const auto* inner = context.GetIf<Swizzle>(base)) {
+      for (std::uint8_t& component : node.components) component = inner->components[component];
+      base = inner->base;
+    }
+    return at.Swizzled(base, std::span(node.components).first(node.count));
+  }
+  return RootOf(context.program, path) ? path : ExprId{};
 }
 
 // A matrix stays in the upper left corner of one with more columns, as in fxc (vkd3d's

@@ -17,8 +17,12 @@ ast::ExprId PathOfCast(const Context& context, ExprId value, ast::ExprId operand
 void NoteCast(Context& context, ExprId value, ast::ExprId operand);
 // The operand of the cast that made `value`; none if none did.
 ast::ExprId CastOperand(const Context& context, ExprId value);
-// Whether the components of a value of `type` can be written to `target`; reports if not.
-bool CheckCastTarget(Context& context, ExprId target, TypeId type);
+// Whether the components of a value of `type` can be written to `target`, which is assigned to
+// through `cast`, or none in a call; reports if not.
+bool CheckCastTarget(Context& context, ExprId target, ast::ExprId cast, TypeId type);
+// The path v.xy of ((int4)v).xy, which fxc's 2.0 and 3.0 assign to; none of a value that is not a
+// path.
+ExprId WithoutCasts(Context& context, ExprId path);
 // Adds to `steps` the assignments that write the components of `value`, a path that may be read
 // several times, one after another into those of `target`, which has at least as many.
 void StoreComponents(Context& context, ExprId target, ExprId value, Exprs& steps);

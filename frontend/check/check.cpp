@@ -25,6 +25,7 @@
 #include "frontend/rules/push_constants.h"
 #include "frontend/rules/registers.h"
 #include "frontend/rules/resolve_objects.h"
+#include "frontend/rules/settle_samplers.h"
 #include "ir/packing.h"
 
 namespace clipc {
@@ -70,6 +71,7 @@ void Run(Context& context) {
   if (!context.diagnostics.has_errors()) FoldObjectChoices(program);
   if (!context.diagnostics.has_errors())
     ResolveObjects(program, context.globals.struct_registers, context.diagnostics);
+  if (!context.diagnostics.has_errors()) SettleSamplers(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MakeCounters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);

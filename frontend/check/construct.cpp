@@ -6,6 +6,7 @@
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/value.h"
+#include "frontend/rules/conversion.h"
 #include "frontend/rules/reread.h"
 
 namespace clipc::check {
@@ -67,30 +68,48 @@ ExprId ConstructMatrix(Context& context, TypeId type_id, ExprSpan arguments, Spa
   return WithPrologue(context, prologue, context.At(span).ConstructOf(type_id, scalars));
 }
 
+// Puts the components of structs and arrays in the place of those among the arguments, as fxc and
+// DXC do (vkd3d's cast-componentwise-compatible.shader_test, checked against native). Reports and
+// returns false where an argument does not consist of numbers.
+bool TakeAggregatesApart(Context& context, TypeId type, Exprs& arguments, Exprs& prologue) {
+  Exprs taken;
+  for (const ExprId argument : arguments) {
+    const TypeId id = context.TypeIdOf(argument);
+    const Span span = context[argument].span;
+    if (context[id].IsNumeric()) {
+      taken.push_back(argument);
+    } else if (!Flatten(context.types, id)) {
+      context.Report(span, diag::CannotConvert, context.TypeName(id), context.TypeName(type));
+      return false;
+    } else if (RefusesBits(context, id, type, span)) {
+      return false;
+    } else {
+      TakeApart(context, argument, taken, prologue);
+    }
+  }
+  arguments = std::move(taken);
+  return true;
+}
+
 }  // namespace
 
 ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, Span span) {
   Exprs arguments;
   const bool ok = CheckArguments(context, list, arguments);
   if (!ok || context.IsError(type)) return context.ErrorExpr(span);
-  const Type& wanted = context[type];
+  const Type wanted = context[type];
   if (wanted.kind == TypeKind::kStruct) return ConstructStruct(context, type, arguments, span);
   if (!wanted.IsNumeric()) {
     return context.Fail(span, diag::NotConstructible, context.TypeName(type));
   }
+  Exprs prologue;
+  const bool is_single = arguments.size() == 1 && !context.TypeOf(arguments[0]).IsNumeric();
+  // float3x3(s) is what (float3x3)s is.
+  if (is_single && IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type))
+    return ConvertExplicit(context.program, arguments[0], type, context);
+  if (!TakeAggregatesApart(context, type, arguments, prologue)) return context.ErrorExpr(span);
   std::uint32_t given = 0;
-  for (ExprId argument : arguments) {
-    if (!context.TypeOf(argument).IsNumeric()) {
-      // float3x3(s) is what (float3x3)s is.
-      if (arguments.size() == 1 &&
-          IsExplicitlyConvertible(context.types, context.TypeIdOf(argument), type)) {
-        return ConvertExplicit(context.program, argument, type, context);
-      }
-      return context.Fail(context[argument].span, diag::CannotConvert, context.TypeName(argument),
-                          context.TypeName(type));
-    }
-    given += context.TypeOf(argument).Components();
-  }
+  for (const ExprId argument : arguments) given += context.TypeOf(argument).Components();
   const std::uint32_t needed = wanted.Components();
   const bool is_cast = arguments.size() == 1 && (needed == 1 || given != needed ||
                                                  wanted.kind == context.TypeOf(arguments[0]).kind);
@@ -106,8 +125,10 @@ ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, S
     argument = Implicit(context, argument,
                         context.types.WithScalar(context.TypeIdOf(argument), wanted.scalar));
   }
-  return wanted.kind == TypeKind::kMatrix ? ConstructMatrix(context, type, arguments, span)
-                                          : ConstructVector(context, type, arguments, span);
+  return WithPrologue(context, prologue,
+                      wanted.kind == TypeKind::kMatrix
+                          ? ConstructMatrix(context, type, arguments, span)
+                          : ConstructVector(context, type, arguments, span));
 }
 
 ExprId Component(Context& context, ExprId vector, std::uint8_t component) {
@@ -131,6 +152,12 @@ void TakeApart(Context& context, ExprId value, Exprs& scalars, Exprs& prologue) 
     return;
   }
   Builder at = context.At(context[value].span);
+  if (!type.IsNumeric()) {
+    const ExprId whole = Repeatable(context, value, prologue);
+    for (std::uint32_t i = 0; i < context.types.PartCount(context.TypeIdOf(whole)); ++i)
+      TakeApart(context, at.Part(Clone(context.program, whole), i), scalars, prologue);
+    return;
+  }
   Reread source(context.program, value, &context);
   for (std::uint32_t row = 0; row < type.rows; ++row) {
     for (int column = 0; column < type.columns; ++column) {

@@ -10,8 +10,8 @@ ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, S
 // A component of the vector, vector.x for 0. A component of a swizzle is read from the vector or
 // matrix itself.
 ExprId Component(Context& context, ExprId vector, std::uint8_t component);
-// Appends the components of the value to `scalars`, row by row. The value is evaluated once, in
-// `prologue` if need be.
+// Appends the components of the value to `scalars`, row by row, those of a struct or array part by
+// part. The value is evaluated once, in `prologue` if need be.
 void TakeApart(Context& context, ExprId value, Exprs& scalars, Exprs& prologue);
 
 }  // namespace clipc::check

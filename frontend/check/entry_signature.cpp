@@ -83,6 +83,14 @@ bool TakesObjects(const Context& context, const Parameter& parameter) {
          HasObjectField(context, parameter.type);
 }
 
+// Whether the parameter is a texture or sampler of the shader, as if it were uniform, by the same
+// rule.
+bool IsBareObject(const Context& context, const Parameter& parameter) {
+  const Profile& profile = context.program.profile;
+  return parameter.storage == Storage::kIn && profile.IsAtLeast(5, 0) && !profile.IsAtLeast(6, 0) &&
+         HoldsObjects(context, parameter.type);
+}
+
 }  // namespace
 
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
@@ -101,7 +109,11 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     ReadVulkan(context, var.attributes, entry_parameter);
     entry_parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
-    if (var.qualifiers & ast::kUniform) {
+    if (!(var.qualifiers & ast::kUniform) && IsPatch(context, var)) {
+      context.Report(var.name_span, diag::SemanticOnObject, context[var.name],
+                     context[context[var.type].name.name]);
+    }
+    if ((var.qualifiers & ast::kUniform) || IsBareObject(context, parameter)) {
       entry_parameter.is_uniform = true;
       const std::size_t number = uniforms++;
       entry_parameter.uniform_var = number < arguments.size()

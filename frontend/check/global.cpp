@@ -88,6 +88,7 @@ ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, T
 // Whether the binding counts under this profile: register(vs_5_0, b0) does under one only, up to
 // 5.0.
 bool IsForProfile(const Context& context, const ast::RegisterBinding& binding) {
+  if (binding.rest == ast::RegisterBinding::Rest::kProfileNumber) return false;
   const std::string_view profile = context[binding.profile];
   return !binding.profile || context.program.profile.IsAtLeast(5, 1) ||
          EqualIgnoringCase(profile, context.options.profile.name) ||
@@ -97,6 +98,23 @@ bool IsForProfile(const Context& context, const ast::RegisterBinding& binding) {
 // The binding as in a message: "`t3`".
 std::string TextOf(const ast::RegisterBinding& binding) {
   return fmt::format("`{}{}`", binding.letter, binding.number);
+}
+
+// Reports what the register of a variable with registers of `letters` has too much, as vkd3d's
+// register-reservations-numeric.shader_test and -profile have it, checked against fxc and DXC: fxc
+// takes text after a number, but not after `b`, which it does not read before a number of $Globals.
+void CheckRest(Context& context, const ast::RegisterBinding& binding, std::string_view letters) {
+  using Rest = ast::RegisterBinding::Rest;
+  if (binding.rest == Rest::kNone) return;
+  const Profile& profile = context.program.profile;
+  const bool is_unread = binding.letter == 'b' && letters[0] == 'c' && profile.IsAtLeast(4, 0);
+  if (profile.IsAtLeast(6, 0) || (binding.letter == 'b' && !is_unread)) {
+    context.Report(binding.span, diag::BadRegister, "text after " + TextOf(binding));
+  } else if (binding.rest == Rest::kProfileNumber || is_unread) {
+    context.Report(binding.span, diag::RegisterWithoutEffect, "fxc does not read it");
+  } else {
+    context.Report(binding.span, diag::RegisterRest, TextOf(binding));
+  }
 }
 
 // The binding that counts where their profiles do not: the first one in 5.1, the last one from 6.0
@@ -159,13 +177,17 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   const ExprId init = CheckStaticInit(context, id, var, type);
   if (init && context.IsError(init)) return;
   if (HoldsObjects(context, type)) {
-    // The variable is an alias of the object that it is initialised with.
+    // The variable is an alias of the object that it is initialised with, or of the one that a
+    // function assigns to it, which ResolveObjects finds.
     const auto* ref = init ? context.GetIf<VarRef>(init) : nullptr;
-    if (ref)
+    if (ref) {
       context[id].value = ref->var.index;
-    else
+    } else if (init) {
       context.Report(context[id].span, diag::ObjectNotGlobal, context[var.name],
                      context.TypeName(type));
+    } else {
+      context[id].value = AddVar(context, var.name, type, Storage::kStatic, context[id].span).index;
+    }
     return;
   }
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
@@ -241,6 +263,7 @@ const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
 void CheckRegisterKinds(Context& context, std::string_view name,
                         List<ast::RegisterBinding> bindings, std::string_view letters) {
   for (const ast::RegisterBinding& binding : context[bindings]) {
+    CheckRest(context, binding, letters);
     const bool fits = binding.letter == 0 || letters.find(binding.letter) != letters.npos;
     if (!fits && IsForProfile(context, binding))
       context.Report(binding.span, diag::RegisterKind, TextOf(binding), name, letters.substr(0, 1));

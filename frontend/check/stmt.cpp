@@ -56,6 +56,10 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
     if (!context.IsError(init)) init = Implicit(context, init, type);
   } else if (var.init && !context.IsError(type)) {
     init = CheckInit(context, var.init, type);
+    // DXC's patches are objects of their own.
+    if (context.program.profile.IsAtLeast(6, 0) && !context.IsError(init) && IsPatch(context, var))
+      init = context.Fail(context[var.init].span, diag::CannotConvert, context.TypeName(init),
+                          context[context[var.type].name.name]);
     if (var.dimensions.empty()) CheckEnumClass(context, var.type, init);
   }
   const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);

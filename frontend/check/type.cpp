@@ -32,10 +32,16 @@ std::optional<std::uint32_t> ArraySize(Context& context, ast::ExprId dimension) 
   return std::nullopt;
 }
 
+// Whether the type is InputPatch<T, N> or OutputPatch<T, N>, written with this name.
+bool NamesPatch(const Context& context, ast::TypeId of) {
+  const ast::Type& type = context[of];
+  return type.has_arguments && type.name.name && IsPatchName(context[type.name.name]);
+}
+
 constexpr ast::Qualifiers kMajority = ast::kRowMajor | ast::kColumnMajor;
 
 // Adds the qualifiers of the typedefs that `of` names, one after the other, and makes `of` the type
-// that the last of them names.
+// that the last of them names. A patch is constant.
 ast::Qualifiers WithAliases(Context& context, ast::Qualifiers qualifiers, ast::TypeId& of) {
   constexpr ast::Qualifiers kPragma = ast::kPackRowMajor | ast::kPackColumnMajor;
   constexpr int kMostAliases = 16;  // a name that hides one in its own typedef has no end
@@ -55,7 +61,7 @@ ast::Qualifiers WithAliases(Context& context, ast::Qualifiers qualifiers, ast::T
     qualifiers |= alias->qualifiers & ast::kConst;
     of = alias->type;
   }
-  return qualifiers;
+  return NamesPatch(context, of) ? qualifiers | ast::kConst : qualifiers;
 }
 
 // The type, or the error type where the profile has no integers of 64 bits (fxc X3653), which is
@@ -296,6 +302,12 @@ bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers) {
 ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var) {
   ast::TypeId of = var.type;
   return WithAliases(context, var.qualifiers, of);
+}
+
+bool IsPatch(Context& context, const ast::VarDecl& var) {
+  ast::TypeId of = var.type;
+  WithAliases(context, var.qualifiers, of);
+  return NamesPatch(context, of);
 }
 
 ast::Qualifiers ElementQualifiersOf(Context& context, const ast::VarDecl& var) {

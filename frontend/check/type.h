@@ -38,6 +38,8 @@ TypeId WithoutString(Context& context, TypeId type, const ast::VarDecl& var);
 bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers);
 // The qualifiers of the variable and of the typedef that names its type.
 ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var);
+// Whether the type of the variable is a patch of control points.
+bool IsPatch(Context& context, const ast::VarDecl& var);
 // The qualifiers that say how matrices lie in the elements of the buffer `var`: those of its
 // template argument and of the typedef that names it, and the pragma of the variable.
 ast::Qualifiers ElementQualifiersOf(Context& context, const ast::VarDecl& var);

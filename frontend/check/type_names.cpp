@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/type_names.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/spelling.h"
 #include "frontend/check/text.h"
 #include "frontend/check/type.h"
@@ -27,6 +30,11 @@ constexpr BuiltinName<ObjectKind> kObjectNames[] = {
 #define OBJECT_ALIAS(Enumerator, Spelling, ...) {Spelling, ObjectKind::k##Enumerator},
 #define UNUSABLE(Spelling, ...) {Spelling, ObjectKind::kOther},
 #define UNUSABLE_SHADER(Spelling) {Spelling, ObjectKind::kOther},
+#include "base/builtin_types.def"
+};
+
+constexpr std::string_view kPatchNames[] = {
+#define PATCH(Spelling) Spelling,
 #include "base/builtin_types.def"
 };
 
@@ -118,11 +126,21 @@ std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type
                    : context.types.Matrix(kind, sizes[0], sizes[1]);
 }
 
+bool IsPatchName(std::string_view text) {
+  return std::ranges::find(kPatchNames, text) != std::end(kPatchNames);
+}
+
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text) {
   // The type is a plain T if the declaration is not a global.
   if (text == "ConstantBuffer" || text == "TextureBuffer") {
     if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
     return context.FailType(type.span, diag::MissingTypeArgument, text);
+  }
+  if (IsPatchName(text)) {
+    if (type.arguments.size != 2)
+      return context.FailType(type.span, diag::MissingTypeArgument, text);
+    const auto arguments = context[type.arguments];
+    return ArrayOf(context, TypeArgument(context, arguments[0]), arguments.subspan(1), type.span);
   }
   for (const auto& object : kObjectNames) {
     if (!EqualIgnoringCase(object.text, text)) continue;

@@ -21,5 +21,8 @@ std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type
 // The type of a texture, sampler or buffer; ConstantBuffer<T> inside a function is T. Returns
 // nullopt for other types.
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text);
+// Whether the name is that of a patch of control points, which is a constant array in the stages
+// that clipc compiles (vkd3d's patch-syntax.shader_test, checked against native).
+bool IsPatchName(std::string_view text);
 
 }  // namespace clipc::check

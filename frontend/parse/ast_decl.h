@@ -33,6 +33,9 @@ struct Semantic {
 };
 // register(profile, c3[1], space2), each part but one optional. The letter is b, c, i, s, t or u.
 struct RegisterBinding {
+  // What a register has too much: text after its number or in the place of one, as in c1abc and
+  // banana, or a number of the profile, as in register(ps[5], c1). fxc takes some of these.
+  enum class Rest : std::uint8_t { kNone, kText, kProfileNumber };
   Span span;
   char letter = 0;  // lower case; 0 for register(space2)
   std::uint32_t number = 0;
@@ -40,6 +43,7 @@ struct RegisterBinding {
   bool has_space = false;  // whether the space is written
   Name profile;            // vs_5_0 in register(vs_5_0, b0), which is for it only; or none
   ExprId subcomponent;     // 1 in c3[1]; or none
+  Rest rest = Rest::kNone;
 };
 // The place of a member in its cbuffer, as in packoffset(c3.y).
 struct PackOffset {

@@ -30,6 +30,15 @@ std::optional<std::uint32_t> NumberAfterLetter(std::string_view text) {
   return text.size() == 1 ? 0 : ParseNumber(text.substr(1));
 }
 
+// The number of a register name that other characters follow, 3 of `c3abc`; 0 of `banana`, since
+// fxc reads no number there; none of other names.
+std::optional<std::uint32_t> LetterAndNumber(std::string_view text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789", 1), text.size());
+  if (text.empty()) return std::nullopt;
+  if (end == 1) return ToLower(text[0]) == 'b' ? std::optional(0u) : std::nullopt;
+  return ParseNumber(text.substr(1, end - 1));
+}
+
 }  // namespace
 
 bool Parser::ParseDeclaratorName(Name& name, Span& span, std::string_view what) {
@@ -75,7 +84,7 @@ void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
     diagnostics_.Report(var.packoffset->span, diag::PackOffsetMisplaced);
   const Name type = file_.types[var.type].name.name;
   const bool object = type && InfoOf(type).word == Word::kObjectType;
-  if (AtStateBlock() && (scope != Scope::kLocal || object)) {
+  if (AtStateBlock() && (scope != Scope::kLocal || object || AtStates())) {
     var.has_state_block = true;
     Accept(kEqual);
     if (AtWord(Word::kSamplerState)) Next();
@@ -84,7 +93,7 @@ void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
     variable_.value.end = pos_;
   } else if (Accept(kEqual)) {
     variable_.value.begin = pos_;
-    ParseInitializer(var);
+    ParseInitializer(var, scope);
     variable_.value.end = pos_;
   }
 }
@@ -140,7 +149,7 @@ Semantic Parser::ParseSemantic() {
   return semantic;
 }
 
-void Parser::ParseInitializer(VarDecl& var) {
+void Parser::ParseInitializer(VarDecl& var, Scope scope) {
   const Name type = file_.types[var.type].name.name;
   const bool shader = type && InfoOf(type).is_shader_type && MeaningOf(type) == Meaning::kUnknown;
   constexpr Words kEffectWords(Word::kCompile, Word::kAsm, Word::kSamplerState);
@@ -151,10 +160,30 @@ void Parser::ParseInitializer(VarDecl& var) {
     SkipEffectValue();
   } else {
     var.init = ParseInitValue();
+    if (std::exchange(list_has_effect_value_, false)) {
+      // fxc takes such a list for a uniform, and gives it no values.
+      if (scope == Scope::kLocal || (var.qualifiers & kStatic))
+        diagnostics_.Report(var.name_span, diag::Unsupported,
+                            "a value of the effects framework in the initialiser of a variable "
+                            "that is not uniform");
+      var.init = {};
+      var.has_state_block = true;
+    }
   }
 }
 
-ExprId Parser::ParseInitValue() { return At(kLeftBrace) ? ParseInitList() : ParseAssignment(); }
+// Parses a value of an initialiser. One of the effects framework, compile ps_4_0 f(), is skipped.
+ExprId Parser::ParseInitValue() {
+  if (At(kLeftBrace)) return ParseInitList();
+  const bool is_block = AtWord(Word::kSamplerState) && At(kLeftBrace, 1);
+  const bool is_shader = (AtWord(Word::kCompile) && At(kIdentifier, 1)) ||
+                         (AtWord(Word::kCompileShader) && At(kLeftParen, 1));
+  if (!is_block && !is_shader) return ParseAssignment();
+  list_has_effect_value_ = true;
+  const std::size_t start = pos_;
+  is_block ? (Next(), SkipEffectBlock()) : SkipEffectValue();
+  return AddExpr(start, ErrorExpr{});
+}
 
 // {a, {b, c},}
 ExprId Parser::ParseInitList() {
@@ -209,6 +238,16 @@ bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
     }
   } else if (At(kIdentifier) && At(kComma, 1) && binding.letter == 0 && !binding.profile) {
     binding.profile = Next().name();
+  } else if (At(kIdentifier) && At(kLeftBracket, 1) && At(kIntLiteral, 2) && At(kRightBracket, 3) &&
+             At(kComma, 4) && binding.letter == 0 && !binding.profile) {
+    for (int i = 0; i < 4; ++i) Next();
+    binding.rest = RegisterBinding::Rest::kProfileNumber;
+  } else if (const auto start = LetterAndNumber(text);
+             start && kLetters.find(ToLower(text[0])) != kLetters.npos) {
+    binding.letter = ToLower(text[0]);
+    binding.number = *start;
+    binding.rest = RegisterBinding::Rest::kText;
+    Next();
   } else {
     Error(Here(), diag::BadRegister, Describe());
   }

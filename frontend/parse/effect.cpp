@@ -58,6 +58,11 @@ bool Parser::AtStateBlock() const {
          At(kEqual, i + 4);
 }
 
+// `{}` or `{name = `, which is a state block after any variable and no list of values.
+bool Parser::AtStates() const {
+  return At(kLeftBrace) && (At(kRightBrace, 1) || (At(kIdentifier, 1) && At(kEqual, 2)));
+}
+
 // {...}
 void Parser::SkipEffectBlock() {
   const std::size_t open = pos_;

@@ -107,6 +107,7 @@ constexpr auto kFolded = [] {
 #define OBJECT_ALIAS(Enumerator, Spelling, Case) Object(Spelling, Case),
 #define UNUSABLE(Spelling, Case) Object(Spelling, Case),
 #define UNUSABLE_SHADER(Spelling) {Spelling, {kObjectType, true}},
+#define PATCH(Spelling) Object(Spelling),
 #include "base/builtin_types.def"
   });
 }();

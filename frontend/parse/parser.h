@@ -141,7 +141,7 @@ class Parser : private TreeBuilder {
   void ParseDeclaratorTail(VarDecl& var, Scope scope);
   void ParseColonParts(VarDecl& var);
   void ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers);
-  void ParseInitializer(VarDecl& var);
+  void ParseInitializer(VarDecl& var, Scope scope);
   ExprId ParseInitValue();
   ExprId ParseInitList();
   RegisterBinding ParseRegister();
@@ -154,6 +154,7 @@ class Parser : private TreeBuilder {
   void ParseTechnique();
   void SkipAnnotation();
   bool AtStateBlock() const;
+  bool AtStates() const;
   void SkipEffectBlock();
   void SkipEffectValue();
   void NoteCompile();
@@ -198,10 +199,11 @@ class Parser : private TreeBuilder {
 
   FunctionBodies bodies_;
   EffectParts effect_;
-  EffectVariable variable_;        // the ranges of the declarator that is being parsed
-  bool has_entry_call_ = false;    // EffectParts::entry_call was found
-  bool greater_ends_ = false;      // in template arguments: `>` is not an operator
-  bool outside_reported_ = false;  // a statement outside of functions was reported
+  EffectVariable variable_;             // the ranges of the declarator that is being parsed
+  bool list_has_effect_value_ = false;  // in the initialiser that is being parsed
+  bool has_entry_call_ = false;         // EffectParts::entry_call was found
+  bool greater_ends_ = false;           // in template arguments: `>` is not an operator
+  bool outside_reported_ = false;       // a statement outside of functions was reported
   // Whether the definition of a function was found inside a function: a `}` is missing, and all
   // blocks end here.
   bool leaving_function_ = false;

@@ -11,6 +11,7 @@
 #include "frontend/rules/attribute_reads.h"
 #include "frontend/rules/distances.h"
 #include "frontend/rules/locations.h"
+#include "frontend/rules/pixel_inputs.h"
 #include "frontend/rules/semantic_check.h"
 #include "frontend/rules/signature_leaves.h"
 #include "ir/access.h"
@@ -203,7 +204,10 @@ class MainBuilder {
       fits = type.Components() == 1 &&
              (is_sign ? kind == Scalar::kFloat : kind == Scalar::kBool || IsInteger(kind));
     }
-    if (!fits) {
+    // fxc's bool is the first sample's bit; DXC has no such bool.
+    const bool is_first = builtin == Builtin::kCoverageInput && kind == Scalar::kBool &&
+                          type.Components() == 1 && !program_.profile.IsAtLeast(6, 0);
+    if (!fits && !is_first) {
       semantics_.Refuse(leaf, wanted);
       return {};
     }
@@ -213,7 +217,8 @@ class MainBuilder {
                             : AddIo(program_.inputs, leaf, TypeOf(builtin), builtin);
     if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
     if (value.builtin == Builtin::kFrontFacing) return FrontFacing(input, leaf);
-    return Fit(builder_.Ref(input), leaf.type);
+    const ExprId read = builder_.Ref(input);
+    return Fit(is_first ? FirstBitOf(program_, read) : read, leaf.type);
   }
 
   // The leading components of the position that the leaf has. Direct3D 9's pixels have whole
@@ -244,14 +249,7 @@ class MainBuilder {
     if (!is_by_sample) return;
     for (const ExprId read : center_reads_) {
       const ExprId whole = builder_.CopyOf(builder_.TypeOf(read), program_.exprs[read].node);
-      const ExprId corner = builder_.Swizzled(whole, {0, 1});
-      const ExprId rest = builder_.Swizzled(Clone(program_, whole), {2, 3});
-      const TypeId pair = builder_.TypeOf(corner);
-      const ExprId center =
-          builder_.BinaryOf(BinaryOp::kAdd, builder_.IntrinsicOf(Intrinsic::kFloor, pair, {corner}),
-                            builder_.SplatTo(pair, builder_.Float(0.5f)));
-      program_.exprs[read].node =
-          program_.exprs[builder_.ConstructOf(builder_.TypeOf(read), {center, rest})].node;
+      program_.exprs[read].node = program_.exprs[CenterOf(program_, whole)].node;
     }
   }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "frontend/rules/constant.h"
@@ -180,6 +181,7 @@ class Level9Checker {
   void CheckLoop(StmtId id) {
     clipc::Visit(Overloaded{
                      [&](const OneOf<For, While, DoWhile> auto& loop) {
+                       if (Counts(loop)) return;
                        if (loop.condition && !IsKnownCount(loop.condition))
                          diagnostics_.Report(program_.exprs[loop.condition].span,
                                              diag::Level9UnknownLoop, Target());
@@ -187,6 +189,15 @@ class Level9Checker {
                      [](const auto&) {},
                  },
                  program_.stmts[id].node);
+  }
+
+  // Whether the loop counts from one number to another, which it does also where a condition that
+  // is not known decides whether it runs.
+  template <typename Loop>
+  bool Counts(const Loop& loop) const {
+    constexpr std::int64_t kMost = 1 << 20;
+    if constexpr (std::is_same_v<Loop, For>) return EndsWithin(program_, loop, kMost) == true;
+    return false;
   }
 
   // Whether a loop with the condition can be unrolled, or counts to an int that the application

@@ -76,9 +76,8 @@ ExprId ConvertImplicit(Program& program, ExprId value, TypeId to, Diagnostics& d
 // Requires IsExplicitlyConvertible.
 ExprId ConvertExplicit(Program& program, ExprId value, TypeId to, TemporaryMaker& temporaries);
 
-// Gives the variable that `object` names, and this use of it, the kind of sampler that the use
-// needs: the first use of a Direct3D 9 `sampler` decides its dimension. A sampler that has a kind
-// keeps it.
+// Gives this use of a Direct3D 9 `sampler` the kind of sampler that it needs; SettleSamplers makes
+// the variables that the uses need. A sampler that has a kind keeps it.
 void SetSamplerKind(Program& program, ExprId object, ObjectKind kind);
 
 // The component kind that an operator with two operands computes in.

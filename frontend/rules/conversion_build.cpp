@@ -304,13 +304,7 @@ void SetSamplerKind(Program& program, ExprId object, ObjectKind kind) {
                ? program.types.Object(kind)
                : id;
   };
-  if (const auto* ref = std::get_if<VarRef>(&expr.node)) {
-    Var& var = program.vars[ref->var];
-    var.type = retype(retype, var.type);
-    expr.type = var.type;
-  } else {
-    expr.type = retype(retype, expr.type);  // a field, which ResolveObjects replaces
-  }
+  expr.type = retype(retype, expr.type);
 }
 
 ExprId ConvertImplicit(Program& program, ExprId value, TypeId to, Diagnostics& diagnostics,

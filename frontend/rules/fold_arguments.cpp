@@ -24,6 +24,17 @@ struct Value {
   std::uint64_t bits = 0;
 };
 
+// Whether the expression is an element of an array of objects that is not a resource itself, at an
+// index that is not written as a number.
+bool ChoosesElement(const Program& program, ExprId expr) {
+  const auto* index = As<Index>(program, expr);
+  if (!index || As<Literal>(program, index->index)) return false;
+  const TypeTable& types = program.types;
+  if (types[types.Innermost(program.exprs[expr].type)].kind != TypeKind::kObject) return false;
+  const VarId root = RootOf(program, expr);
+  return root && program.vars[root].storage != Storage::kResource;
+}
+
 class Folder {
  public:
   Folder(Program& program, bool folds_locals)
@@ -137,12 +148,16 @@ class Folder {
 
   std::optional<std::uint64_t> ValueAt(const std::map<LocalPart, LocalWrites>& written,
                                        ExprId expr) const {
-    const auto place = PlaceOf(expr);
+    const auto* swizzle = As<Swizzle>(program_, expr);
+    const bool is_component = swizzle && swizzle->count == 1;
+    const auto place = PlaceOf(is_component ? swizzle->base : expr);
     const auto found = place ? written.find(*place) : written.end();
     if (found == written.end() || found->second.times != 1 || !found->second.value)
       return std::nullopt;
     if (place->second != kWhole && written.contains({place->first, kWhole})) return std::nullopt;
-    return ConstantOf(found->second.value);
+    if (!is_component) return ConstantOf(found->second.value);
+    const auto bits = ConstantBits(program_, found->second.value);
+    return bits ? std::optional((*bits)[swizzle->components[0]]) : std::nullopt;
   }
 
   // The constant that a function returns, if it does nothing else.
@@ -169,6 +184,10 @@ class Folder {
     if (const auto* choice = As<Conditional>(program_, expr)) {
       if (const auto chosen = Decided(choice->condition))
         return *chosen ? choice->when_true : choice->when_false;
+    }
+    if (const auto* index = As<Index>(program_, expr); index && ChoosesElement(program_, expr)) {
+      const ExprId number = index->index;
+      if (const auto bits = ConstantOf(number)) program_.exprs[number].node = Literal{*bits};
     }
     const auto* binary = As<Binary>(program_, expr);
     if (!binary || TypeOf(program_, expr).kind != TypeKind::kScalar) return expr;
@@ -259,6 +278,7 @@ bool NamesObject(const Program& program, ExprId expr) {
 bool ChoosesObject(const Program& program) {
   if (!program.calls_objects) return false;
   for (const ExprId id : program.exprs.ids()) {
+    if (ChoosesElement(program, id)) return true;
     const auto* choice = As<Conditional>(program, id);
     if (choice &&
         (TypeOf(program, id).kind == TypeKind::kObject || NamesObject(program, choice->when_true) ||

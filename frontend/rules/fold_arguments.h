@@ -18,9 +18,11 @@ namespace clipc::rules {
 // Requires a program without errors that has `main`.
 void FoldArguments(Program& program);
 
-// Where a `?:` chooses a texture, a sampler or a buffer, does the same for the constants of all
-// calls, and for local variables that get one value, a constant: dxc takes such a choice if its
-// condition is a constant then (its tests sel_sampler.hlsl and convergent_const_folding.hlsl).
+// Where a `?:`, or an index into an array of local objects, chooses a texture, a sampler or a
+// buffer, does the same for the constants of all calls, and for local variables that get one value,
+// a constant: dxc takes such a choice if its condition is a constant then (its tests
+// sel_sampler.hlsl and convergent_const_folding.hlsl), and fxc such an index (vkd3d's
+// object-references.shader_test).
 void FoldObjectChoices(Program& program);
 
 }  // namespace clipc::rules

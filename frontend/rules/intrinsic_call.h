@@ -79,6 +79,8 @@ ExprId After(const IntrinsicCheck& call, std::span<const ExprId> steps, ExprId v
 
 // intrinsics_signature.cpp
 ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op);
+// Whether the arguments fit the signature, which has no `out`; reports nothing.
+bool FitsSignature(const IntrinsicCheck& call, Intrinsic op);
 // An argument that an intrinsic writes.
 struct OutArgument {
   ExprId target;  // the argument as the user wrote it
@@ -92,6 +94,9 @@ ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
 // intrinsics_special.cpp
 ExprId CheckMul(const IntrinsicCheck& call);
 ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op);
+// Checks countbits, firstbithigh or firstbitlow of integers of 64 bits, which become calls for
+// their halves; none of others.
+ExprId CheckWideBits(const IntrinsicCheck& call, Intrinsic op);
 ExprId CheckSelect(const IntrinsicCheck& call);
 ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);
 

@@ -140,7 +140,18 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
     return Report(call, diag::IntrinsicDerivative);
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicDiscard);
-  if (!info.signature.is_special) return CheckBySignature(call, op);
+  if (op == Intrinsic::kCountBits || op == Intrinsic::kFirstBitHigh ||
+      op == Intrinsic::kFirstBitLow) {
+    if (const ExprId bits = CheckWideBits(call, op)) return bits;
+  }
+  if (!info.signature.is_special) {
+    const ExprId value = CheckBySignature(call, op);
+    // DXC's `refract` of halves is a float (vkd3d's refract.shader_test, checked against native).
+    const bool is_half = call.TypeOf(value).scalar == Scalar::kHalf;
+    return op == Intrinsic::kRefract && is_half && call.program.profile.IsAtLeast(6, 0)
+               ? call.Make().ConvertTo(Scalar::kFloat, value)
+               : value;
+  }
   return op == Intrinsic::kMul ? CheckMul(call) : CheckBitCast(call, op);
 }
 
@@ -151,6 +162,11 @@ bool IsIntrinsicName(std::string_view name) { return FindEntry(name) != nullptr;
 bool IsWritingIntrinsic(std::string_view name) {
   const Entry* entry = FindEntry(name);
   return entry != nullptr && entry->rule == Rule::kCall && WritesArguments(entry->intrinsic);
+}
+
+bool TakesArguments(const IntrinsicCheck& call) {
+  const Entry* entry = FindEntry(call.name);
+  return entry && entry->rule == Rule::kCall && FitsSignature(call, entry->intrinsic);
 }
 
 ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {

@@ -23,6 +23,9 @@ bool IsWritingIntrinsic(std::string_view name);
 // tex2Dlod, mul with a scalar, asint of integers.
 ExprId CheckIntrinsicCall(const IntrinsicCheck& call);
 
+// Whether the call's arguments fit the signature of an intrinsic that writes none of them.
+bool TakesArguments(const IntrinsicCheck& call);
+
 // The names like `name` among the functions that clipc translates, nearest first, for "did you
 // mean".
 std::vector<std::string_view> NearIntrinsics(std::string_view name);

@@ -164,6 +164,18 @@ ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op) {
                       outs);
 }
 
+bool FitsSignature(const IntrinsicCheck& call, Intrinsic op) {
+  const IntrinsicSignature& signature = InfoOf(op).signature;
+  if (signature.is_special || signature.count != call.arguments.size()) return false;
+  for (std::size_t i = 0; i < signature.count; ++i) {
+    if (signature.arguments[i].is_out) return false;
+  }
+  Diagnostics unused;
+  const IntrinsicCheck trial{call.program,   call.name,        call.name_span, call.arguments,
+                             call.call_span, call.temporaries, unused};
+  return Unifier(trial, signature).Run();
+}
+
 ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
                     std::span<const ExprId> ins, std::span<const OutArgument> outs) {
   Builder builder = call.Make();

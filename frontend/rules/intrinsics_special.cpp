@@ -166,4 +166,47 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
   return After(call, before, builder.Add(*common, Conditional{condition, when_true, when_false}));
 }
 
+ExprId CheckWideBits(const IntrinsicCheck& call, Intrinsic op) {
+  if (call.arguments.size() != 1 || !call.ArgumentType(0).IsNumeric()) return {};
+  const Scalar kind = call.ArgumentType(0).scalar;
+  if (kind != Scalar::kInt64 && kind != Scalar::kUint64) return {};
+  TypeTable& types = call.program.types;
+  Builder at = call.Make();
+  const auto held = call.temporaries.Make(call.arguments[0]);
+  const TypeId wide = call.ArgumentTypeId(0), words = types.WithScalar(wide, Scalar::kUint);
+  const auto value = [&] { return at.Ref(held.var); };
+  const auto splat = [&](TypeId type, std::uint64_t bits) {
+    return at.SplatTo(type, at.Add(types.Make(types[type].scalar), Literal{bits}));
+  };
+  // The first bit of a number below 0 is the first that is not set.
+  const bool is_signed = op == Intrinsic::kFirstBitHigh && kind == Scalar::kInt64;
+  const auto word = [&](bool is_high) {
+    ExprId bits = value();
+    if (is_high) bits = at.BinaryOf(BinaryOp::kShiftRight, bits, splat(wide, 32));
+    bits = at.ConvertTo(Scalar::kUint, bits);
+    if (!is_signed) return bits;
+    const ExprId sign =
+        at.ConvertTo(Scalar::kUint, at.BinaryOf(BinaryOp::kShiftRight, value(), splat(wide, 63)));
+    return at.BinaryOf(BinaryOp::kBitXor, bits, sign);
+  };
+  const auto low = call.temporaries.Make(word(false)), high = call.temporaries.Make(word(true));
+  const auto of = [&](VarId var) { return at.IntrinsicOf(op, words, {at.Ref(var)}); };
+  ExprId result;
+  if (op == Intrinsic::kCountBits) {
+    result = at.BinaryOf(BinaryOp::kAdd, of(low.var), of(high.var));
+  } else {
+    // The word with the first bit, and the other, where the first word has none.
+    const bool from_high = op == Intrinsic::kFirstBitHigh;
+    const ExprId in_high = at.BinaryOf(BinaryOp::kBitOr, of(high.var), splat(words, 32));
+    const ExprId first = from_high ? in_high : of(low.var);
+    const ExprId other = from_high ? of(low.var) : in_high;
+    const ExprId is_set =
+        at.BinaryOf(BinaryOp::kNotEqual, at.Ref(from_high ? high.var : low.var), splat(words, 0));
+    result = types[words].kind == TypeKind::kScalar
+                 ? at.Add(words, Conditional{is_set, first, other})
+                 : at.Add(words, Select{is_set, first, other});
+  }
+  return After(call, std::array{held.prologue, low.prologue, high.prologue}, result);
+}
+
 }  // namespace clipc::rules

@@ -82,6 +82,7 @@ class ObjectResolver {
   StmtId Inner(StmtId id);
   ExprId Repeated(ExprId id);
   StmtId Rewrite(StmtId id);
+  std::optional<StmtId> ChosenPart(const Stmt& stmt) const;
   void RewriteParts(Stmt& stmt);
   bool RewriteDeclare(Declare& node);
   void RewriteReturn(Return& node, Span span);

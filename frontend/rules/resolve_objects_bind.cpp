@@ -11,7 +11,8 @@ std::optional<std::pair<VarId, SlotPath>> ObjectResolver::PlaceOf(ExprId expr) c
   SlotPath path;
   while (true) {
     if (const auto* ref = As<VarRef>(program_, expr)) {
-      if (!frame_->slots.contains(ref->var)) return std::nullopt;
+      const bool is_static = program_.vars[ref->var].storage == Storage::kStatic;
+      if (!is_static && !frame_->slots.contains(ref->var)) return std::nullopt;
       std::ranges::reverse(path);
       return std::pair{ref->var, path};
     }
@@ -29,17 +30,23 @@ std::optional<std::pair<VarId, SlotPath>> ObjectResolver::PlaceOf(ExprId expr) c
 }
 
 // Notes that the part of the variable holds these objects from here on. If that is not so on all
-// paths, it is an error, unless the part holds these objects already.
+// paths, it is an error, unless the part holds these objects already. A static variable holds the
+// objects that it gets first, which are globals, in all functions.
 void ObjectResolver::Bind(VarId var, const SlotPath& place, Slots slots, Span span) {
-  Slots& held = frame_->slots[var];
+  const bool is_static = program_.vars[var].storage == Storage::kStatic;
+  Slots& held = is_static ? globals_[var] : frame_->slots[var];
   Slots added;
+  for (const auto& [path, object] : slots) {
+    if (is_static && !object.IsKnown())
+      return ReportChoice(program_.vars[var].name, program_.vars[var].type, span);
+  }
   for (auto& [path, object] : slots) {
     SlotPath whole = place;
     whole.insert(whole.end(), path.begin(), path.end());
     Keep(var, whole, object, span);
     added[whole] = std::move(object);
   }
-  const bool is_certain = frame_->depth == frame_->depths[var];
+  const bool is_certain = !is_static && frame_->depth == frame_->depths[var];
   for (const auto& [path, object] : added) {
     const auto found = held.find(path);
     if (!is_certain && found != held.end() && found->second != object) {

@@ -83,7 +83,9 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Assign& node) {
   }
   Bind(place->first, place->second, value.slots, span);
   Value result{IsObject(type) ? ExprId{} : id, {}};
-  for (const auto& [path, object] : frame_->slots[place->first]) {
+  const bool is_static = program_.vars[place->first].storage == Storage::kStatic;
+  for (const auto& [path, object] :
+       is_static ? globals_[place->first] : frame_->slots[place->first]) {
     if (StartsWith(path, place->second)) {
       result.slots[SlotPath(path.begin() + static_cast<std::ptrdiff_t>(place->second.size()),
                             path.end())] = object;

@@ -51,6 +51,8 @@ StmtId ObjectResolver::Rewrite(StmtId id) {
     is_left = RewriteDeclare(*declare);
   } else if (auto* result = std::get_if<Return>(&stmt.node)) {
     RewriteReturn(*result, stmt.span);
+  } else if (const auto part = ChosenPart(stmt)) {
+    return *part ? RewriteOne(*part) : StmtId{};
   } else {
     RewriteParts(stmt);
     const auto* evaluate = std::get_if<Evaluate>(&stmt.node);
@@ -58,6 +60,15 @@ StmtId ObjectResolver::Rewrite(StmtId id) {
   }
   program_.stmts[id] = std::move(stmt);
   return is_left ? id : StmtId{};
+}
+
+// The part of an `if` with a constant condition that runs, which may be none. What the other part
+// does with objects has no meaning.
+std::optional<StmtId> ObjectResolver::ChosenPart(const Stmt& stmt) const {
+  const auto* choice = std::get_if<If>(&stmt.node);
+  const auto* condition = choice ? As<Literal>(program_, choice->condition) : nullptr;
+  if (!condition) return std::nullopt;
+  return condition->bits != 0 ? choice->then : choice->otherwise;
 }
 
 void ObjectResolver::RewriteParts(Stmt& stmt) {

@@ -290,10 +290,9 @@ TEST_F(ComparedShaders, ImagesAreRefused) {
   EXPECT_EQ(
       refusal("RWTexture2D<float4> t; float4 main(uint2 i : I) : SV_Position { return t[i]; }"),
       "the shader uses the image `t`, which no test draws with");
-  EXPECT_EQ(
-      refusal(
-          "Texture2DMS<float4> t; float4 main(uint2 i : I) : SV_Position { return t.Load(i, 0); }"),
-      "the shader reads a multisampled texture, which no test draws with");
+  EXPECT_EQ(refusal("Texture2DMSArray<float4> t; float4 main(uint3 i : I) : SV_Position { return "
+                    "t.Load(i, 0); }"),
+            "the shader reads a multisampled array, which no test draws with");
 }
 
 TEST(RandomInputs, DependOnTheSeedOnly) {

@@ -35,6 +35,9 @@ inline Bytes BytesOf(std::span<const std::uint32_t> words) {
   return {bytes, bytes + 4 * words.size()};
 }
 
+// The samples of a pixel of a multisampled texture.
+inline constexpr std::uint32_t kSamples = 4;
+
 enum class WordKind { kFloat, kInt, kUint };
 
 // The words of a GLSL type.
@@ -62,7 +65,8 @@ struct Inputs {
   };
   struct Texture {
     struct Level {
-      // The size as glTexImage3D needs it: six layers for each cube of an array.
+      // The size as glTexImage3D needs it: six layers for each cube of an array, and the number of
+      // samples, whose texels come one after another.
       std::array<std::uint32_t, 3> size{1, 1, 1};
       Words words;  // four for each texel, one where `compares` is set
     };

@@ -78,7 +78,7 @@ Inputs::Texture PairTexture(std::uint64_t seed, const TextureForm& form) {
       case GL_TEXTURE_CUBE_MAP_ARRAY: add_level({width, width, 12}, faces); break;
       case GL_TEXTURE_3D: add_level({width, width, width}, faces); break;
       case GL_TEXTURE_BUFFER: add_level({512, 1, 1}, faces); return texture;
-      case GL_TEXTURE_2D_MULTISAMPLE: add_level({8, 8, 1}, faces); return texture;
+      case GL_TEXTURE_2D_MULTISAMPLE: add_level({8, 8, kSamples}, faces); return texture;
       default: add_level({width, width, 1}, faces); break;
     }
   }

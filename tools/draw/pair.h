@@ -33,7 +33,8 @@ struct TextureForm {
   WordKind kind = WordKind::kFloat;
   bool compares = false;
 };
-// A texture of random texels, a level for each size down to 1. Integers are small, and negative
+// A texture of random texels, a level for each size down to 1; a multisampled one has samples that
+// differ. Integers are small, and negative
 // where they have a sign.
 Inputs::Texture PairTexture(std::uint64_t seed, const TextureForm& form = {});
 

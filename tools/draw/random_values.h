@@ -22,7 +22,7 @@ struct RandomOptions {
   bool quarters = false;
   // Of a pixel shader: w changes from pixel to pixel, so that inputs are not exact.
   bool perspective = false;
-  // Of a pixel shader, in OpenGL: the samples of a pixel, of which the image is resolved.
+  // Of a pixel shader: the samples of a pixel, of which the image is resolved.
   int samples = 1;
 };
 

@@ -23,6 +23,7 @@ const ObjectInfo& FormOf(ObjectKind kind) {
 }
 
 GLenum TargetOf(const ObjectInfo& form) {
+  if (form.is_multisampled) return GL_TEXTURE_2D_MULTISAMPLE;
   constexpr GLenum kTargets[][2] = {{GL_TEXTURE_1D, GL_TEXTURE_1D_ARRAY},
                                     {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY},
                                     {GL_TEXTURE_3D, GL_NONE},
@@ -81,11 +82,13 @@ class Maker {
                             : 3 + 2 * values_.Below(6);  // odd: 0.5 is not a border
     }
     if (form_.is_array) texture.size[form_.axes] = 3 + values_.Below(3);
+    if (form_.is_multisampled) texture.size[form_.axes] = kSamples;
     texture.is_constant = uses_.constant;
     const auto constant = Texel();
     const std::uint32_t largest =
         *std::max_element(texture.size.begin(), texture.size.begin() + form_.axes);
-    for (std::size_t level = 0; largest >> level != 0; ++level) {
+    const std::uint32_t smallest = form_.is_multisampled ? largest : 1;
+    for (std::size_t level = 0; largest >> level >= smallest; ++level) {
       const Size size = SizeOf(form_, texture.size, level);
       const std::size_t face = std::size_t{size[0]} * size[1];
       std::vector<Texel4> texels(face * size[2]);
@@ -158,6 +161,7 @@ class Reader {
       case ObjectOp::kGatherAlpha: return Gather(result);
       case ObjectOp::kTextureLoad: return Load(result);
       case ObjectOp::kTextureSize: return Sizes(result);
+      case ObjectOp::kTextureSamples: result[0] = kSamples; return true;
       case ObjectOp::kTextureLevels: result[0] = texture_.levels.size(); return true;
       default: return false;
     }
@@ -303,8 +307,9 @@ class Reader {
   }
 
   bool Load(std::span<std::uint64_t> result) const {
-    const std::size_t axes = form_.axes, sizes = axes + form_.is_array;
-    const std::uint64_t level = request_.arguments[sizes];
+    // The last argument is the level, or the sample of a texture that has no other levels.
+    const std::size_t axes = form_.axes, sizes = axes + (form_.is_array || form_.is_multisampled);
+    const std::uint64_t level = form_.is_multisampled ? 0 : request_.arguments[sizes];
     if (level >= texture_.levels.size()) return false;
     const Size size = SizeOf(form_, texture_.size, level);
     std::size_t index = 0, stride = 1;
@@ -391,8 +396,8 @@ Textures MakeTextures(const Program& program, const RandomOptions& options, Rand
   Textures textures;
   for (const Resource& resource : program.resources) {
     const ObjectKind kind = ObjectTypeOf(program, resource.var).object;
-    if (InfoOf(kind).is_multisampled)
-      throw DrawError("the shader reads a multisampled texture, which no test draws with");
+    if (InfoOf(kind).is_multisampled && InfoOf(kind).is_array)
+      throw DrawError("the shader reads a multisampled array, which no test draws with");
     Uses& found = uses[resource.var.index];
     found.constant = found.constant || (found.sampled && options.constant_textures);
     if (!IsTexture(kind) && !IsCombinedSampler(kind) &&
@@ -413,8 +418,9 @@ void ReadTexture(const Program& program, const Textures& textures, const ObjectR
       Reader(form, elements[request.object_element], request).Read(result)) {
     return;
   }
-  const bool is_query =
-      request.op == ObjectOp::kTextureSize || request.op == ObjectOp::kTextureLevels;
+  const bool is_query = request.op == ObjectOp::kTextureSize ||
+                        request.op == ObjectOp::kTextureLevels ||
+                        request.op == ObjectOp::kTextureSamples;
   const Scalar kind = is_query ? Scalar::kInt : ElementKind(program, request.object);
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = UndefinedBits(request, undefined, kind, i);

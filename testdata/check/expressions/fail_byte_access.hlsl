@@ -2,7 +2,7 @@
 // RUN: not %clipc -T vs_6_2 -E main -Zpr %s 2>&1 | FileCheck %s --check-prefix=ROWS
 struct Turned { row_major float2x3 turn; };
 struct Empty {};
-struct Holds { float a; double b; };
+struct Holds { float a; Texture2D b; };
 ByteAddressBuffer bytes;
 RWByteAddressBuffer written;
 Texture2D picture;

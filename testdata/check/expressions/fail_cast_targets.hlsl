@@ -10,10 +10,16 @@ float4 main(float4 p : POSITION, int i : I) : SV_Position {
   float f = 1;
   // CHECK: [[#@LINE+1]]:11: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
   (float3)f = 1;
-  // CHECK: [[#@LINE+1]]:9: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
-  (int2)m._11_22 = 1;
+  // CHECK: [[#@LINE+1]]:10: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
+  (half2)m._11_22 = 1;
   // CHECK: [[#@LINE+1]]:20: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
   (float)(float2x3)m = 1;
+  // CHECK: [[#@LINE+1]]:3: error: a cast from `float4` to `int4` cannot be assigned to; {{.*}} [cast-target-kind, X3025]
+  (int4)p = 1;
+  // CHECK: [[#@LINE+1]]:3: error: a cast from `float4` to `int4` cannot be assigned to; {{.*}} [cast-target-kind, X3025]
+  (float2)(int4)p = float4(1, 2, 3, 4);
+  // CHECK: [[#@LINE+1]]:3: error: this cannot be assigned to; {{.*}} [not-assignable, X3025]
+  ((int4)p).xy = 1;
   // CHECK: [[#@LINE+1]]:3: error: {{.*}} [swizzle-repeats
   m._11_11[i] = 1;
   return p;

@@ -31,8 +31,8 @@ float4 old(float2 uv : TEXCOORD0, float4 light : COLOR0) : COLOR {
   return color * light;
 }
 // The same on an image of four samples a pixel: a pixel on the edge of two triangles runs once for each.
-// RUN: %draw compare %s -T ps_5_0 --target glsl450,glsl330 --samples 4
-// RUN: %draw compare %s -T ps_5_0 -E depth --target glsl450 --samples 4
+// RUN: %draw compare %s -T ps_5_0 --target glsl450,glsl330,essl300,essl310,vulkan --samples 4
+// RUN: %draw compare %s -T ps_5_0 -E depth --target glsl450,essl300,vulkan --samples 4
 // RUN: %draw compare %s -T ps_6_0 -E count --target glsl450 --samples 4
 float4 count(float2 uv : UV) : SV_Target {
   clip(leaves.Sample(smoothly, uv).a - 0.25);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/opengl/upload.h"
 
+#include "tools/draw/opengl/samples.h"
+
 namespace clipc::draw {
 namespace {
 
@@ -43,29 +45,6 @@ void UploadLevel(GLenum target, const Format& format, GLint number,
   }
 }
 
-// Makes the bound texture one of several samples, each with the texel of a texture of one sample.
-void UploadSamples(const Format& format, const Inputs::Texture::Level& level) {
-  const auto [width, height, depth] = level.size;
-  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, 4, format.internal, width, height, GL_TRUE);
-  GLint id = 0, drawn = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &id);
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
-  GLuint texture = 0, framebuffers[2] = {};
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  UploadLevel(GL_TEXTURE_2D, format, 0, level);
-  glGenFramebuffers(2, framebuffers);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers[0]);
-  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers[1]);
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
-                         static_cast<GLuint>(id), 0);
-  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(drawn));
-  glDeleteFramebuffers(2, framebuffers);
-  glDeleteTextures(1, &texture);
-}
-
 }  // namespace
 
 GLuint UploadTexture(const Inputs::Texture& texture,
@@ -79,7 +58,8 @@ GLuint UploadTexture(const Inputs::Texture& texture,
     return id;
   }
   if (texture.target == GL_TEXTURE_2D_MULTISAMPLE) {
-    UploadSamples(format, texture.levels.at(0));
+    UploadSamples(format.internal, format.components, format.type, texture.kind,
+                  texture.levels.at(0));
     return id;
   }
   for (std::size_t level = 0; level < texture.levels.size(); ++level) {

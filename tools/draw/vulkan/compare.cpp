@@ -48,7 +48,7 @@ Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
     const Spirv vertex = SpirvOfGlsl(SurfaceVertexShader(shader, shader.glsl, space));
     const std::vector<Captured> drawn =
         runner.DrawSurface(vertex, SpirvOfGlsl(shader.glsl, Stage::kPixel),
-                           TargetsOf(shader.lowered, shader.info), call);
+                           TargetsOf(shader.lowered, shader.info), call, trial.draw.samples);
     return CompareOutputs(outputs, Chosen(drawn, outputs), trial.tolerance);
   }
   const Spirv spirv = SpirvOfGlsl(Capturable(shader.glsl));

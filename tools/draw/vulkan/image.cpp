@@ -104,7 +104,8 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   return made;
 }
 
-Image MakeTarget(const Device& device, vk::Extent2D size, vk::Format format) {
+Image MakeTarget(const Device& device, vk::Extent2D size, vk::Format format,
+                 vk::SampleCountFlagBits samples) {
   const bool is_depth = format == vk::Format::eD32Sfloat;
   const vk::ImageUsageFlags usage = is_depth ? vk::ImageUsageFlagBits::eDepthStencilAttachment
                                              : vk::ImageUsageFlagBits::eColorAttachment;
@@ -115,7 +116,7 @@ Image MakeTarget(const Device& device, vk::Extent2D size, vk::Format format) {
                    {size.width, size.height, 1},
                    1,
                    1,
-                   vk::SampleCountFlagBits::e1,
+                   samples,
                    vk::ImageTiling::eOptimal,
                    usage | vk::ImageUsageFlagBits::eTransferSrc},
                   vk::ImageViewType::e2D,

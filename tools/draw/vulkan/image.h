@@ -16,7 +16,8 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture);
 
 // An image that can be drawn to.
 Image MakeTarget(const Device& device, vk::Extent2D size,
-                 vk::Format format = vk::Format::eR32G32B32A32Sfloat);
+                 vk::Format format = vk::Format::eR32G32B32A32Sfloat,
+                 vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1);
 
 // Records a change of layout that everything before it and after it waits for.
 void Transition(const vk::raii::CommandBuffer& commands, const Image& image,

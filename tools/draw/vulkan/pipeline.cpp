@@ -101,7 +101,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   rasterization.rasterizerDiscardEnable = !draws;
   rasterization.lineWidth = 1;
   rasterization.frontFace = vk::FrontFace::eClockwise;  // as in Direct3D
-  const vk::PipelineMultisampleStateCreateInfo samples;
+  const vk::PipelineMultisampleStateCreateInfo samples({}, targets.samples);
   vk::PipelineColorBlendAttachmentState color;
   color.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
   std::vector<vk::PipelineColorBlendAttachmentState> colors(targets.colors.size(), color);

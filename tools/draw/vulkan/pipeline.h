@@ -40,6 +40,7 @@ struct PipelineTargets {
   vk::Extent2D size{kPairSize, kPairSize};
   std::vector<vk::Format> colors{vk::Format::eR32G32B32A32Sfloat};  // eUndefined: none
   vk::Format depth = vk::Format::eUndefined;  // every pixel passes, and its depth is kept
+  vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
 };
 // Targets for all that the fragment shader writes.
 PipelineTargets TargetsOf(const Spirv& fragment);

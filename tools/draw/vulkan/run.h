@@ -56,10 +56,11 @@ class Runner {
   std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs,
                                 const DrawCall& call) const;
 
-  // Draws the surface with both shaders and returns the values of each target, in their order.
+  // Draws the surface with both shaders and returns the values of each target, in their order. A
+  // pixel has `samples`, which are resolved.
   std::vector<Captured> DrawSurface(const Spirv& vertex, const Spirv& fragment,
-                                    const std::vector<SurfaceTarget>& targets,
-                                    const DrawCall& call) const;
+                                    const std::vector<SurfaceTarget>& targets, const DrawCall& call,
+                                    int samples) const;
 
  private:
   std::unique_ptr<Device> device_;

@@ -23,19 +23,23 @@ vk::ImageAspectFlagBits AspectOf(const SurfaceTarget& target) {
   return target.is_depth ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
 }
 
-// The images of the targets, as attachments of a draw call.
+// The images of the targets, as attachments of a draw call. Where a pixel has several samples,
+// these have images of their own, which are resolved into the others.
 class SurfaceImages {
  public:
-  SurfaceImages(const Device& device, const std::vector<SurfaceTarget>& targets)
+  SurfaceImages(const Device& device, const std::vector<SurfaceTarget>& targets, int samples)
       : targets_(targets) {
     formats_.size = kSurfaceExtent;
     formats_.colors.clear();
+    formats_.samples = static_cast<vk::SampleCountFlagBits>(samples);
     for (const SurfaceTarget& target : targets) {
       const Image& image =
           images_.emplace_back(MakeTarget(device, kSurfaceExtent, FormatOf(target)));
       pixels_.push_back(device.NewBuffer(
           vk::BufferUsageFlagBits::eTransferDst,
           Bytes(std::size_t{4} * kSurfaceWidth * kSurfaceHeight * (target.is_depth ? 1 : 4))));
+      if (samples > 1)
+        sampled_.push_back(MakeTarget(device, kSurfaceExtent, FormatOf(target), formats_.samples));
       Add(target, image);
     }
   }
@@ -43,8 +47,11 @@ class SurfaceImages {
   const PipelineTargets& Formats() const { return formats_; }
 
   void Begin(const vk::raii::CommandBuffer& commands) const {
-    for (std::size_t i = 0; i < targets_.size(); ++i)
-      Change(commands, i, vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      Change(commands, i, images_[i], vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral);
+      if (!sampled_.empty())
+        Change(commands, i, sampled_[i], vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral);
+    }
     const bool has_depth = formats_.depth != vk::Format::eUndefined;
     commands.beginRendering(vk::RenderingInfo({}, vk::Rect2D({0, 0}, kSurfaceExtent), 1, 0, colors_,
                                               has_depth ? &depth_ : nullptr));
@@ -54,7 +61,8 @@ class SurfaceImages {
   void End(const vk::raii::CommandBuffer& commands) const {
     commands.endRendering();
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-      Change(commands, i, vk::ImageLayout::eGeneral, vk::ImageLayout::eTransferSrcOptimal);
+      Change(commands, i, images_[i], vk::ImageLayout::eGeneral,
+             vk::ImageLayout::eTransferSrcOptimal);
       const vk::ImageSubresourceLayers place(AspectOf(targets_[i]), 0, 0, 1);
       const vk::BufferImageCopy copy(0, 0, 0, place, {}, {kSurfaceWidth, kSurfaceHeight, 1});
       commands.copyImageToBuffer(*images_[i].image, vk::ImageLayout::eTransferSrcOptimal,
@@ -76,6 +84,14 @@ class SurfaceImages {
     attachment.imageLayout = vk::ImageLayout::eGeneral;
     attachment.loadOp = vk::AttachmentLoadOp::eClear;
     attachment.storeOp = vk::AttachmentStoreOp::eStore;
+    if (!sampled_.empty()) {
+      const bool has_mean = !target.is_depth && target.kind == WordKind::kFloat;
+      attachment.resolveMode =
+          has_mean ? vk::ResolveModeFlagBits::eAverage : vk::ResolveModeFlagBits::eSampleZero;
+      attachment.resolveImageView = attachment.imageView;
+      attachment.resolveImageLayout = attachment.imageLayout;
+      attachment.imageView = *sampled_.back().view;
+    }
     if (target.is_depth) {
       attachment.clearValue.depthStencil = vk::ClearDepthStencilValue(kClearDepth);
       depth_ = attachment;
@@ -92,13 +108,13 @@ class SurfaceImages {
     formats_.colors[target.number] = FormatOf(target);
   }
 
-  void Change(const vk::raii::CommandBuffer& commands, std::size_t i, vk::ImageLayout from,
-              vk::ImageLayout to) const {
-    Transition(commands, images_[i], {AspectOf(targets_[i]), 0, 1, 0, 1}, from, to);
+  void Change(const vk::raii::CommandBuffer& commands, std::size_t i, const Image& image,
+              vk::ImageLayout from, vk::ImageLayout to) const {
+    Transition(commands, image, {AspectOf(targets_[i]), 0, 1, 0, 1}, from, to);
   }
 
   const std::vector<SurfaceTarget>& targets_;
-  std::vector<Image> images_;
+  std::vector<Image> images_, sampled_;
   std::vector<Buffer> pixels_;
   std::vector<vk::RenderingAttachmentInfo> colors_;
   vk::RenderingAttachmentInfo depth_;
@@ -109,9 +125,9 @@ class SurfaceImages {
 
 std::vector<Captured> Runner::DrawSurface(const Spirv& vertex, const Spirv& fragment,
                                           const std::vector<SurfaceTarget>& targets,
-                                          const DrawCall& call) const try {
+                                          const DrawCall& call, int samples) const try {
   constexpr auto kBoth = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-  const SurfaceImages images(*device_, targets);
+  const SurfaceImages images(*device_, targets, samples);
   const Attributes attributes = UploadAttributes(*device_, call);
   const Descriptors descriptors(*device_, call);
   const std::vector<vk::DescriptorSetLayout> set_layouts = descriptors.Layouts();

@@ -1,0 +1,21 @@
+// Multisampled textures, whose samples differ. Oracle: the evaluator.
+// RUN: %draw compare %s -T ps_5_0 --target glsl450,glsl330,essl310
+// RUN: %draw compare %s -T ps_5_0 -E integers --target glsl450,essl310
+// RUN: %draw compare %s -T ps_5_0 -E queries --target glsl450
+// RUN: %draw compare %s -T vs_5_0 -E vertex --target glsl450
+Texture2DMS<float4> colors;
+Texture2DMS<int2> counts;
+int2 Inside(int2 at) { return abs(at) % 3; }
+float4 main(int2 at : AT, int number : NUMBER) : SV_Target {
+  const int2 inside = Inside(at);
+  return colors.Load(inside, 0) + colors.sample[1][inside].wzyx * 2 + colors.Load(inside, number & 3, int2(0, 0)) * 3 + colors[inside];
+}
+int2 integers(int2 at : AT, int number : NUMBER) : SV_Target {
+  return counts.Load(Inside(at), number & 3) * 3 + counts.Load(0, 3);
+}
+float4 queries(int2 at : AT, uint number : NUMBER) : SV_Target {
+  uint width, height, samples;
+  colors.GetDimensions(width, height, samples);
+  return colors.Load(uint2(abs(at)) % uint2(width, height), number % samples) * samples;
+}
+float4 vertex(int2 at : AT) : SV_Position { return colors.Load(Inside(at), 2); }
