@@ -158,16 +158,19 @@ class Binder : NotCopied {
   }
 
   void BindTexture(const Object& object, std::uint32_t element, Resource* resource) {
-    const GLint location = glGetUniformLocation(program_, object.name.c_str());
+    const std::string index = object.count > 1 ? "[" + std::to_string(element) + "]" : "";
+    const GLint location = glGetUniformLocation(program_, (object.name + index).c_str());
     if (location < 0) return;  // no output depends on it
     const auto unit = static_cast<GLint>(samplers_.size());
     glActiveTexture(GL_TEXTURE0 + unit);
     glGenSamplers(1, &samplers_.emplace_back());
-    glUniform1i(location + static_cast<GLint>(element), unit);
+    glUniform1i(location, unit);
     if (!resource) return;  // black, as where Direct3D has no texture
     if (object.type.starts_with("Texture2DMS") && resource->text().samples == 1)
       throw NotDrawn("a multisampled texture of one sample");
     if (resource->texture() == 0) throw NotDrawn("a buffer without a format for " + object.name);
+    if (object.type == "sampler1D" && resource->target() != GL_TEXTURE_1D)
+      throw NotDrawn("a texture of two dimensions for tex1D");
     glBindTexture(resource->target(),
                   object.compares ? resource->DepthTexture() : resource->texture());
     SamplerText text;
