@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "backend-glsl/legalize/es100/loops.h"
 #include "backend-glsl/operators.h"
 #include "backend-glsl/shape.h"
 #include "backend-glsl/writer/wave_call.h"
@@ -186,8 +187,9 @@ void ExpressionCheck::ObjectArgument(ExprId object) {
 void ExpressionCheck::BufferIndex(const Index& index, Span span) {
   const auto* ref = As<VarRef>(index.base);
   const bool is_uniform = ref && program_.vars[ref->var].storage == Storage::kUniform;
-  if (is_uniform && !target_.Has(Feature::kFreeIndices) && !As<Literal>(index.index) &&
-      clipc::InfoOf(program_.stage).draws_pixels)
+  if (is_uniform && !target_.Has(Feature::kFreeIndices) &&
+      clipc::InfoOf(program_.stage).draws_pixels &&
+      !IsConstantIndex(program_, index.index, loop_indices_))
     return Report(span, diag::TargetUniformIndex, program_.vars[ref->var].name);
   if (!ref || As<Literal>(index.index) || target_.Has(Feature::kDynamicBlockIndex)) return;
   const Var& var = program_.vars[ref->var];

@@ -87,6 +87,8 @@ class ExpressionCheck : protected TargetReport {
   void Expression(ExprId id);
 
   const bool has_blocks_;
+  // By VarId: the indices of loops by which a uniform of GLSL ES 1.00 may be indexed.
+  std::vector<char> loop_indices_;
 
  private:
   void SmallIntegers(ExprId id, const ir::Expr& expr);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/check_bindings.h"
@@ -258,14 +260,32 @@ class TargetCheck : ExpressionCheck {
       Type(program_.vars[parameter].type, program_.vars[parameter].span);
       Value(program_.vars[parameter]);
     }
+    std::vector<RefusedLoop> refused;
+    if (!target_.Has(Feature::kFreeLoops)) refused = FindLoops(function.body);
     Statement(function.body);
-    if (target_.Has(Feature::kFreeLoops)) return;
-    const CountedLoops loops(program_, function.body);
-    ForEachStmt(program_, function.body, [&](StmtId stmt) {
+    for (const auto& [span, why] : refused) Report(span, diag::TargetLoop, why);
+  }
+
+  // The loops that the target lacks. Keeps the indices of the others.
+  struct RefusedLoop {
+    Span span;
+    std::string_view why;
+  };
+  std::vector<RefusedLoop> FindLoops(StmtId body) {
+    // Other styles read an array by a function, whose parameter is not a constant.
+    const bool has_indices = blocks_ == BlockStyle::kFlat;
+    if (has_indices) loop_indices_.resize(program_.vars.size());
+    std::vector<RefusedLoop> refused;
+    const CountedLoops loops(program_, body);
+    ForEachStmt(program_, body, [&](StmtId stmt) {
       CountedLoop loop;
       const std::string_view why = loops.WhyNot(stmt, loop);
-      if (!why.empty()) Report(program_.stmts[stmt].span, diag::TargetLoop, why);
+      if (!why.empty())
+        refused.push_back({program_.stmts[stmt].span, why});
+      else if (has_indices && loop.counter)
+        loop_indices_[loop.counter.index] = 1;
     });
+    return refused;
   }
 
   void Statement(StmtId id) {

@@ -54,19 +54,26 @@ std::string_view CountedLoops::WhyNotAlone(StmtId stmt, CountedLoop& loop) const
   return "";
 }
 
-bool CountedLoops::IsConstant(ExprId expr) const {
-  if (As<Literal>(program_, expr) || As<Zero>(program_, expr)) return true;
-  if (const auto* convert = As<Convert>(program_, expr)) return IsConstant(convert->operand);
-  if (const auto* unary = As<Unary>(program_, expr))
-    return unary->op == UnaryOp::kNegate && IsConstant(unary->operand);
-  if (const auto* binary = As<Binary>(program_, expr)) {
+bool CountedLoops::IsConstant(ExprId expr) const { return IsConstantIndex(program_, expr, {}); }
+
+bool IsConstantIndex(const Program& program, ExprId expr, std::span<const char> loop_indices) {
+  const auto is_constant = [&](ExprId part) {
+    return IsConstantIndex(program, part, loop_indices);
+  };
+  if (As<Literal>(program, expr) || As<Zero>(program, expr)) return true;
+  if (const auto* convert = As<Convert>(program, expr)) return is_constant(convert->operand);
+  if (const auto* unary = As<Unary>(program, expr))
+    return unary->op == UnaryOp::kNegate && is_constant(unary->operand);
+  if (const auto* binary = As<Binary>(program, expr)) {
     const bool is_sum = binary->op == BinaryOp::kAdd || binary->op == BinaryOp::kSub ||
                         binary->op == BinaryOp::kMul || binary->op == BinaryOp::kDiv;
-    return is_sum && IsConstant(binary->left) && IsConstant(binary->right);
+    return is_sum && is_constant(binary->left) && is_constant(binary->right);
   }
-  const auto* ref = As<VarRef>(program_, expr);
-  return ref && program_.vars[ref->var].storage == Storage::kConstant &&
-         program_.vars[ref->var].init && IsConstant(program_.vars[ref->var].init);
+  const auto* ref = As<VarRef>(program, expr);
+  if (!ref) return false;
+  const Var& var = program.vars[ref->var];
+  if (var.storage == Storage::kConstant) return var.init && is_constant(var.init);
+  return ref->var.index < loop_indices.size() && loop_indices[ref->var.index] != 0;
 }
 
 }  // namespace clipc::glsl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -33,5 +34,10 @@ class CountedLoops {
   // have the variable as their index without declaring it.
   std::vector<std::uint32_t> uses_, uses_in_loops_;
 };
+
+// Whether the expression is a constant-index-expression (GLSL ES 1.00, appendix A, 5): made of
+// constants and of the indices of counted loops, `loop_indices` by VarId.
+bool IsConstantIndex(const ir::Program& program, ir::ExprId expr,
+                     std::span<const char> loop_indices);
 
 }  // namespace clipc::glsl

@@ -5,6 +5,7 @@
 // RUN: not %clipc -T ps_5_0 -E planes %s -o - 2>&1 | FileCheck %s --check-prefix=PLANES
 // RUN: not %clipc -T ps_5_0 -E dual %s -o - 2>&1 | FileCheck %s --check-prefix=DUAL
 // RUN: not %clipc -T ps_5_0 -E indexed --target=essl100 %s -o - 2>&1 | FileCheck %s --check-prefix=INDEXED
+// RUN: not %clipc -T ps_5_0 -E looped --target=essl100 %s -o - 2>&1 | FileCheck %s --check-prefix=LOOPED
 // RUN: not %clipc -T ps_5_0 -E good --lower=discard --plane-space=xyw1 --invariant --pixel-shader=%s %s -o - 2>&1 | FileCheck %s --check-prefix=OPTIONS
 cbuffer C { float4 plane; float4 colors[4]; };
 
@@ -31,6 +32,13 @@ Dual dual() { return (Dual)0; }
 
 float4 indexed(float2 uv : UV) : SV_Target { return colors[int(uv.x)]; }
 // INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms [target-uniform-index]
+
+float4 looped() : SV_Target {
+  float4 sum = 0;
+  for (int i = 0; i < 4; ++i) sum += colors[i];
+  return sum;
+}
+// LOOPED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms [target-uniform-index]
 
 float4 good() : SV_Target { return 0; }
 // OPTIONS-DAG: error: `--pixel-shader` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]
