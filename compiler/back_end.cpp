@@ -70,6 +70,7 @@ Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerOptions& 
   if (!lowered.is_complete) return lowered;
   ReportLeftOut(distances, lowered.program, job.diagnostics);
   CheckTarget(lowered, job.request.style.blocks, job.diagnostics);
+  CheckBufferLayout(lowered.program, job.request.style.layout, job.diagnostics);
   if (!job.diagnostics.has_errors()) Legalize(lowered, options.passes);
   return lowered;
 }

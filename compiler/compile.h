@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "backend-glsl/check_layout.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
@@ -93,6 +94,8 @@ struct StyleOptions {
   bool invariant = false;  // gl_Position is invariant: backend-glsl/write.h
   // The form of constant buffers: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
+  // The layout that the buffers must have, which is Direct3D's too or an error.
+  glsl::BufferLayout layout = glsl::BufferLayout::kDirect3D;
   // The style of names: "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: the names
   // of the pixel shader, or "hlslcc" where it is not known.
   std::string names;

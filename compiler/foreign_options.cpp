@@ -185,6 +185,9 @@ constexpr Option kForeignOptions[] = {
      kRegisterSets},
     {"--auto-sampled-textures -fauto-combined-image-sampler", kFlag, Set<&Reading::joins_samplers>},
     {"--hlsl-iomap -fhlsl-iomap", kFlag, Set<&Reading::maps_registers>},
+    {"-fvk-use-gl-layout", kFlag, SetTo<&StyleOptions::layout, glsl::BufferLayout::kGl>},
+    {"-fvk-use-scalar-layout", kFlag, SetTo<&StyleOptions::layout, glsl::BufferLayout::kScalar>},
+    {"-fvk-use-dx-layout", kFlag, SetTo<&StyleOptions::layout, glsl::BufferLayout::kDirect3D>},
     {"-V", kJoined, SetVulkanSpirv},
     {"--target-env --client", kEquals, SetSpirvFor},
     {"--target-spv", kEquals, SetSpirvVersion},
@@ -236,7 +239,7 @@ constexpr Option kForeignOptions[] = {
     // Options for what clipc always does: buffers keep Direct3D's layout, SV_VertexID and
     // SV_InstanceID begin at 0, SV_Position.w is Direct3D's, resources are mapped by register, and
     // those without one, inputs and outputs have numbers too; a texture may have no sampler.
-    {"-fvk-use-dx-layout --hlsl-offsets -fhlsl-offsets -fvk-support-nonzero-base-instance "
+    {"--hlsl-offsets -fhlsl-offsets -fvk-support-nonzero-base-instance "
      "-fvk-support-nonzero-base-vertex -fvk-use-dx-position-w --hlsl-dx-position-w "
      "--hlsl-dx9-compatible -fvk-auto-shift-bindings --auto-map-bindings --amb "
      "--auto-map-locations --aml -fauto-bind-uniforms -fauto-map-locations -pedantic "
@@ -299,8 +302,6 @@ constexpr Option kForeignOptions[] = {
     {"-fspv-use-legacy-buffer-matrix-order", kFlag, Refuse, nullptr,
      "a matrix in a raw buffer lies there column by column"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
-    {"-fvk-use-gl-layout -fvk-use-scalar-layout", kFlag, Refuse, nullptr,
-     "buffers keep the layout of Direct3D, as with -fvk-use-dx-layout"},
     {"-fvk-bind-resource-heap -fvk-bind-sampler-heap -fvk-bind-counter-heap", kTwo, Refuse, nullptr,
      "GLSL has no objects without a declaration; declare arrays of them with registers"},
     {"-fvk-", kJoined, Refuse, nullptr, kFollowRegisters},

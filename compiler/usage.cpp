@@ -25,6 +25,7 @@ std::string_view NotForHlsl(const CommandLine& command) {
   if (!command.listing.empty()) return "-Fc";
   if (!command.fragment.empty()) return "--fragment";
   if (request.outputs.spirv) return "-spirv";
+  if (request.style.layout != glsl::BufferLayout::kDirect3D) return "-fvk-use-gl-layout";
   return {};
 }
 
