@@ -157,9 +157,20 @@ class Binder : NotCopied {
     }
   }
 
+  // The place of an element, which OpenGL may have left out. The inner arrays of an array of arrays
+  // follow each other.
+  GLint LocationOf(const Object& object, std::uint32_t element) const {
+    const auto find = [&](const std::string& index) {
+      return glGetUniformLocation(program_, (object.name + index).c_str());
+    };
+    if (object.count == 1) return find("");
+    const GLint of_arrays = find("[0][0]");
+    return of_arrays < 0 ? find("[" + std::to_string(element) + "]")
+                         : of_arrays + static_cast<GLint>(element);
+  }
+
   void BindTexture(const Object& object, std::uint32_t element, Resource* resource) {
-    const std::string index = object.count > 1 ? "[" + std::to_string(element) + "]" : "";
-    const GLint location = glGetUniformLocation(program_, (object.name + index).c_str());
+    const GLint location = LocationOf(object, element);
     if (location < 0) return;  // no output depends on it
     const auto unit = static_cast<GLint>(samplers_.size());
     glActiveTexture(GL_TEXTURE0 + unit);
