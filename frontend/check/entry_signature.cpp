@@ -83,12 +83,12 @@ bool TakesObjects(const Context& context, const Parameter& parameter) {
          HasObjectField(context, parameter.type);
 }
 
-// Whether the parameter is a texture or sampler of the shader, as if it were uniform, by the same
-// rule.
-bool IsBareObject(const Context& context, const Parameter& parameter) {
+// Whether the parameter is a texture or sampler of the shader without a semantic, as if it were
+// uniform, by the same rule.
+bool IsBareObject(const Context& context, const ast::VarDecl& var, const Parameter& parameter) {
   const Profile& profile = context.program.profile;
-  return parameter.storage == Storage::kIn && profile.IsAtLeast(5, 0) && !profile.IsAtLeast(6, 0) &&
-         HoldsObjects(context, parameter.type);
+  return parameter.storage == Storage::kIn && !var.semantic.name && profile.IsAtLeast(5, 0) &&
+         !profile.IsAtLeast(6, 0) && HoldsObjects(context, parameter.type);
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
       context.Report(var.name_span, diag::SemanticOnObject, context[var.name],
                      context[context[var.type].name.name]);
     }
-    if ((var.qualifiers & ast::kUniform) || IsBareObject(context, parameter)) {
+    if ((var.qualifiers & ast::kUniform) || IsBareObject(context, var, parameter)) {
       entry_parameter.is_uniform = true;
       const std::size_t number = uniforms++;
       entry_parameter.uniform_var = number < arguments.size()
