@@ -284,6 +284,7 @@ constexpr Option kForeignOptions[] = {
     {"-rootsig-define -force-rootsig-ver -force_rootsig_ver", kSeparate, HasNoEffect, nullptr,
      "GLSL has no root signature"},
     {"-Gch -Gdp", kFlag, HasNoEffect, nullptr, "it is for effects"},
+    {"--no-link --lto", kFlag, HasNoEffect, nullptr, "there is one shader to link"},
     {"--keep-uncalled --ku", kFlag, HasNoEffect, nullptr,
      "functions that nothing calls are left out"},
 

@@ -36,9 +36,10 @@ struct Reading {
   std::optional<Stage> stage;        // -S
   bool preserves_interface = false;  // dxc's -fspv-preserve-interface
   SpirvRequest spirv;
-  std::string vulkan_option;  // the last option that is for target `vulkan` only
-  std::string spirv_option;   // the last one that is for SPIR-V only
-  bool preprocess = false;    // -P
+  std::string vulkan_option;       // the last option that is for target `vulkan` only
+  std::string spirv_option;        // the last one that is for SPIR-V only
+  bool preprocesses_only = false;  // glslang's -E
+  bool preprocess = false;         // -P
   std::string preprocess_name, preprocess_output;  // the values of -P and of -Fi
   struct Ignored {
     std::string option, why;

@@ -154,6 +154,10 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
 // Settles -P FILE, or -P alone and -Fi FILE, as newer releases of dxc take it.
 void FinishPreprocess(Reading& reading) {
   CommandLine& command = reading.command;
+  if (reading.preprocesses_only) {
+    command.preprocessed = std::exchange(command.output, {});
+    if (command.preprocessed.empty()) command.preprocessed = "-";
+  }
   if (!reading.preprocess) return;
   command.preprocessed = reading.preprocess_name;
   if (command.inputs.empty() && command.batch.empty() && !command.preprocessed.empty())

@@ -31,14 +31,14 @@ Dual dual() { return (Dual)0; }
 // DUAL: error: location 0 of `dual.b` is that of `dual.a` too [location-twice]
 
 float4 indexed(float2 uv : UV) : SV_Target { return colors[int(uv.x)]; }
-// INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms [target-uniform-index]
+// INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms, and with `--blocks=flat` those of loops [target-uniform-index]
 
 float4 looped() : SV_Target {
   float4 sum = 0;
   for (int i = 0; i < 4; ++i) sum += colors[i];
   return sum;
 }
-// LOOPED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms [target-uniform-index]
+// LOOPED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms, and with `--blocks=flat` those of loops [target-uniform-index]
 
 float4 good() : SV_Target { return 0; }
 // OPTIONS-DAG: error: `--pixel-shader` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]
