@@ -116,6 +116,10 @@ void ExpressionCheck::IntrinsicUse(const IntrinsicCall& call, Span span) {
   if (CategoryOf(call.op) == IntrinsicCategory::kWave ||
       CategoryOf(call.op) == IntrinsicCategory::kQuad)
     Check(FeatureOfWave(call.op), diag::TargetWave, span, NameOf(call.op));
+  if (call.op == Intrinsic::kCheckAccessFullyMapped)
+    Check(Feature::kTextureStatus, diag::TargetTiled, span, "a status");
+  if (CategoryOf(call.op) == IntrinsicCategory::kMemory)
+    Check(Feature::kMemoryBarriers, diag::TargetBarrier, span, NameOf(call.op));
   if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
     Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
   }
@@ -158,8 +162,18 @@ void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
   if (call.op == ObjectOp::kSampleCmp && object == ObjectKind::kTexture2DArray &&
       arguments.size() > 4)
     Check(Feature::kShadowArrayOffsets, diag::TargetSampleOffset, span);
+  if (call.clamp)
+    Check(Feature::kLevelClamps, diag::TargetTiled, span, "a clamp of the level of detail");
+  if (call.texel) Status(object, span);
   const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
   if (!is_length) Check(NeedOf(call.op), span);
+}
+
+// Reports a read with a status that GLSL does not have: textures of one dimension have none there.
+void ExpressionCheck::Status(ObjectKind object, Span span) {
+  constexpr std::string_view kStatus = "a status";
+  if (InfoOf(object).axes == 1) return Report(span, diag::TargetTiled, kStatus);
+  Check(Feature::kTextureStatus, diag::TargetTiled, span, kStatus);
 }
 
 // Reports a store to elements that lie tighter than std430 says and cannot be written word by

@@ -96,6 +96,7 @@ class ExpressionCheck : protected TargetReport {
   void UintOperand(const ir::Type& type, Span span);
   void IntrinsicUse(const ir::IntrinsicCall& call, Span span);
   void Interpolant(const ir::IntrinsicCall& call, Span span);
+  void Status(ir::ObjectKind object, Span span);
   void ObjectUse(const ir::ObjectCall& call, Span span);
   void StoreUse(ExprId object, ir::ObjectOp op, Span span);
   void ObjectArgument(ExprId object);

@@ -75,6 +75,7 @@ constexpr FeatureRow kFeatures[] = {
     // OpenGL ES does not require images in vertex shaders.
     {Feature::kImages, {420}, {}},
     {Feature::kStorageBuffers, {430}, {310}},
+    {Feature::kMemoryBarriers, {420}, {310}},
     {Feature::kDynamicBlockIndex, {400}, {320}},
     {Feature::kClipDistance, {130}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
     {Feature::kCullDistance, {450}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
@@ -152,6 +153,8 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kFullMatrices, {120}, {300}},
     {Feature::kTextureFunctions, {130}, {300}},
     {Feature::kTextureArrays, {130}, {300}},
+    {Feature::kTextureStatus, {kNever, 450, "GL_ARB_sparse_texture2"}, {}},
+    {Feature::kLevelClamps, {kNever, 450, "GL_ARB_sparse_texture_clamp"}, {}},
     {Feature::kShadowArrayOffsets, {430}, {}},
     {Feature::kTexture1D, {110}, {}},
     {Feature::kTexture3D, {110}, {300}},

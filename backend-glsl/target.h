@@ -42,6 +42,7 @@ enum class Feature : std::uint8_t {
   kBindings,           // layout(binding = 0)
   kImages,             // images that a vertex shader may write
   kStorageBuffers,     // `buffer`
+  kMemoryBarriers,     // memoryBarrier
   kDynamicBlockIndex,  // indices, not constant, of arrays of blocks and of samplers
   // ---- built-in variables
   kClipDistance,
@@ -105,6 +106,8 @@ enum class Feature : std::uint8_t {
   // ---- textures
   kTextureFunctions,  // textureLod, texelFetch, textureSize; integer samplers
   kTextureArrays,
+  kTextureStatus,       // sparseTextureARB and the like
+  kLevelClamps,         // textureClampARB and the like
   kShadowArrayOffsets,  // textureOffset of sampler2DArrayShadow
   kTexture1D,
   kTexture3D,

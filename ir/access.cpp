@@ -4,10 +4,13 @@
 namespace clipc::ir {
 namespace {
 
-// Whether the node writes an object. An object is not an lvalue, so ForEachWrite does not visit it.
+// Whether the node writes an object, or orders such writes. An object is not an lvalue, so
+// ForEachWrite does not visit it.
 bool IsStore(const Program& program, ExprId expr) {
   const auto* call = As<ObjectCall>(program, expr);
-  return call && WritesObject(call->op);
+  const auto* intrinsic = As<IntrinsicCall>(program, expr);
+  return (call && WritesObject(call->op)) ||
+         (intrinsic && CategoryOf(intrinsic->op) == IntrinsicCategory::kMemory);
 }
 
 // Whether the node itself writes something, without its operands and, for a call, without the body
@@ -103,6 +106,9 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
                      return program.vars[parameter].storage != Storage::kIn;
                    },
                    [&](const IntrinsicCall& node) { return WritesArgument(node.op, operand); },
+                   [&](const ObjectCall& node) {
+                     return node.texel && operand == node.arguments.size + (node.clamp ? 1 : 0);
+                   },
                    [](const auto&) { return false; },
                },
                program.exprs[expr].node);

@@ -89,6 +89,9 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
             [&](const IntrinsicCall& node) {
               if (WritesArguments(node.op)) of_call(node.arguments);
             },
+            [&](const ObjectCall& node) {
+              if (node.texel) on_target(node.texel);
+            },
             [](const auto&) {},
         },
         program.exprs[expr].node);

@@ -52,6 +52,7 @@ struct ObjectRequest {
   // its level of detail from them: NaN where not all pixels run it. Empty for every other
   // operation, and in a stage without neighbours.
   std::span<const double> coordinates = {};
+  double clamp = 0;  // the least level of detail
 };
 
 struct EvalInputs {

@@ -49,6 +49,7 @@ void Machine::EvalNode(ExprId expr, const Call& node) {
 void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
+  if (category == IntrinsicCategory::kMemory) return;  // invocations run one after the other
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
   const bool asks_quad =
       category == IntrinsicCategory::kNeighbours || category == IntrinsicCategory::kQuad;
@@ -169,7 +170,7 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
 }
 
 void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
-  const std::uint32_t words = WordsOf(expr);
+  const std::uint32_t words = WordsOf(node.texel ? node.texel : expr);
   const std::size_t base = stack_.size();
   ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};
   std::vector<Word> bits;
@@ -194,12 +195,23 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   }
   request.arguments = bits;
   request.coordinates = coordinates;
+  if (node.clamp) {
+    Eval(node.clamp);
+    request.clamp = FloatOf(ToBits(stack_.back(), TypeOf(node.clamp).scalar));
+    stack_.resize(base);
+  }
   std::vector<Word> result(words, 0);
   const bool is_lost = is_discarded_ && WritesObject(node.op);
   if (inputs_.read_object && !is_lost) inputs_.read_object(request, result);
   if (words == 0) return;
-  const std::vector<Scalar> kinds = KindsOf(program_.types, program_.exprs[expr].type);
+  const TypeId type = program_.exprs[node.texel ? node.texel : expr].type;
+  const std::vector<Scalar> kinds = KindsOf(program_.types, type);
   for (std::uint32_t i = 0; i < words; ++i) stack_.push_back(FromBits(result[i], kinds[i]));
+  if (!node.texel) return;
+  const std::vector<Word> texel(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end());
+  stack_.resize(base);
+  Store(Locate(node.texel), words, texel.data());
+  stack_.push_back(1);  // all texels are in memory
 }
 
 }  // namespace clipc::ir

@@ -20,7 +20,9 @@ bool MayBeConstant(const Program& program, ExprId expr) {
                    [](const Unary& node) { return !ChangesOperand(node.op); },
                    [](const IntrinsicCall& node) {
                      const bool writes = node.arguments.size > 1 && WritesArgument(node.op, 1);
-                     return !writes && node.op != Intrinsic::kAsDouble;
+                     return !writes && node.op != Intrinsic::kAsDouble &&
+                            node.op != Intrinsic::kCheckAccessFullyMapped &&
+                            CategoryOf(node.op) != IntrinsicCategory::kMemory;
                    },
                    [](const auto&) { return true; },
                },

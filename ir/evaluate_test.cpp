@@ -317,6 +317,34 @@ TEST_F(Evaluator, ObjectReadsGoThroughTheCallback) {
   EXPECT_THAT(Run(), ElementsAre(0, 0, 0.5, 0));
 }
 
+TEST_F(Evaluator, ObjectReadsHaveAClampAndAStatus) {
+  const VarId map = shader.AddVar("map", shader.types.Object(ObjectKind::kTexture2D, Float4()),
+                                  Storage::kResource);
+  const VarId linear =
+      shader.AddVar("linear", shader.types.Object(ObjectKind::kSampler), Storage::kResource);
+  shader.resources = {{map, {}}, {linear, {}}};
+  const VarId texel = build.Local("texel", Float4());
+  const List<ExprId> arguments =
+      shader.expr_lists.Add({build.Ref(map), build.Ref(linear),
+                             build.Swizzled(build.Ref(shader.parameter), {0, 1}), build.Float(2)});
+  const ObjectCall call{ObjectOp::kSampleLevel, arguments, build.Float(3), build.Ref(texel)};
+  const ExprId status = build.Add(shader.types.Make(Scalar::kUint), call);
+  const ExprId is_mapped = build.IntrinsicOf(Intrinsic::kCheckAccessFullyMapped,
+                                             shader.types.Make(Scalar::kBool), {status});
+  const ExprId sum = build.BinaryOf(BinaryOp::kAdd, build.SplatTo(Float4(), ToFloat(is_mapped)),
+                                    build.Ref(texel));
+  shader.Append({build.Stmt(Declare{texel, {}}), shader.Return(sum)});
+  shader.read_object = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
+    EXPECT_EQ(request.clamp, 3);
+    EXPECT_EQ(request.arguments.size(), 3u);
+    ASSERT_EQ(result.size(), 4u);
+    result[2] = BitsOf(0.5f);
+  };
+  EXPECT_THAT(Run(), ElementsAre(1, 1, 1.5, 1));
+  options.in_double = true;
+  EXPECT_THAT(Run(), ElementsAre(1, 1, 1.5, 1));
+}
+
 // ---- in double
 
 TEST_F(Evaluator, DoubleModeKeepsWhatFloatRounds) {

@@ -229,6 +229,7 @@ void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> argu
       for (std::size_t i = 0; i < count; ++i) result[0] &= is_true(i) ? 1 : 0;
       return;
     case kAny:
+    case kCheckAccessFullyMapped:  // a status is not 0 where the texels are in memory
       result[0] = 0;
       for (std::size_t i = 0; i < count; ++i) result[0] |= is_true(i) ? 1 : 0;
       return;

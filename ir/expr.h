@@ -265,6 +265,11 @@ constexpr bool TakesSampler(ObjectOp op) {
 struct ObjectCall {
   ObjectOp op{};
   List<ExprId> arguments;
+  ExprId clamp = {};  // the least level of detail of a sample; none: the texture has them all
+  // A variable of the value that the call has otherwise, but of four components where it is not a
+  // comparison: it is written, and the call's value is a uint, the status. None: there is no
+  // status.
+  ExprId texel = {};
 };
 // An expression that evaluates `first`, then `second`, whose value it has.
 struct Comma {

@@ -18,7 +18,7 @@ constexpr IntrinsicSignature ParseSignature(std::string_view text) {
   std::size_t at = text.find('(');
   std::size_t start = 0;
   if (!signature.is_special && !text.starts_with("void")) signature.result = ParseSlot(text, start);
-  while (text[at] != ')') {
+  while (text[at] != ')' && text.substr(at) != "()") {
     ++at;  // the parenthesis or the comma
     const IntrinsicSlot slot = ParseSlot(text, at);
     signature.arguments[signature.count++] = slot;

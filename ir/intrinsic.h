@@ -38,6 +38,7 @@ enum class IntrinsicCategory : std::uint8_t {
   kWave,          // the operand's values in other lanes of the wave count, too
   kQuad,          // as kWave, of the four pixels of a quad only
   kInterpolants,  // the first argument, an input, at another place of the pixel
+  kMemory,        // without arguments or value: the order of stores for other invocations
 };
 
 // The requirements that an intrinsic makes of a GLSL target.

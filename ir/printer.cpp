@@ -259,7 +259,12 @@ void Printer::Put(ExprId id) {
           [&](const MatrixTruncate& n) { typed("truncate", n.operand); },
           [&](const Call& n) { Put(NameOf(n.function), "(", n.arguments, ")"); },
           [&](const IntrinsicCall& n) { Put(ir::NameOf(n.op), "(", n.arguments, ")"); },
-          [&](const ObjectCall& n) { Put(TextOf(n.op), "(", n.arguments, ")"); },
+          [&](const ObjectCall& n) {
+            Put(TextOf(n.op), "(", n.arguments);
+            if (n.clamp) Put(", clamp: ", Operand{n.clamp});
+            if (n.texel) Put(", texel: ", Operand{n.texel});
+            Put(")");
+          },
           [&](const Comma& n) { Put(Operand{n.first}, ", ", Operand{n.second}); },
       },
       expr.node);

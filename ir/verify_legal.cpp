@@ -44,6 +44,7 @@ std::string_view BrokenBy(const Program& program, const IntrinsicCall& call) {
   using enum Intrinsic;
   if (IsComposed(call.op))
     return "the function stands for others, which a pass writes in its place";
+  if (call.arguments.empty()) return {};
   const Type& type = program.types[program.exprs[program.expr_lists[call.arguments][0]].type];
   switch (call.op) {
     case kMul:

@@ -31,7 +31,12 @@ void ForEachSlot(Node& node, Own&& own, Listed&& list) {
       [&](OneOf<Conditional, Select> auto& of) {
         own(of.condition), own(of.when_true), own(of.when_false);
       },
-      [&](OneOf<Construct, Call, IntrinsicCall, ObjectCall> auto& of) { list(of.arguments); },
+      [&](OneOf<Construct, Call, IntrinsicCall> auto& of) { list(of.arguments); },
+      [&](OneOf<ObjectCall> auto& of) {
+        list(of.arguments);
+        if (of.clamp) own(of.clamp);
+        if (of.texel) own(of.texel);
+      },
       [&](OneOf<Comma> auto& of) { own(of.first), own(of.second); },
   }(node);
 }

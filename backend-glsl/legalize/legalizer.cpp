@@ -60,6 +60,7 @@ bool IsLeastInteger(const Program& program, ExprId id) {
 // GLSL, or a snippet, has, or products of floats where the target has all matrices.
 bool MayDiffer(const Program& program, const Target& target, const IntrinsicCall& call) {
   const auto arguments = program.expr_lists[call.arguments];
+  if (arguments.empty()) return false;
   const Type& type = program.types[program.exprs[arguments[0]].type];
   if (!type.IsNumeric() || !IsFloat(type.scalar)) return true;
   if (call.op == Intrinsic::kMul) return !target.Has(Feature::kFullMatrices);

@@ -156,6 +156,10 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   const auto arguments = code[node.arguments];
   if (node.op == Intrinsic::kMul)
     return WriteProduct(code, arguments[0], arguments[1], ShapeOf(code[type], code.target));
+  if (CategoryOf(node.op) == IntrinsicCategory::kMemory) {
+    code.Put("memoryBarrier()");
+    return Binding::kPostfix;
+  }
   const ExprId x = arguments[0];
   if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
     return WriteDerivative(code, node.op, x);
@@ -200,6 +204,12 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
       if (!code.target.IsVulkan()) return WriteExpr(code, x);
       code.Require("GL_EXT_nonuniform_qualifier");
       return call("nonuniformEXT");
+    case Intrinsic::kCheckAccessFullyMapped:
+      code.Require(Feature::kTextureStatus);
+      code.Put("sparseTexelsResidentARB(int(");
+      WriteAt(code, x, Binding::kAssignment);
+      code.Put("))");
+      return Binding::kPostfix;
     case Intrinsic::kFrexp: code.Require(Feature::kBitCasts); break;
     case Intrinsic::kAsFloat: return WriteCast(code, Scalar::kFloat, x);
     case Intrinsic::kAsInt: return WriteCast(code, Scalar::kInt, x);

@@ -92,15 +92,44 @@ class ObjectCaller {
   // components, whatever the texture's element type is.
   Text Rest(std::string_view function, std::size_t first, ExprId sampler = {},
             std::string_view more = "") {
-    std::string text = Concat(function, "(", ObjectName(code_, arguments_[0], sampler));
+    std::string text = Concat(TiledName(function), "(", ObjectName(code_, arguments_[0], sampler));
     for (const ExprId argument : arguments_.subspan(first)) {
       Append(text, ", ", Argument(code_, argument));
     }
-    Append(text, more, ")");
+    Append(text, TiledArguments(), more, ")");
     return Narrow(std::move(text));
   }
 
+  // GLSL's function with the clamp of a sample, or with a status as its result, instead of
+  // `function`; the function itself where the call has neither.
+  std::string TiledName(std::string_view function) {
+    std::string name(function);
+    if (node_.clamp) {
+      code_.Require(Feature::kLevelClamps);
+      name += "Clamp";
+    }
+    if (node_.texel) {
+      code_.Require(Feature::kTextureStatus);
+      name[0] = static_cast<char>(name[0] - 'a' + 'A');
+      name = "sparse" + name;
+    }
+    return node_.clamp || node_.texel ? name + "ARB" : name;
+  }
+  // The arguments of such a function that come after the offset and before a bias or a component.
+  std::string TiledArguments() {
+    std::string text;
+    if (node_.clamp) Append(text, ", ", Argument(code_, node_.clamp));
+    if (node_.texel) Append(text, ", ", Argument(code_, node_.texel));
+    return text;
+  }
+
+  // The status that a call gives, if it has one, as HLSL's uint.
+  Text Status(std::string call) {
+    return node_.texel ? Called("uint", {call}) : Text{std::move(call)};
+  }
+
   Text Narrow(std::string four) {
+    if (node_.texel) return Status(std::move(four));
     const std::size_t count = ShapeOf(code_[type_], code_.target).size;
     if (count < 4) Append(four, ".", std::string_view("xyzw").substr(0, count));
     return {std::move(four)};
@@ -138,11 +167,11 @@ class ObjectCaller {
     const bool is_level_zero = node_.op == ObjectOp::kD3d9Sample && !has_neighbours && is_modern;
     Append(function, is_level_zero ? "Lod" : way.suffix, has_offset ? "Offset" : "");
     if (!is_modern) function += OldSuffix(is_explicit, way.suffix == "Grad");
-    // GLSL has the offset before the bias.
-    if (has_offset && node_.op == ObjectOp::kSampleBias) {
-      return Narrow(Called(function, {ObjectName(code_, arguments_[0], sampler), ArgumentAt(2),
-                                      ArgumentAt(4), ArgumentAt(3)})
-                        .text);
+    // GLSL has the bias after all other arguments.
+    if (node_.op == ObjectOp::kSampleBias) {
+      return Narrow(Concat(TiledName(function), "(", ObjectName(code_, arguments_[0], sampler),
+                           ", ", ArgumentAt(2), has_offset ? ", " + ArgumentAt(4) : "",
+                           TiledArguments(), ", ", ArgumentAt(3), ")"));
     }
     return Rest(function, first, sampler, is_level_zero ? ", 0.0" : "");
   }
@@ -167,7 +196,8 @@ class ObjectCaller {
     const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
     const std::string coordinate = ArgumentAt(2), reference = ArgumentAt(3);
     if (kind_ == ObjectKind::kTextureCubeArray) {
-      return Called("texture", {object, coordinate, reference});
+      return Status(Concat(TiledName("texture"), "(", object, ", ", coordinate, ", ", reference,
+                           TiledArguments(), ")"));
     }
     // A one-dimensional shadow lookup has an unused second component.
     const int components = code_.ShapeAt(arguments_[2]).size;
@@ -181,16 +211,17 @@ class ObjectCaller {
     const bool has_offset = arguments_.size() > 4 + more;
     const std::string offset = has_offset ? Concat(", ", ArgumentAt(4 + more)) : "";
     const std::string_view end = has_offset ? "Offset" : "";
-    const auto call = [&](std::string_view function, std::string_view values) {
-      return Text{Concat(function, end, "(", object, ", ", place, values, offset, ")")};
+    const auto call = [&](std::string_view function, std::string_view values,
+                          std::string_view bias = "") {
+      return Status(Concat(TiledName(Concat(function, end)), "(", object, ", ", place, values,
+                           offset, TiledArguments(), bias, ")"));
     };
     switch (node_.op) {
       case ObjectOp::kSampleCmp: return call("texture", "");
       case ObjectOp::kSampleCmpLevel: return call("textureLod", Concat(", ", ArgumentAt(4)));
       case ObjectOp::kSampleCmpGrad:
         return call("textureGrad", Concat(", ", ArgumentAt(4), ", ", ArgumentAt(5)));
-      case ObjectOp::kSampleCmpBias:  // GLSL has the offset before the bias
-        return {Concat("texture", end, "(", object, ", ", place, offset, ", ", ArgumentAt(4), ")")};
+      case ObjectOp::kSampleCmpBias: return call("texture", "", Concat(", ", ArgumentAt(4)));
       default: break;
     }
     if (HasShadowLevels(kind_)) return call("textureLod", ", 0.0");

@@ -331,6 +331,12 @@ void WrittenWalk::Visit(ExprId expr) {
                        WriteTo(argument, {});
                      }
                    },
+                   [&](const ObjectCall& node) {
+                     for (const ExprId argument : program_.expr_lists[node.arguments])
+                       Visit(argument);
+                     if (node.clamp) Visit(node.clamp);
+                     if (node.texel) WriteTo(node.texel, {});
+                   },
                    [&]<typename Node>(const Node& node) {
                      if constexpr (std::same_as<Node, Binary>) shared_.values.Check(node);
                      ForEachSlot(

@@ -138,6 +138,8 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
     return Report(call, diag::IntrinsicInterpolation);
   if (info.category == IntrinsicCategory::kQuad && !call.ThisStage().has_neighbours)
     return Report(call, diag::IntrinsicDerivative);
+  if (info.category == IntrinsicCategory::kMemory && !call.ThisStage().draws_pixels)
+    return Report(call, diag::IntrinsicBarrier);
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicDiscard);
   if (op == Intrinsic::kCountBits || op == Intrinsic::kFirstBitHigh ||
@@ -197,10 +199,9 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kRefused: break;
   }
   if (const ExprId value = StandInFor(call, entry->staged)) return value;
-  // The message of a family says why other stages may not call it. Those of tiled resources and of
-  // atomic operations are true in every stage.
+  // The message of a family says why other stages may not call it. That of atomic operations is
+  // true in every stage.
   const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait &&
-                        entry->refuse != Refuse<diag::IntrinsicTiled> &&
                         entry->refuse != Refuse<diag::IntrinsicAtomic>;
   return may_call ? Report(call, diag::IntrinsicUnsupported) : entry->refuse(call);
 }

@@ -249,7 +249,6 @@ TEST(IntrinsicsTest, RefusedFamilies) {
   EXPECT_EQ(suffix("ProcessTriTessFactorsMax"), "[intrinsic-tessellation, X4532]");
   EXPECT_EQ(suffix("TraceRay"), "[intrinsic-ray-tracing, X4532]");
   EXPECT_EQ(suffix("SetMeshOutputCounts"), "[intrinsic-mesh, X4532]");
-  EXPECT_EQ(suffix("CheckAccessFullyMapped"), "[intrinsic-tiled, X4532]");
   EXPECT_EQ(suffix("noise"), "[intrinsic-noise, X3004]");
   EXPECT_EQ(suffix("NoSuchIntrinsic"), "[intrinsic-unsupported]");
   EXPECT_EQ(Call("abort", {}),

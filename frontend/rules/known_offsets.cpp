@@ -230,8 +230,8 @@ class OffsetFinder {
     const auto given = program_.expr_lists[arguments];
     const ExprId texture = given[0], location = given[1], level = given[2];
     const ExprId moved = Moved(Builder(program_, span), program_, location, offset);
-    program_.exprs[expr].node =
-        ObjectCall{ObjectOp::kTextureLoad, program_.expr_lists.Add({texture, moved, level})};
+    std::get<ObjectCall>(program_.exprs[expr].node).arguments =
+        program_.expr_lists.Add({texture, moved, level});
   }
 
   // Whether Direct3D 11 takes the offset as a number like any other, with gather4_po.

@@ -30,7 +30,7 @@ class MethodCheck : IntrinsicCheck {
   // Checks a Sample. In a stage without neighbours to take a level of detail from, fxc and DXC
   // refuse (X4532), and OpenGL reads level 0.
   ExprId Sample(int) {
-    if (!TakeSample(2)) return Error();
+    if (!TakeSample(2) || !HasLevelToClamp()) return Error();
     const bool has_neighbours = ThisStage().has_neighbours;
     if (!has_neighbours) arguments_.push_back(Make().Float(0));
     if (!TakeOffset(2)) return Error();
@@ -39,7 +39,8 @@ class MethodCheck : IntrinsicCheck {
   }
 
   ExprId SampleBias(int) {
-    if (!TakeSample(3) || !TakeFloats(2, 1) || !TakeOffset(3)) return Error();
+    if (!TakeSample(3) || !HasLevelToClamp() || !TakeFloats(2, 1) || !TakeOffset(3))
+      return Error();
     WarnOfLevel("0 plus the bias");
     return Finish(ThisStage().has_neighbours ? ObjectOp::kSampleBias : ObjectOp::kSampleLevel,
                   Element());
@@ -174,6 +175,12 @@ class MethodCheck : IntrinsicCheck {
   }
 
  private:
+  // Reports and returns false for a clamp in a stage that has no level of detail to clamp.
+  bool HasLevelToClamp() const {
+    if (!clamp_ || ThisStage().has_neighbours) return true;
+    diagnostics.Report(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
+    return false;
+  }
   void WarnOfLevel(std::string_view level) const {
     if (!ThisStage().has_neighbours)
       diagnostics.Report(name_span, diag::MethodLevelZero, name, ThisStage().name, level);
@@ -186,7 +193,9 @@ class MethodCheck : IntrinsicCheck {
   // `least`.
   ExprId GatherAfter(std::size_t least, ObjectKind sampler, ObjectOp op, Scalar kind) {
     const std::size_t given = arguments.size();
-    const bool has_four = traits_.offset != 0 && given == least + 4;
+    const bool has_four = traits_.offset != 0 && (given == least + 4 || given == least + 5);
+    if (has_four && given == least + 5)
+      return Fail(name_span, diag::MethodStatus, name, "a read with four offsets");
     if ((!has_four && !CheckCount(least)) || !TakeSampler(sampler) ||
         !TakeFloats(1, traits_.coordinates) || (least == 3 && !TakeFloats(2, 1)))
       return Error();
@@ -198,7 +207,8 @@ class MethodCheck : IntrinsicCheck {
       steps.push_back(place.prologue);
       arguments_[i] = Make().Ref(place.var);
     }
-    for (std::size_t i = least; i < given; ++i) {
+    const std::size_t end = has_four ? given : std::min(given, least + 1);
+    for (std::size_t i = least; i < end; ++i) {
       if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
     }
     return After(*this, steps, Finish(op, program.types.Vector(kind, 4)));
@@ -219,31 +229,56 @@ class MethodCheck : IntrinsicCheck {
     return false;
   }
   ExprId Compare(ObjectOp op) {
-    if (!TakeCompare(3) || !TakeOffset(3)) return Error();
+    if (!TakeCompare(3) || !HasLevelToClamp() || !TakeOffset(3)) return Error();
     return Finish(op, program.types.Make(Scalar::kFloat));
   }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
   ExprId Finish(ObjectOp op, TypeId type) {
-    return MakeObjectCall(Make(), program, type, op, arguments_);
+    const List<ExprId> list = program.expr_lists.Add(arguments_);
+    if (!status_) return Make().Add(type, ObjectCall{op, list, clamp_, {}});
+    const Type value = program.types[type];
+    const TypeId texel =
+        ComparesOnce(op) ? type : program.types.Vector(value.scalar, 4);
+    const VarId var = temporaries.Make(Make().ZeroOf(texel)).var;
+    const ExprId call = Make().Add(program.types.Make(Scalar::kUint),
+                                   ObjectCall{op, list, clamp_, Make().Ref(var)});
+    const ExprId assign = Make().AssignTo(status_, Convert(call, TypeIdOf(status_)));
+    return Make().CommaOf(assign,
+                          ConvertExplicit(program, Make().Ref(var), type, temporaries));
+  }
+  static bool ComparesOnce(ObjectOp op) {
+    using enum ObjectOp;
+    return op == kSampleCmp || op == kSampleCmpLevelZero || op == kSampleCmpLevel ||
+           op == kSampleCmpBias || op == kSampleCmpGrad;
   }
 
-  // Reports and returns false unless there are `least` arguments and perhaps an offset. A status
-  // after it asks about tiled resources, and is refused; so is a clamp before the status.
+  // Reports and returns false unless there are `least` arguments and perhaps an offset. From 5.0 on
+  // a clamp of the level of detail may come after it, of a sample that does not name the level, and
+  // a status at the end (Direct3D 11.2's tiled resources); both are taken here.
   bool CheckCount(std::size_t least) {
     const std::size_t most = least + (traits_.offset != 0 ? 1 : 0);
-    if (arguments.size() == most + 1 && TypeOf(arguments.back()).scalar == Scalar::kUint) {
-      diagnostics.Report(name_span, diag::MethodStatus, name);
-      return false;
-    }
     const bool may_clamp = name == "Sample" || name == "SampleBias" || name == "SampleGrad" ||
                            name == "SampleCmp" || name == "SampleCmpBias" ||
                            name == "SampleCmpGrad";
-    if (may_clamp && (arguments.size() == most + 1 || arguments.size() == most + 2)) {
-      diagnostics.Report(name_span, diag::MethodClamp, name);
+    const std::size_t all = most + (may_clamp ? 2 : 1), given = arguments.size();
+    const bool has_status = given == all && RootOf(program, arguments.back());
+    if (given <= most || given > all || (given == all && !has_status)) return HasCount(least, most);
+    return IsAtLeast(5, 0) && (!may_clamp || TakeClamp(most)) && (!has_status || TakeStatus());
+  }
+  bool TakeClamp(std::size_t i) {
+    const auto value = Converted(i, program.types.Make(Scalar::kFloat));
+    if (value) clamp_ = *value;
+    return value.has_value();
+  }
+  bool TakeStatus() {
+    if (!TraitsOf(kind_).texel && !TraitsOf(kind_).coordinates) {
+      diagnostics.Report(name_span, diag::MethodStatus, name, "a buffer");
       return false;
     }
-    return HasCount(least, most);
+    const std::size_t last = arguments.size() - 1;
+    status_ = arguments[last];
+    return IsTargetOf(last, program.types.Make(Scalar::kUint));
   }
 
   bool TakeSampler(ObjectKind kind) {
@@ -274,7 +309,7 @@ class MethodCheck : IntrinsicCheck {
 
   // Takes argument `i`, an optional offset in texels.
   bool TakeOffset(std::size_t i, OffsetRange range = {}) {
-    if (i >= arguments.size()) return true;
+    if (i >= arguments.size() || traits_.offset == 0) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
     // The place of a read is not a part of a stage's interface with another.
@@ -284,6 +319,9 @@ class MethodCheck : IntrinsicCheck {
       arguments_.push_back(*value);  // KnowOffsets finds its value, or reports it
       return true;
     }
+    // A clamp and a status come after an offset, which has to be given then.
+    const bool is_zero = std::ranges::all_of(constant->components, [](double x) { return x == 0; });
+    if (is_zero && (clamp_ || status_)) return true;
     Builder builder(program, SpanOf(arguments[i]));
     std::vector<ExprId> texels;
     for (const double texel : constant->components) {
@@ -304,6 +342,8 @@ class MethodCheck : IntrinsicCheck {
   ObjectKind kind_;
   TextureTraits traits_;
   std::vector<ExprId> arguments_;
+  ExprId clamp_;
+  ExprId status_;  // as the user wrote it
 };
 
 // The property that an object must have for a method to exist.

@@ -99,9 +99,13 @@ TEST_F(ObjectsTest, SamplesRefused) {
   EXPECT_EQ(
       Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "8"}),
       "offset 8 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]");
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}),
-            "`SampleLevel` with a status asks about tiled resources; no target of clipc has them "
-            "[method-status, X4532]");
+  // A status may be any number. The texel goes into a variable, in four components.
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}, "float2"),
+            "float2: (uint_2 = sample_level(t, s, float2_1, 0.0, int2(1, 1), texel: t1)), t1.xy");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "0", "float"}), "float4: (float_2 = convert<float>(sample_level(t, s, float2_1, 0.0, texel: t1))), t1");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleGrad",
+                 {"s", "float2", "float2", "float2", "0", "int"}),
+            "float4: sample_grad(t, s, float2_1, float2_2, float2_3, clamp: convert<float>(int_4))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "Frobnicate", {}),
             "`Texture2D` has no method `Frobnicate` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kSampler, "SampleLevel", {}),
@@ -135,8 +139,8 @@ TEST_F(ObjectsTest, Loads) {
   EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "Load", {"int"}, "float4"),
             "float4: structured_load(t, int_1)");
   EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "Load", {"int", "uint"}, "float4"),
-            "`Load` with a status asks about tiled resources; no target of clipc has them "
-            "[method-status, X4532]");
+            "`Load` has a status of tiled resources; no target has one for a buffer "
+            "[method-status]");
   EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Load", {"int"}),
             "uint: byte_load(t, convert<uint>(int_1))");
   EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Load3", {"uint"}), "uint3: byte_load(t, uint_1)");

@@ -174,6 +174,10 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Call& call) {
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const ObjectCall& call) {
+  if (call.clamp) {
+    const ExprId clamp = Visit(call.clamp).expr;
+    std::get<ObjectCall>(program_.exprs[id].node).clamp = clamp;
+  }
   for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
     const ExprId argument = program_.expr_lists[call.arguments][i];
     const TypeId type = program_.exprs[argument].type;

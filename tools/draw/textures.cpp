@@ -211,7 +211,9 @@ class Reader {
   }
 
   std::optional<std::size_t> LevelAt(double lod) const {
-    return texture_.is_constant ? 0 : Nearest(lod, texture_.levels.size() - 1);
+    return texture_.is_constant
+               ? 0
+               : Nearest(std::max(lod, request_.clamp), texture_.levels.size() - 1);
   }
 
   // The level that the coordinates of the quad give: that of the longest step from pixel to pixel,
