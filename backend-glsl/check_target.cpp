@@ -52,6 +52,9 @@ class TargetCheck : ExpressionCheck {
       // What a target lacks for a counter, it lacks for the buffer.
       if (resource.counter_of && reached_.Has(resource.counter_of)) continue;
       Object(program_.vars[resource.var]);
+      if (IsOrdered(Innermost(program_.vars[resource.var].type).object))
+        Check(Feature::kInterlocks, diag::TargetOrder, program_.vars[resource.var].span,
+              program_.vars[resource.var].name);
       if (!target_.IsVulkan()) TextureUnit(resource);
       SubpassInput(resource);
     }

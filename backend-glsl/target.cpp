@@ -76,6 +76,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kImages, {420}, {}},
     {Feature::kStorageBuffers, {430}, {310}},
     {Feature::kMemoryBarriers, {420}, {310}},
+    {Feature::kInterlocks, {kNever, 450, "GL_ARB_fragment_shader_interlock"}, {}},
     {Feature::kDynamicBlockIndex, {400}, {320}},
     {Feature::kClipDistance, {130}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
     {Feature::kCullDistance, {450}, {kNever, 300, "GL_EXT_clip_cull_distance"}},

@@ -43,6 +43,7 @@ enum class Feature : std::uint8_t {
   kImages,             // images that a vertex shader may write
   kStorageBuffers,     // `buffer`
   kMemoryBarriers,     // memoryBarrier
+  kInterlocks,         // beginInvocationInterlock
   kDynamicBlockIndex,  // indices, not constant, of arrays of blocks and of samplers
   // ---- built-in variables
   kClipDistance,

@@ -57,6 +57,12 @@ std::string Header(const Context& context) {
   if (InfoOf(context.program.stage).draws_pixels && context.target.IsEs())
     text += "\nprecision highp float;\nprecision highp int;\n";
   if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
+  if (context.has_order) {
+    const bool is_per_sample = std::ranges::any_of(context.program.inputs, [](const IoVar& input) {
+      return input.sample || input.builtin == Builtin::kSampleIndex;
+    });
+    Append(text, "\nlayout(", is_per_sample ? "sample" : "pixel", "_interlock_ordered) in;\n");
+  }
   return text + "\n";
 }
 

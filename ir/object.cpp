@@ -6,7 +6,7 @@
 namespace clipc::ir {
 namespace {
 
-enum Flag : unsigned { kWritable = 1, kArray = 2, kCube = 4, kMultisampled = 8 };
+enum Flag : unsigned { kWritable = 1, kArray = 2, kCube = 4, kMultisampled = 8, kOrdered = 16 };
 
 constexpr ObjectInfo MakeInfo(const char* name, ObjectCategory category, std::uint8_t axes = 0,
                               unsigned flags = 0) {
@@ -14,6 +14,7 @@ constexpr ObjectInfo MakeInfo(const char* name, ObjectCategory category, std::ui
           .category = category,
           .axes = axes,
           .is_writable = (flags & kWritable) != 0,
+          .is_ordered = (flags & kOrdered) != 0,
           .is_array = (flags & kArray) != 0,
           .is_cube = (flags & kCube) != 0,
           .is_multisampled = (flags & kMultisampled) != 0};
@@ -34,6 +35,7 @@ const ObjectInfo& InfoOf(ObjectKind kind) {
 }
 
 bool IsWritable(ObjectKind kind) { return InfoOf(kind).is_writable; }
+bool IsOrdered(ObjectKind kind) { return InfoOf(kind).is_ordered; }
 bool IsTexture(ObjectKind kind) {
   return IsOf(kind, ObjectCategory::kTexture) && !IsWritable(kind);
 }

@@ -29,6 +29,8 @@ struct ObjectInfo {
   ObjectCategory category;
   std::uint8_t axes;  // 1 to 3 dimensions of a texel's place; 0: not a texture
   bool is_writable;   // RWTexture2D, RWBuffer and the like
+  bool is_ordered;    // RasterizerOrderedTexture2D and the like: the invocations of a pixel access
+                      // it one after the other, in the order of the primitives
   bool is_array;
   bool is_cube;
   bool is_multisampled;
@@ -36,6 +38,7 @@ struct ObjectInfo {
 const ObjectInfo& InfoOf(ObjectKind kind);
 
 bool IsWritable(ObjectKind kind);
+bool IsOrdered(ObjectKind kind);
 // Whether the object is a texture that the shader cannot write: Texture1D to TextureCubeArray.
 bool IsTexture(ObjectKind kind);
 // Whether the object is a SamplerState, a SamplerComparisonState or one of Direct3D 9's samplers,

@@ -38,6 +38,8 @@ struct Var {
   std::optional<std::uint32_t> constant_id = {};
   bool row_major = false;
   bool precise = false;
+  // Of kResource: what one invocation stores in the object, others may read: `globallycoherent`.
+  bool coherent = false;
 };
 
 struct Function {

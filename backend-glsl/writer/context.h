@@ -56,6 +56,7 @@ struct Context {
   const std::vector<BlockLayout> layouts;  // by CbufferId, of the reached ones
   Names names;
   std::vector<TextureUse> texture_uses;  // of global objects; none for Vulkan
+  bool has_order = false;                // an object is accessed in the order of the primitives
   bool has_upper_left_origin = false;    // gl_FragCoord is declared anew with that origin
 
   // The parts of the shader that come into being where they are first needed.

@@ -158,7 +158,10 @@ class ObjectWriter {
     text_ +=
         fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
                     LayoutText({"std430", place, is_turned ? "row_major" : ""}),
-                    ir::IsWritable(type.object) ? "" : "readonly ", BlockName(info.name, var.name),
+                    var.coherent                    ? "coherent "
+                    : ir::IsWritable(type.object) ? ""
+                                                  : "readonly ",
+                    BlockName(info.name, var.name),
                     Origin(resource), element, dimensions.empty() ? info.name : "elements",
                     dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
   }
@@ -191,12 +194,16 @@ class ObjectWriter {
         : prefix == "i" ? "i"
                         : "f");
     Append(text_, LayoutText({place, resource.format.empty() ? format : resource.format}),
-           "uniform ", prefix, "image", Dimension(type.object), " ", info.name,
+           context_[resource.var].coherent ? "coherent " : "", "uniform ", prefix, "image", Dimension(type.object), " ", info.name,
            Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg), "\n");
   }
 
   GlslInfo::Object& Add(const Resource& resource) {
     const Type& type = context_.TypeOf(resource.var);
+    if (ir::IsOrdered(ObjectTypeOf(context_, resource.var).object)) {
+      context_.has_order = true;
+      context_.Require(Feature::kInterlocks);
+    }
     if (type.kind == TypeKind::kArray && type.count == 0)
       context_.Require("GL_EXT_nonuniform_qualifier");
     return objects_.info.emplace_back(

@@ -234,7 +234,9 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
     code.Line(Declaration(code, code[output.var].type, local), ";");
     last.emplace_back(name, is_int ? Concat("int(", local, ")") : local);
   }
+  if (code.has_order) code.Line("beginInvocationInterlockARB();");
   WriteStmts(code, MainBody(code.program));
+  if (code.has_order) code.Line("endInvocationInterlockARB();");
   for (const auto& [name, value] : last) code.Line(name, " = ", value, ";");
   --code.indent;
   code.Line("}");

@@ -242,8 +242,8 @@ class Access {
 };
 
 bool IsByteBuffer(const Context& context, ExprId object) {
-  const ObjectKind kind = context.TypeOf(object).object;
-  return kind == ObjectKind::kByteAddressBuffer || kind == ObjectKind::kRWByteAddressBuffer;
+  const Type& type = context.TypeOf(object);
+  return type.kind == TypeKind::kObject && IsByteAddress(type.object);
 }
 
 }  // namespace
@@ -261,7 +261,7 @@ ExprId CheckTypedAccess(Context& context, const ast::MemberExpr& member, ExprId 
   TypeId type;
   if (!member.arguments.empty()) type = TypeArgument(context, context[member.arguments][0]);
   const bool is_known = IsByteBuffer(context, object) && (loads || stores);
-  const bool is_writable = context.TypeOf(object).object == ObjectKind::kRWByteAddressBuffer;
+  const bool is_writable = is_known && IsWritable(context.TypeOf(object).object);
   if (is_known && (arguments.size() != (loads ? 1 : 2) || (stores && !is_writable))) {
     return CheckMethodCall(
         {context.program, method, member.name_span, arguments, span, context, context.diagnostics},

@@ -213,6 +213,8 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   const VarId result = AddVar(context, var.name, type, Storage::kResource, context[id].span);
   MarkConst(context, result);
   context[result].row_major = IsRowMajor(context, ElementQualifiersOf(context, var));
+  const ObjectKind kind = context[context.types.Innermost(type)].object;
+  context[result].coherent = (var.qualifiers & ast::kGloballyCoherent) || IsOrdered(kind);
   context[id].value = result.index;
   context.globals.resources.push_back({OrderOf(context, id), result});
   const TypeId element = context.types.Innermost(type);

@@ -269,6 +269,11 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
                    var.qualifiers & ast::kRowMajor ? "row_major" : "column_major",
                    fmt::format("`{}`, which is not a matrix", context.TypeName(element)));
   }
+  if ((var.qualifiers & ast::kGloballyCoherent) &&
+      !(kind == TypeKind::kObject && IsWritable(context[element].object))) {
+    context.Report(span, diag::QualifierWithoutEffect, "globallycoherent",
+                   fmt::format("`{}`, which the shader cannot write", context.TypeName(element)));
+  }
   const bool is_implied = !var.dimensions.empty() && !context[var.dimensions][0];
   std::optional<std::uint32_t> implied;
   if (is_implied && var.init && !context.IsError(element)) {

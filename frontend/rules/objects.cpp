@@ -374,7 +374,7 @@ bool Offers(ObjectKind kind, Needs needs) {
     case kWriting: return IsWritable(kind);
     case kAppending: return kind == ObjectKind::kAppendStructuredBuffer;
     case kConsuming: return kind == ObjectKind::kConsumeStructuredBuffer;
-    case kCounting: return kind == ObjectKind::kRWStructuredBuffer;
+    case kCounting: return IsStructured(kind) && IsWritable(kind) && HasNamedElements(kind);
     case kElements: return HasNamedElements(kind);
   }
   return false;
@@ -514,6 +514,8 @@ ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object) {
     return call.Fail(call.name_span, diag::MethodUnknown,
                      call.program.types.Name(call.TypeIdOf(object)), call.name);
   }
+  if (IsOrdered(type.object) && !call.ThisStage().draws_pixels)
+    return call.Fail(call.name_span, diag::ObjectUnusable, call.name, call.ThisStage().name);
   MethodCheck check(call, object, type.object);
   const std::span<const Method> methods = MethodsOf(type.object);
   const auto found = std::ranges::find_if(methods, [&](const Method& each) {

@@ -75,7 +75,8 @@ ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::opti
   if (is_error(object) || is_error(index) || (level && is_error(*level)))
     return builder.ZeroOf(program.types.Error());
   if (type.kind == TypeKind::kObject) {
-    if (type.object == ObjectKind::kOther) {
+    const bool is_of_pixels = IsOrdered(type.object) && !InfoOf(program.stage).draws_pixels;
+    if (type.object == ObjectKind::kOther || is_of_pixels) {
       diagnostics.Report(span, diag::ObjectUnusable, "[]", InfoOf(program.stage).name);
       return builder.ZeroOf(program.types.Error());
     }
@@ -83,7 +84,7 @@ ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::opti
       return IndexTexture(program, object, index, level ? *level : builder.Int(0), span,
                           diagnostics);
     }
-    if (!level && (type.object == ObjectKind::kBuffer || type.object == ObjectKind::kRWBuffer ||
+    if (!level && (InfoOf(type.object).category == ObjectCategory::kTypedBuffer ||
                    (IsStructured(type.object) && HasNamedElements(type.object)))) {
       return IndexBuffer(program, object, index, span, diagnostics);
     }
