@@ -97,6 +97,11 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
         program.exprs[expr].node);
 }
 
+// The number of the first component of `path` in `whole`, which it is a part of, counted through
+// structs and arrays. None where an index is not a literal or a part of a matrix, and where a
+// swizzle is not of neighbours in their order.
+std::optional<std::uint32_t> FirstComponentIn(const Program& program, ExprId path, ExprId whole);
+
 // Whether the expression changes nothing, so that it may be evaluated twice or not at all: it has
 // no assignment, increment, store or out argument in it, and no call of a function but helpers.
 bool IsPure(const Program& program, ExprId expr);

@@ -52,7 +52,8 @@ struct ObjectRequest {
   // its level of detail from them: NaN where not all pixels run it. Empty for every other
   // operation, and in a stage without neighbours.
   std::span<const double> coordinates = {};
-  double clamp = 0;  // the least level of detail
+  double clamp = 0;      // the least level of detail
+  bool is_part = false;  // a store's last argument is the component that its value begins at
 };
 
 struct EvalInputs {

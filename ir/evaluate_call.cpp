@@ -194,6 +194,7 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
     stack_.resize(base);
   }
   request.arguments = bits;
+  request.is_part = node.op == ObjectOp::kStore && node.arguments.size > 3;
   request.coordinates = coordinates;
   if (node.clamp) {
     Eval(node.clamp);

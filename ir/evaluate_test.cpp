@@ -331,8 +331,8 @@ TEST_F(Evaluator, ObjectReadsHaveAClampAndAStatus) {
   const ExprId status = build.Add(shader.types.Make(Scalar::kUint), call);
   const ExprId is_mapped = build.IntrinsicOf(Intrinsic::kCheckAccessFullyMapped,
                                              shader.types.Make(Scalar::kBool), {status});
-  const ExprId sum = build.BinaryOf(BinaryOp::kAdd, build.SplatTo(Float4(), ToFloat(is_mapped)),
-                                    build.Ref(texel));
+  const ExprId sum =
+      build.BinaryOf(BinaryOp::kAdd, build.SplatTo(Float4(), ToFloat(is_mapped)), build.Ref(texel));
   shader.Append({build.Stmt(Declare{texel, {}}), shader.Return(sum)});
   shader.read_object = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
     EXPECT_EQ(request.clamp, 3);

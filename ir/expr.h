@@ -180,7 +180,9 @@ enum class ObjectOp : std::uint8_t {
   // (RWTexture, coordinate int{1..3})
   kImageLoad,
   // (a writable object, place as the load of that object has it, value): void; the place in an
-  // RWByteAddressBuffer is a byte address, the value uint..uint4
+  // RWByteAddressBuffer is a byte address, the value uint..uint4. Of a structured buffer, a value
+  // that is a part of an element has one more argument, as in kAtomicAdd: the number of its first
+  // component in the element, a literal.
   kStore,
   // (a writable object of int or uint elements or an RWByteAddressBuffer, place, value): changes
   // the element in one step, which no other invocation interrupts; gives the element before it, of

@@ -60,26 +60,28 @@ BufferInHelper InHelper(Code& code, ExprId object) {
   return buffer;
 }
 
-// The path ".lists[1].x" to a component of a value, whose components are numbered through structs
-// and arrays.
-std::string PathTo(const Code& code, TypeId id, std::uint32_t component) {
+// The path ".lists[1].x" to what begins at a component of a value, whose components are numbered
+// through structs and arrays: the part of type `part`, or if that is none the scalar.
+std::string PathTo(const Code& code, TypeId id, std::uint32_t component, TypeId part = {}) {
+  if (id == part) return "";
   const Type& type = code[id];
   const auto count = [&](TypeId part) {
     return static_cast<std::uint32_t>(KindsOf(code.types, part).size());
   };
-  if (type.kind == TypeKind::kVector)
-    return Concat(".", std::string_view("xyzw").substr(component, 1));
+  if (type.kind == TypeKind::kVector && type.columns > 1)
+    return Concat(".",
+                  std::string_view("xyzw").substr(component, part ? code[part].Components() : 1));
   if (type.kind == TypeKind::kArray) {
     const std::uint32_t each = count(type.element);
     return Concat("[", std::to_string(component / each), "]",
-                  PathTo(code, type.element, component % each));
+                  PathTo(code, type.element, component % each, part));
   }
   if (type.kind != TypeKind::kStruct) return "";
   const auto& fields = code.types.StructOf(id).fields;
   std::size_t field = 0;
   for (; component >= count(fields[field].type); ++field) component -= count(fields[field].type);
   return Concat(".", code.names.fields[type.structure.index][field],
-                PathTo(code, fields[field].type, component));
+                PathTo(code, fields[field].type, component, part));
 }
 
 // The word that holds a component.
@@ -91,27 +93,39 @@ std::string WordOf(Code& code, Scalar kind, const std::string& value) {
   }
 }
 
-// Stores an element that lies tighter than std430 can say, word by word.
+// The number of the component at which a store of a part of an element begins; none: it stores the
+// whole element.
+std::optional<std::uint32_t> StoredAt(const Code& code, const ObjectCall& node) {
+  const auto arguments = code[node.arguments];
+  if (arguments.size() < 4) return std::nullopt;
+  return UintOf(code.As<Literal>(arguments[3])->bits);
+}
+
+// Stores an element that lies tighter than std430 can say, or a part of one, word by word.
 Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
   const auto arguments = code[node.arguments];
   const VarId buffer = RootOf(code.program, arguments[0]);
   const BufferInHelper named = InHelper(code, arguments[0]);
-  const std::string helper =
-      Helper(code, named.name + "_store_at", "", [&](const std::string& function) {
-        const TypeId element = ObjectTypeOf(code, buffer).element;
-        const std::string i = Fresh(code, "i"), stored = Fresh(code, "value");
-        std::string text = fmt::format("void {}({}int {}, {} {}) {{\n", function, named.parameter,
-                                       i, TypeName(code, element), stored);
-        std::uint32_t word = 0;
-        const std::string first = Scaled(WordsOf(code, buffer), i);
-        for (const Scalar kind : KindsOf(code.types, element)) {
-          text += fmt::format("    {}[{}{}] = {};\n", named.elements, first,
-                              word > 0 ? fmt::format(" + {}", word) : "",
-                              WordOf(code, kind, stored + PathTo(code, element, word)));
-          ++word;
-        }
-        return text + "}\n";
-      });
+  const TypeId stored_type = code.program.exprs[arguments[2]].type;
+  const auto part = StoredAt(code, node);
+  const std::string name = Concat(named.name, "_store", part ? std::to_string(*part) : "", "_at");
+  const std::string key = part ? TypeName(code, stored_type) : "";
+  const std::string helper = Helper(code, name, key, [&](const std::string& function) {
+    const std::string i = Fresh(code, "i"), stored = Fresh(code, "value");
+    std::string text = fmt::format("void {}({}int {}, {} {}) {{\n", function, named.parameter, i,
+                                   TypeName(code, stored_type), stored);
+    std::uint32_t component = 0;
+    const std::string first = Scaled(WordsOf(code, buffer), i);
+    for (const Scalar kind : KindsOf(code.types, stored_type)) {
+      const std::uint32_t word = part.value_or(0) + component;
+      const std::string path = PathTo(code, stored_type, component);
+      text += fmt::format("    {}[{}{}] = {};\n", named.elements, first,
+                          word > 0 ? fmt::format(" + {}", word) : "",
+                          WordOf(code, kind, stored + path));
+      ++component;
+    }
+    return text + "}\n";
+  });
   return Called(helper, {named.argument + IntIndex(code, arguments[1]), value});
 }
 
@@ -163,9 +177,13 @@ Text BufferStore(Code& code, const ObjectCall& node) {
   if (const VarId buffer = RootOf(code.program, arguments[0]);
       IsStructured(ObjectTypeOf(code, buffer).object)) {
     if (!HasElements(code, buffer)) return StoreWords(code, node, value);
-    return {
-        Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "] = ", value),
-        Binding::kAssignment};
+    const auto part = StoredAt(code, node);
+    const std::string path = part ? PathTo(code, ObjectTypeOf(code, buffer).element, *part,
+                                           code.program.exprs[arguments[2]].type)
+                                  : "";
+    return {Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "]", path,
+                   " = ", value),
+            Binding::kAssignment};
   }
   const BufferInHelper named = InHelper(code, arguments[0]);
   const std::string& name = named.elements;
@@ -194,7 +212,8 @@ std::string BufferWord(Code& code, const ObjectCall& node) {
   const std::string element = Concat(ElementsOf(code, arguments[0]), "[", index, "]");
   if (ValueEnd(node) == arguments.size()) return element;
   const TypeId type = ObjectTypeOf(code, RootOf(code.program, arguments[0])).element;
-  return element + PathTo(code, type, UintOf(code.As<Literal>(arguments.back())->bits));
+  return element + PathTo(code, type, UintOf(code.As<Literal>(arguments.back())->bits),
+                          code.program.exprs[arguments[2]].type);
 }
 
 std::size_t ValueEnd(const ObjectCall& node) {

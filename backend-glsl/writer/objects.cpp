@@ -155,15 +155,14 @@ class ObjectWriter {
       }
     }
     const std::string dimensions = Dimensions(context_, resource.var);
-    text_ +=
-        fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
-                    LayoutText({"std430", place, is_turned ? "row_major" : ""}),
-                    var.coherent                    ? "coherent "
-                    : ir::IsWritable(type.object) ? ""
-                                                  : "readonly ",
-                    BlockName(info.name, var.name),
-                    Origin(resource), element, dimensions.empty() ? info.name : "elements",
-                    dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
+    text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
+                         LayoutText({"std430", place, is_turned ? "row_major" : ""}),
+                         var.coherent                  ? "coherent "
+                         : ir::IsWritable(type.object) ? ""
+                                                       : "readonly ",
+                         BlockName(info.name, var.name), Origin(resource), element,
+                         dimensions.empty() ? info.name : "elements",
+                         dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
   }
 
   // What the HLSL has in place of the buffer.
@@ -194,8 +193,9 @@ class ObjectWriter {
         : prefix == "i" ? "i"
                         : "f");
     Append(text_, LayoutText({place, resource.format.empty() ? format : resource.format}),
-           context_[resource.var].coherent ? "coherent " : "", "uniform ", prefix, "image", Dimension(type.object), " ", info.name,
-           Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg), "\n");
+           context_[resource.var].coherent ? "coherent " : "", "uniform ", prefix, "image",
+           Dimension(type.object), " ", info.name, Dimensions(context_, resource.var), ";  // ",
+           RegisterText(resource.reg), "\n");
   }
 
   GlslInfo::Object& Add(const Resource& resource) {

@@ -24,30 +24,46 @@ ExprId AssignValue(Context& context, const ast::AssignExpr& expr, ExprId target,
   return context.IsError(converted) ? converted : StoreTo(context, target, converted, span);
 }
 
-// The store object[place] = value.
-ExprId StoreElement(Context& context, ExprId object, ExprId place, ExprId value, Span span) {
+// The store object[place] = value, of a part of the element that begins at `component` if one is
+// given.
+ExprId StoreElement(Context& context, ExprId object, ExprId place, ExprId value,
+                    std::optional<std::uint32_t> component, Span span) {
+  const Builder at = context.At(span);
+  Exprs arguments = {object, place, value};
+  if (component) arguments.push_back(Builder(at).Uint(*component));
   return context.At(span).Add(
-      context.types.Void(),
-      ObjectCall{ObjectOp::kStore, context.program.expr_lists.Add({object, place, value})});
+      context.types.Void(), ObjectCall{ObjectOp::kStore, context.program.expr_lists.Add(
+                                                             std::span<const ExprId>(arguments))});
 }
 
-// The assignment to an element of an object, or to a part of one. object[place] = value is a store;
-// object[place].x = value and object[place] += value change a copy, which is then stored.
+// The first component of `target` in the element of a structured buffer that it is a part of: other
+// invocations may change the other parts, which must not be stored with it. None for a whole
+// element, a texel, and a part whose place is not known.
+std::optional<std::uint32_t> ComponentIn(const Context& context, ExprId element, ExprId target) {
+  const auto* load = context.GetIf<ObjectCall>(element);
+  if (target == element || load->op != ObjectOp::kStructuredLoad) return std::nullopt;
+  return FirstComponentIn(context.program, target, element);
+}
+
+// The assignment to an element of an object, or to a part of one. object[place] = value is a store,
+// and so is object[place].x = value of a structured buffer; another part and object[place] += value
+// change a copy, which is then stored.
 // `is_used`: the assignment is a part of an expression, and has the value that was stored.
 ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId element,
                      ExprId value, bool is_used, Span span) {
   Exprs steps;
-  if (target == element && !expr.op) {
+  const auto component = ComponentIn(context, element, target);
+  if ((target == element || component) && !expr.op) {
     ExprId converted = Implicit(context, value, context.TypeIdOf(target));
     if (context.IsError(converted)) return converted;
     if (is_used) converted = Hoist(context, converted, steps);
     const auto load = context[context.Get<ObjectCall>(element).arguments];
-    const ExprId store = StoreElement(context, load[0], load[1], converted, span);
+    const ExprId store = StoreElement(context, load[0], load[1], converted, component, span);
     if (!is_used) return store;
     steps.push_back(store);
     return WithPrologue(context, steps, Clone(context.program, converted));
   }
-  const ExprId store = ChangeElement(context, element, steps);
+  const ExprId store = ChangeElement(context, element, target, steps);
   const ExprId change = AssignValue(context, expr, target, value, span);
   if (context.IsError(change)) return change;
   steps.push_back(change);
@@ -231,8 +247,9 @@ ExprId ElementIn(const Context& context, ExprId expr) {
   return is_element && IsWritable(context.TypeOf(object).object) ? expr : ExprId{};
 }
 
-ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue) {
+ExprId ChangeElement(Context& context, ExprId element, ExprId target, Exprs& prologue) {
   const Span span = context[element].span;
+  const auto component = ComponentIn(context, element, target);
   const auto load = context.Get<ObjectCall>(element);
   const ExprId object = context[load.arguments][0];
   ExprId place = context[load.arguments][1];
@@ -242,7 +259,8 @@ ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue) {
   const ExprId read = context.At(span).Add(context.TypeIdOf(element), ObjectCall{load.op, again});
   const ExprId copy = Hoist(context, read, prologue);
   context[element].node = context[copy].node;
-  return StoreElement(context, object, place, copy, span);
+  const ExprId value = component ? Clone(context.program, target) : copy;
+  return StoreElement(context, object, place, value, component, span);
 }
 
 bool IsChosenComponent(const Context& context, ExprId expr) {

@@ -15,10 +15,10 @@ bool CheckTarget(Context& context, ExprId target);
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
 ExprId ElementIn(const Context& context, ExprId expr);
-// Turns `element`, a read that ElementIn found, into a variable that holds the value read, so that
-// its parts can be changed in place. Returns the store of the variable into the object. `prologue`
-// must come before.
-ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue);
+// Turns `element`, a read that ElementIn found in `target`, into a variable that holds the value
+// read, so that `target` can be changed in place. Returns the store of what may have changed into
+// the object. `prologue` must come before.
+ExprId ChangeElement(Context& context, ExprId element, ExprId target, Exprs& prologue);
 // Whether the expression is m._m00_m11[i], a component chosen at run time among several of a
 // matrix, which CheckTarget accepts and GLSL does not.
 bool IsChosenComponent(const Context& context, ExprId expr);

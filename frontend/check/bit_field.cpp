@@ -159,7 +159,7 @@ ExprId AssignToBits(Context& context, std::optional<BinaryOp> op, ExprId bits, E
   if (context.IsError(value)) return context.ErrorExpr(span);
   Exprs steps;
   const ExprId element = ElementIn(context, word);
-  const ExprId store = element ? ChangeElement(context, element, steps) : ExprId{};
+  const ExprId store = element ? ChangeElement(context, element, word, steps) : ExprId{};
   if (!element && !CheckTarget(context, word)) return context.ErrorExpr(span);
   word = Stabilize(context, word, steps);
   const auto read = [&] { return Clone(context.program, word); };

@@ -250,7 +250,7 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
     return BindCast(context, parameter, context.TypeIdOf(argument), operand, before, after);
   argument = TakeSteps(context, argument, before);
   if (const ExprId element = ElementIn(context, argument)) {
-    const ExprId store = ChangeElement(context, element, before);
+    const ExprId store = ChangeElement(context, element, argument, before);
     const ExprId bound = BindArgument(context, parameter, argument, before, after);
     after.push_back(store);
     return bound;

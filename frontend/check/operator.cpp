@@ -26,7 +26,7 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
     return context.Fail(span, diag::BadOperand, SpellingOf(op), context.TypeName(target));
   if (IsBitField(context, target)) return IncrementBits(context, op, target, span);
   if (const ExprId element = ElementIn(context, target)) {
-    const ExprId store = ChangeElement(context, element, steps);
+    const ExprId store = ChangeElement(context, element, target, steps);
     const ExprId result = Hoist(context, context.At(span).UnaryOf(op, target), steps);
     steps.push_back(store);
     return WithPrologue(context, steps, result);

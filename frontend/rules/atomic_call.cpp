@@ -39,45 +39,19 @@ struct AtomicPlace {
   std::optional<std::uint32_t> component = std::nullopt;  // none: the element is a scalar
 };
 
-// The number of components before the part that `expr`, a field, an element or a component, takes
-// of a whole; nullopt for another expression, and where the part is not known.
-std::optional<std::uint32_t> ComponentsBefore(const Program& program, ExprId expr) {
-  const auto count = [&](TypeId type) {
-    return static_cast<std::uint32_t>(KindsOf(program.types, type).size());
-  };
-  if (const auto* field = As<FieldRef>(program, expr)) {
-    const auto& fields = program.types.StructOf(TypeIdOf(program, field->base)).fields;
-    std::uint32_t before = 0;
-    for (std::uint32_t i = 0; i < field->field; ++i) before += count(fields[i].type);
-    return before;
-  }
-  if (const auto* index = As<Index>(program, expr)) {
-    const auto* number = As<Literal>(program, index->index);
-    const bool is_matrix = TypeOf(program, index->base).kind == TypeKind::kMatrix;
-    if (!number || is_matrix ||
-        UintOf(number->bits) >= program.types.PartCount(TypeIdOf(program, index->base)))
-      return std::nullopt;
-    return UintOf(number->bits) * count(TypeIdOf(program, expr));
-  }
-  const auto* swizzle = As<Swizzle>(program, expr);
-  if (!swizzle || swizzle->count != 1) return std::nullopt;
-  return swizzle->components[0];
-}
-
 AtomicPlace PlaceOf(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
   const bool is_integer =
       type.kind == TypeKind::kScalar && !IsWide(type.scalar) && ir::IsInteger(type.scalar);
   if (!is_integer) return {};
+  ExprId element = call.arguments[0];
+  while (const ExprId whole = WholeOf(call.program, element)) element = whole;
   std::optional<std::uint32_t> component;
-  ExprId expr = call.arguments[0];
-  while (const ExprId whole = WholeOf(call.program, expr)) {
-    const auto before = ComponentsBefore(call.program, expr);
-    if (!before) return {};
-    component = component.value_or(0) + *before;
-    expr = whole;
+  if (element != call.arguments[0]) {
+    component = FirstComponentIn(call.program, call.arguments[0], element);
+    if (!component) return {};
   }
-  const auto* load = As<ObjectCall>(call.program, expr);
+  const auto* load = As<ObjectCall>(call.program, element);
   if (!load) return {};
   const bool is_structured = load->op == kStructuredLoad;
   const bool is_element = is_structured || load->op == kBufferLoad || load->op == kImageLoad;

@@ -39,8 +39,7 @@ class MethodCheck : IntrinsicCheck {
   }
 
   ExprId SampleBias(int) {
-    if (!TakeSample(3) || !HasLevelToClamp() || !TakeFloats(2, 1) || !TakeOffset(3))
-      return Error();
+    if (!TakeSample(3) || !HasLevelToClamp() || !TakeFloats(2, 1) || !TakeOffset(3)) return Error();
     WarnOfLevel("0 plus the bias");
     return Finish(ThisStage().has_neighbours ? ObjectOp::kSampleBias : ObjectOp::kSampleLevel,
                   Element());
@@ -238,14 +237,12 @@ class MethodCheck : IntrinsicCheck {
     const List<ExprId> list = program.expr_lists.Add(arguments_);
     if (!status_) return Make().Add(type, ObjectCall{op, list, clamp_, {}});
     const Type value = program.types[type];
-    const TypeId texel =
-        ComparesOnce(op) ? type : program.types.Vector(value.scalar, 4);
+    const TypeId texel = ComparesOnce(op) ? type : program.types.Vector(value.scalar, 4);
     const VarId var = temporaries.Make(Make().ZeroOf(texel)).var;
     const ExprId call = Make().Add(program.types.Make(Scalar::kUint),
                                    ObjectCall{op, list, clamp_, Make().Ref(var)});
     const ExprId assign = Make().AssignTo(status_, Convert(call, TypeIdOf(status_)));
-    return Make().CommaOf(assign,
-                          ConvertExplicit(program, Make().Ref(var), type, temporaries));
+    return Make().CommaOf(assign, ConvertExplicit(program, Make().Ref(var), type, temporaries));
   }
   static bool ComparesOnce(ObjectOp op) {
     using enum ObjectOp;

@@ -100,12 +100,14 @@ TEST_F(ObjectsTest, SamplesRefused) {
       Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "8"}),
       "offset 8 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]");
   // A status may be any number. The texel goes into a variable, in four components.
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}, "float2"),
-            "float2: (uint_2 = sample_level(t, s, float2_1, 0.0, int2(1, 1), texel: t1)), t1.xy");
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "0", "float"}), "float4: (float_2 = convert<float>(sample_level(t, s, float2_1, 0.0, texel: t1))), t1");
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleGrad",
-                 {"s", "float2", "float2", "float2", "0", "int"}),
-            "float4: sample_grad(t, s, float2_1, float2_2, float2_3, clamp: convert<float>(int_4))");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}, "float2"),
+      "float2: (uint_2 = sample_level(t, s, float2_1, 0.0, int2(1, 1), texel: t1)), t1.xy");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "0", "float"}),
+            "float4: (float_2 = convert<float>(sample_level(t, s, float2_1, 0.0, texel: t1))), t1");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "SampleGrad", {"s", "float2", "float2", "float2", "0", "int"}),
+      "float4: sample_grad(t, s, float2_1, float2_2, float2_3, clamp: convert<float>(int_4))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "Frobnicate", {}),
             "`Texture2D` has no method `Frobnicate` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kSampler, "SampleLevel", {}),

@@ -1,5 +1,5 @@
 // What a vertex shader may write from shader model 5.0 on: buffers are storage blocks, typed buffers and textures are images,
-// whose format has 32 bits a component. A component is written by way of the whole element.
+// whose format has 32 bits a component. A component of a texel is written by way of the whole texel.
 // RUN: %clipc -T vs_5_0 --target=glsl450 --validate %s -o - | FileCheck %s --check-prefix=CHECK
 // RUN: %clipc -T vs_5_0 --target=vulkan --validate %s -o - | FileCheck %s --check-prefix=VULKAN
 // AUTOUPDATE
@@ -66,7 +66,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     rows[i++] = in_POSITION0;
 // CHECK-NEXT:     vec4 temporary = rows[id];
 // CHECK-NEXT:     temporary.y += 2.0;
-// CHECK-NEXT:     rows[id] = temporary;
+// CHECK-NEXT:     rows[id].y = temporary.y;
 // CHECK-NEXT:     vec4 temporary_2 = rows[id];
 // CHECK-NEXT:     temporary_2.xz = in_POSITION0.yx;
 // CHECK-NEXT:     rows[id] = temporary_2;
@@ -122,7 +122,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     rows[i++] = in_POSITION0;
 // VULKAN-NEXT:     vec4 temporary = rows[id];
 // VULKAN-NEXT:     temporary.y += 2.0;
-// VULKAN-NEXT:     rows[id] = temporary;
+// VULKAN-NEXT:     rows[id].y = temporary.y;
 // VULKAN-NEXT:     vec4 temporary_2 = rows[id];
 // VULKAN-NEXT:     temporary_2.xz = in_POSITION0.yx;
 // VULKAN-NEXT:     rows[id] = temporary_2;

@@ -168,10 +168,15 @@ class Access {
       Write(buffer_, static_cast<std::uint32_t>(byte), bits, size);
   }
 
+  // A part of an element is followed by the number of its first component.
   void StoreStructured() {
-    std::size_t next = 1;
-    ForEachInElement(
-        [&](Scalar kind, std::uint64_t byte) { Store(byte, kind, request_.arguments[next++]); });
+    const std::size_t first = request_.is_part ? request_.arguments.back() : 0;
+    const std::size_t count = request_.arguments.size() - (request_.is_part ? 2 : 1);
+    std::size_t component = 0;
+    ForEachInElement([&](Scalar kind, std::uint64_t byte) {
+      const std::size_t i = component++ - first;
+      if (i < count) Store(byte, kind, request_.arguments[1 + i]);
+    });
   }
 
   void StoreWords() {

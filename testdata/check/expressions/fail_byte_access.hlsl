@@ -21,7 +21,7 @@ float4 main(float4 p : POSITION) : SV_Position {
   picture.Load<float>(0);
   uint status;
   Turned turned = (Turned)0;
-  // CHECK-NEXT: [[#@LINE+1]]:9: error: `Load` with a status asks about tiled resources; no target of clipc has them [method-status, X4532]
+  // CHECK-NEXT: [[#@LINE+1]]:9: error: `Load` has a status of tiled resources; no target has one for a buffer [method-status]
   bytes.Load<float4>(0, status);
   // CHECK-NEXT: [[#@LINE+1]]:9: error: `ByteAddressBuffer` has no method `Store` [method-unknown, X3018]
   bytes.Store(0, p);
