@@ -43,12 +43,21 @@ bool HasWritingOperand(const Program& program) {
   for (const VarId var : program.vars.ids())
     has_static |= program.vars[var].storage == Storage::kStatic;
   bool found = false;
+  const auto visit = [&](ExprId operand) {
+    found = found || (operand && MayWrite(program, operand, has_static));
+  };
   for (const ExprId expr : program.exprs.ids()) {
-    ForEachOperand(program, expr, [&](ExprId operand) {
-      found = found || (operand && MayWrite(program, operand, has_static));
-    });
+    // The nodes do not change, so they need not be copied as ForEachOperand does.
+    Visit(
+        [&](const auto& node) {
+          ForEachSlot(node, visit, [&](List<ExprId> list) {
+            for (const ExprId operand : program.expr_lists[list]) visit(operand);
+          });
+        },
+        program.exprs[expr].node);
+    if (found) return true;
   }
-  return found;
+  return false;
 }
 
 // The variables outside a function that calls of it may write.

@@ -166,9 +166,11 @@ void AssignRegisters(Program& program, std::span<const ReservedRegisters> reserv
                                                   : 2;
   };
   std::vector<CbufferId> order;
+  order.reserve(program.cbuffers.size());
   for (CbufferId id : program.cbuffers.ids()) order.push_back(id);
-  std::ranges::stable_sort(order, {}, rank);
+  if (order.size() > 1) std::ranges::stable_sort(order, {}, rank);
   std::vector<Taker> takers;
+  takers.reserve(order.size() + program.resources.size());
   for (CbufferId id : order) {
     Cbuffer& buffer = program.cbuffers[id];
     if (buffer.kind == CbufferKind::kTbuffer) buffer.reg.letter = 't';
