@@ -117,9 +117,9 @@ def held():
     )
     medians = [float(r["median"]) for r in rows]
     return (
-        f"Held against {draws:,} random draws, 10,000 of each order of matrices and of each of eight other regimes, what a draw loses is "
-        f"{min(medians):.2f} to\n{max(medians):.2f} of that prediction in the middle, and 0.2 to 3 of it in all but {outside} draws, "
-        f"which are {short(least)} to {short(most)}."
+        f"Held against {draws:,} random draws, 10,000 of each order of matrices and of each of eight other regimes:\n\n"
+        f"- In the middle of each regime, a draw loses {min(medians):.2f} to {max(medians):.2f} of the prediction.\n"
+        f"- All but {outside} draws lose 0.2 to 3 of it. These lose {short(least)} to {short(most)}."
     )
 
 
@@ -258,7 +258,7 @@ INLINE = [
     ),
     (
         "docs/study.md",
-        r"1/256 of a pixel,\n([\d.]+)",
+        r"1/256 of a pixel, ([\d.]*\d)",
         lambda: 1 / constant("study/advice.h", r"kInvisible = 1.0 / (\d+);"),
     ),
     (
@@ -272,7 +272,7 @@ INLINE = [
         lambda: 100 * constant("study/program/check_tables.py", r"more <= 1(\.\d+)"),
     ),
     (
-        "docs/scene.md",
+        "docs/testing.md",
         r"reads (\d+) scenes, which",
         lambda: constant("study/scenes/check_advice.py", r"arguments else (\d+)"),
     ),
