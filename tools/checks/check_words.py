@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Fails when a page, a message or a comment uses a word for which the field has a better known one.
+"""Fails when a page, a message or a comment uses a word for which the field has a better known one, or a page has too long a sentence.
 
     check_words.py            the pages, the man page, the help, the messages and the comments of this repository
     check_words.py --test     the check's own examples
@@ -48,6 +48,8 @@ COMMENT_WORDS = {
     r"(?:\d|\bN|each|every|fewer|first|further|last|loop's|more|next|of|whose) turns?": "iteration",
 }
 
+LONGEST = 45  # words of a sentence on a page, where a piece of code is one
+
 # What a page says in its own right: (page, text).
 EXCEPTIONS = {
     ("docs/errata.md", "setting does not enable"),  # what Microsoft's page says
@@ -72,6 +74,21 @@ def faults(text, words):
 def prose(page):
     """The page's text; code, paths and links become spaces, and lines stay lines."""
     return CODE.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), page)
+
+
+PIECE = re.compile(r"(?<!`)`[^`\n]+`(?!`)")  # of code
+# The end of a sentence: a full stop, a paragraph, an item of a list, or a cell of a table.
+END = re.compile(r"[.!?][*)\"]*\s|\n\s*\n|\n\s*(?:[-*]|\d+\.) |\|")
+
+
+def long_sentences(page):
+    """(line, words) of each sentence of a page that has too many."""
+    text, begin = prose(PIECE.sub("code", page)), 0
+    for end in [*(match.end() for match in END.finditer(text)), len(text)]:
+        words = re.findall(r"\w\S*", text[begin:end])
+        if len(words) > LONGEST:
+            yield text.count("\n", 0, text.index(words[0], begin)) + 1, words
+        begin = end
 
 
 def strings(source, beginning):
@@ -110,18 +127,22 @@ def files():
         yield from (pathlib.Path(folder, name) for name in sorted(names))
 
 
-def texts():
-    """(name, text, its words) of all that is looked at."""
+def pages():
+    """(name, text) of each page that is not made of the messages and their explanations."""
     for page in [
         ROOT / "CONTRIBUTING.md",
         ROOT / "CHANGELOG.md",
         *(path for path in files() if path.name == "README.md"),
         *sorted((ROOT / "docs").rglob("[!R]*.md")),
     ]:
-        if page.name == "diagnostics.md":
-            continue  # made of the messages and their explanations
-        name = str(page.relative_to(ROOT))
-        text = prose(page.read_text())
+        if page.name != "diagnostics.md":
+            yield str(page.relative_to(ROOT)), page.read_text()
+
+
+def texts():
+    """(name, text, its words) of all that is looked at."""
+    for name, page in pages():
+        text = prose(page)
         for where, exception in EXCEPTIONS:
             if where == name:
                 text = text.replace(exception, "")
@@ -171,6 +192,13 @@ def test():
         text for text, word in found.items() if [f[1] for f in faults(prose(text), words)] != [word]
     ]
     bad += [text for text in silent if list(faults(prose(text), words))]
+    long = " ".join(["word"] * LONGEST)
+    pages = {
+        f"{long}.\n{long}, `a b`.": [2],
+        f"{long}\n\n- {long}\n- {long} word": [4],
+        f"| {long} | {long} |\n`{long} word`\n\n    {long} word\n": [],
+    }
+    bad += [page for page, lines in pages.items() if [f[0] for f in long_sentences(page)] != lines]
     source = """
 int peers;  // the peers
 # no comment: peers
@@ -193,6 +221,12 @@ def main():
         f"{name}:{line}: `{word}`: write {better}"
         for name, text, words in texts()
         for line, word, better in faults(text, words)
+    ]
+    found += [
+        f"{name}:{line}: a sentence of {len(words)} words: `{' '.join(words[:8])} ...`: write shorter ones"
+        for name, page in pages()
+        if name != "CHANGELOG.md"  # whose entries are lists
+        for line, words in long_sentences(page)
     ]
     print("\n".join(sorted(found)) or "every page, message and comment uses the field's words")
     return bool(found)
