@@ -144,7 +144,7 @@ def costs():
     )
     ways = ("object", "xyw1", "clip", "cpu", "discard-world")
     columns = [("picture", "1"), ("picture", "3"), ("picture", "6"), ("cut", "1"), ("cut", "6")]
-    head = ["", "1 plane", "3", "6", "1, cutting", "6, cutting"]
+    head = ["way", "1 plane", "3", "6", "1, cutting", "6, cutting"]
     return table(
         head, [[f"`{way}`"] + [cell(rows.get((s, way, p))) for s, p in columns] for way in ways]
     )
