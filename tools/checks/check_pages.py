@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Fails when a page names a file or folder of this repository that does not exist.
+"""Fails when a page names a file or folder of this repository, or links to a heading, that does not exist.
 
     check_pages.py            the pages of this repository
     check_pages.py FOLDER     the links of the pages that a package has in FOLDER
@@ -11,13 +11,14 @@ at the top; `*` stands for any name, a word in capitals (PASS) for any text, and
 below build/, is left out.
 """
 
+import functools
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CODE = re.compile(r"`([^`\n]+)`")
-LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)]*))?\)")
 PATH = re.compile(r"(?<![\w./-])[.\w-]+(?:/[\w.*+{},-]+)*/?")
 BLOCK = re.compile(r"^```.*?^```|^    [^\n]*$", re.M | re.S)
 
@@ -46,10 +47,22 @@ def paths_in(text, folders):
                 yield from expand(word)
 
 
+@functools.cache
+def anchors(page):
+    """What GitHub calls the headings of a page in links."""
+    headings = re.findall(r"^#+ (.*)$", BLOCK.sub("", page.read_text()), re.M)
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 def broken_links(page):
-    for target in sorted(set(LINK.findall(BLOCK.sub("", page.read_text())))):
-        if "://" not in target and not (page.parent / target).exists():
+    for target, anchor in sorted(set(LINK.findall(BLOCK.sub("", page.read_text())))):
+        linked = page.parent / target if target else page
+        if "://" in target:
+            continue
+        if not linked.exists():
             yield f"{page}: the link to {target} leads nowhere"
+        elif anchor and anchor not in anchors(linked):
+            yield f"{page}: {target} has no heading #{anchor}"
 
 
 def problems():
