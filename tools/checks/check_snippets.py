@@ -42,7 +42,19 @@ PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
 WHOLE = re.compile(r"\w\.\w+$|^-$|^--help$|^--version$")
 # Programs that cannot run here, or that every run of the tests has run.
 OPTIONAL = {"clipc-draw", "spirv-cross"}  # run where they are
-ELSEWHERE = {"cmake", "ctest", "ninja", "cpack", "cd", "vcpkg", "conan", "bazel", "meson", "make"}
+ELSEWHERE = {
+    "cmake",
+    "ctest",
+    "ninja",
+    "cpack",
+    "cd",
+    "export",
+    "vcpkg",
+    "conan",
+    "bazel",
+    "meson",
+    "make",
+}
 
 
 class Run:
