@@ -12,7 +12,7 @@ A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 - a block of `json` is JSON; a manifest is compiled, and a reflection is that of the `hlsl` before it;
 - a block of `js` is JavaScript, where there is node; the tests `web.*` run what it shows;
 - a command, in a block that is indented or in backticks, is run if it calls clipc or glslangValidator; of other commands the program
-  exists, and so do the options and presets that it is given;
+  exists, and so do the options and presets that it is given; each option of `clipc --help` is in one command at least;
 - a row of limits.md that names a constant has its value, the line in a row of pass.md that names a file is in that file, and each input
   in the table of pixel.md matches the output that the page names.
 
@@ -36,10 +36,12 @@ INDENTED = re.compile(r"^    (\S.*)$", re.M)
 INLINE = re.compile(
     r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|study|examples|packaging)/[^\s`]+) [^`\n]+)`"
 )
-# Placeholders stand for something else: FILE, [options], and the arguments of functions.
-PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
+# Placeholders stand for something else: FILE, [options], and the arguments of functions. Macros and semantics are themselves.
+PLACEHOLDER = re.compile(
+    r"(?<!-D )(?<!-D ')(?<!-D)\b(?!POSITION)[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?"
+)
 # A command that can be run names a file or standard input, or is only a question.
-WHOLE = re.compile(r"\w\.\w+$|^-$|^--help$|^--version$")
+WHOLE = re.compile(r"\w\.\w+$|^-$|^--(?:help|version|explain)$")
 # Programs that cannot run here, or that every run of the tests has run.
 OPTIONAL = {"clipc-draw", "spirv-cross"}  # run where they are
 ELSEWHERE = {
@@ -60,7 +62,7 @@ ELSEWHERE = {
 class Run:
     def __init__(self, build, scratch, compilers):
         self.build, self.scratch, self.compilers = build, scratch, compilers
-        self.problems, self.count = [], 0
+        self.problems, self.count, self.options = [], 0, set()
         shutil.rmtree(scratch, ignore_errors=True)
         self.installed = scratch / "installed"
         self.call(
@@ -239,6 +241,7 @@ def check_command(run, page, line, folder):
             continue
         is_whole = not PLACEHOLDER.search(part) and any(WHOLE.search(word) for word in words)
         if words[0] in ("clipc", "glslangValidator") and is_whole:
+            run.options |= {word.split("=")[0] for word in words}
             # With --watch it would not end.
             run.call([word for word in words if word != "--watch"], folder, page.name)
         elif words[0] in OPTIONAL and is_whole and shutil.which(words[0], path=run.path):
@@ -337,6 +340,12 @@ def check_page(run, page):
         check_inputs(run, page, folder)
 
 
+def check_options(run):
+    help_text = run.call(["clipc", "--help"], run.scratch, "the options").stdout
+    for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", help_text)) - run.options):
+        run.problems.append(f"no page has a command with {option}")
+
+
 def main():
     build, scratch = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     scratch.mkdir(parents=True, exist_ok=True)
@@ -348,6 +357,7 @@ def main():
         *sorted((ROOT / "study").glob("*.md")),
     ]:
         check_page(run, page)
+    check_options(run)
     print(
         "\n".join(run.problems) or f"{run.count} commands and pieces of code are as the pages say"
     )
