@@ -119,7 +119,7 @@ def held():
     return (
         f"Held against {draws:,} random draws, 10,000 of each order of matrices and of each of eight other regimes:\n\n"
         f"- In the middle of each regime, a draw loses {min(medians):.2f} to {max(medians):.2f} of the prediction.\n"
-        f"- All but {outside} draws lose 0.2 to 3 of it. These lose {short(least)} to {short(most)}."
+        f"- All but {outside} draws lose 0.2 to 3 of it. The others lose {short(least)} to {short(most)} of it."
     )
 
 
