@@ -139,6 +139,12 @@ def pages():
             yield str(page.relative_to(ROOT)), page.read_text()
 
 
+def explanations():
+    """(name, text) of the rules of each file of explanations."""
+    for file in sorted((ROOT / "compiler/explanations").glob("*.def")):
+        yield f"compiler/explanations/{file.name}", rules(file.read_text())
+
+
 def texts():
     """(name, text, its words) of all that is looked at."""
     for name, page in pages():
@@ -153,12 +159,8 @@ def texts():
         ("compiler/own_options.cpp", r'\s+(?:"|\{"|Topic)', WORDS | PAGE_WORDS),
     ):
         yield name, strings((ROOT / name).read_text(), beginning).replace("`", " "), words
-    for file in sorted((ROOT / "compiler/explanations").glob("*.def")):
-        yield (
-            f"compiler/explanations/{file.name}",
-            prose(rules(file.read_text())),
-            WORDS | PAGE_WORDS,
-        )
+    for name, text in explanations():
+        yield name, prose(text), WORDS | PAGE_WORDS
     for path in files():
         comment = SIGN if path.name == "CMakeLists.txt" else COMMENT.get(path.suffix)
         if comment and path.name != pathlib.Path(__file__).name:
@@ -224,7 +226,7 @@ def main():
     ]
     found += [
         f"{name}:{line}: a sentence of {len(words)} words: `{' '.join(words[:8])} ...`: write shorter ones"
-        for name, page in pages()
+        for name, page in (*pages(), *explanations())
         if name != "CHANGELOG.md"  # whose entries are lists
         for line, words in long_sentences(page)
     ]
