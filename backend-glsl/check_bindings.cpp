@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "backend-glsl/descriptors.h"
+#include "backend-glsl/split_arrays.h"
 
 namespace clipc::glsl {
 
@@ -32,8 +33,9 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
   std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
   std::set<std::uint32_t> renumbered;
   const auto take = [&](const Register& reg, const std::string& name, Span span,
-                        ObjectCategory category) {
-    const Descriptor at = descriptors.Of(reg);
+                        ObjectCategory category, std::uint32_t element = 0) {
+    Descriptor at = descriptors.Of(reg);
+    at.binding += element;
     if (at.binding > kHighestBinding || at.set > kHighestSet)
       diagnostics.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
                          kHighestBinding, kHighestSet);
@@ -62,7 +64,9 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
     const Var& var = program.vars[resource.var];
     const ObjectCategory category =
         InfoOf(program.types[program.types.Innermost(var.type)].object).category;
-    if (reached.Has(resource.var)) take(resource.reg, var.name, var.span, category);
+    if (!reached.Has(resource.var)) continue;
+    const std::uint32_t count = std::max(SplitCount(program, target, resource.var), 1u);
+    for (std::uint32_t i = 0; i < count; ++i) take(resource.reg, var.name, var.span, category, i);
   }
 }
 

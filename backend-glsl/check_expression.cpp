@@ -8,6 +8,7 @@
 #include "backend-glsl/legalize/es100/loops.h"
 #include "backend-glsl/operators.h"
 #include "backend-glsl/shape.h"
+#include "backend-glsl/split_arrays.h"
 #include "backend-glsl/writer/wave_call.h"
 #include "ir/scalar.h"
 
@@ -65,7 +66,10 @@ void ExpressionCheck::Expression(ExprId id) {
   Visit(Overloaded{
             [&](const IntrinsicCall& call) { IntrinsicUse(call, expr.span); },
             [&](const ObjectCall& call) { ObjectUse(call, expr.span); },
-            [&](const Index& index) { BufferIndex(index, expr.span); },
+            [&](const Index& index) {
+              SplitElement(id);
+              BufferIndex(index, expr.span);
+            },
             [](const auto&) {},
         },
         expr.node);
@@ -191,11 +195,21 @@ void ExpressionCheck::StoreUse(ExprId object, ObjectOp op, Span span) {
 // Reports an element of an array of samplers, unless a literal names it: OpenGL has none.
 void ExpressionCheck::ObjectArgument(ExprId object) {
   const auto* index = As<Index>(object);
-  if (!index || target_.IsVulkan() || SamplerElementAt(program_, object).array) return;
+  if (!index || target_.IsVulkan() || SplitElementAt(program_, target_, object).array) return;
   if (InfoOf(TypeOf(object).object).category != ObjectCategory::kSampler) return;
   const auto* var = As<VarRef>(index->base);
   Report(program_.exprs[object].span, diag::TargetSamplerArray,
          var ? program_.vars[var->var].name : "sampler");
+}
+
+// Reports an element, unless literals name it, of an array that Vulkan would not have.
+void ExpressionCheck::SplitElement(ExprId element) {
+  const VarId root = RootOf(program_, element);
+  const bool is_split = target_.IsVulkan() && root && SplitCount(program_, target_, root) > 0 &&
+                        TypeOf(element).kind == TypeKind::kObject;
+  if (is_split && !SplitElementAt(program_, target_, element).array)
+    diagnostics_.Report(program_.exprs[element].span, diag::TargetSplitIndex,
+                        program_.vars[root].name);
 }
 
 void ExpressionCheck::BufferIndex(const Index& index, Span span) {

@@ -100,6 +100,7 @@ class ExpressionCheck : protected TargetReport {
   void ObjectUse(const ir::ObjectCall& call, Span span);
   void StoreUse(ExprId object, ir::ObjectOp op, Span span);
   void ObjectArgument(ExprId object);
+  void SplitElement(ExprId element);
   void BufferIndex(const ir::Index& index, Span span);
 
   const bool has_unsigned_ = target_.Has(Feature::kUnsigned);

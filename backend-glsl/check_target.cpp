@@ -14,6 +14,7 @@
 #include "backend-glsl/needs.h"
 #include "backend-glsl/reach.h"
 #include "backend-glsl/shape.h"
+#include "backend-glsl/split_arrays.h"
 #include "backend-glsl/write.h"
 #include "ir/access.h"
 #include "ir/scalar.h"
@@ -59,6 +60,7 @@ class TargetCheck : ExpressionCheck {
       SubpassInput(resource);
     }
     if (target_.IsVulkan()) CheckBindings(program_, reached_, target_, diagnostics_);
+    if (target_.IsVulkan() && target_.bindings.splits_arrays) WholeArrays();
     ConstantIds();
     if (!target_.Has(Feature::kPrecise)) Precise();
     for (VarId global : reached_.globals) {
@@ -72,6 +74,26 @@ class TargetCheck : ExpressionCheck {
   }
 
  private:
+  // Reports the arrays that BindingRules::splits_arrays leaves whole.
+  void WholeArrays() {
+    const auto report = [&](Span span, const std::string& name) {
+      diagnostics_.Report(span, diag::OptionWithoutEffect, "-fspv-flatten-resource-arrays",
+                          "the array `" + name + "` keeps its one binding");
+    };
+    for (const Resource& resource : program_.resources) {
+      const Var& var = program_.vars[resource.var];
+      const bool is_array =
+          program_.types[var.type].kind == TypeKind::kArray && !resource.counter_of;
+      if (is_array && reached_.Has(resource.var) &&
+          SplitCount(program_, target_, resource.var) == 0)
+        report(var.span, var.name);
+    }
+    for (const CbufferId id : program_.cbuffers.ids()) {
+      const ir::Cbuffer& buffer = program_.cbuffers[id];
+      if (buffer.count > 1 && reached_.Has(id)) report(buffer.span, buffer.name);
+    }
+  }
+
   // ---- inputs and outputs
   void Input(const IoVar& input) {
     if (!reached_.Has(input.var)) return;
@@ -89,7 +111,8 @@ class TargetCheck : ExpressionCheck {
     if (profile.IsDirect3D9() || profile.level9 != ir::Level9::kNone) {
       diagnostics_.Report(span, diag::ProfileInput, input.semantic, profile.name);
     } else {
-      Report(span, diag::TargetPixelInput, input.semantic);
+      diagnostics_.Report(span, diag::SemanticNotForStage, input.semantic, "input",
+                          clipc::InfoOf(program_.stage).name, "");
     }
   }
 

@@ -87,18 +87,4 @@ std::string GlslName(const Shape& shape, bool has_unsigned) {
   return name;
 }
 
-SamplerElement SamplerElementAt(const ir::Program& program, ir::ExprId expr) {
-  const auto* index = ir::As<ir::Index>(program, expr);
-  if (!index) return {};
-  const auto* array = ir::As<ir::VarRef>(program, index->base);
-  const auto* number = ir::As<ir::Literal>(program, index->index);
-  const ir::Type& type = ir::TypeOf(program, expr);
-  const bool is_sampler = type.kind == ir::TypeKind::kObject &&
-                          ir::InfoOf(type.object).category == ir::ObjectCategory::kSampler;
-  if (!array || !number || !is_sampler) return {};
-  // A parameter stands in functions that are called with objects of the shader in its place.
-  if (program.vars[array->var].storage != ir::Storage::kResource) return {};
-  return {array->var, static_cast<std::uint32_t>(number->bits)};
-}
-
 }  // namespace clipc::glsl

@@ -39,14 +39,6 @@ Shape ShapeOf(ir::Scalar scalar, int rows, int columns);
 // Whether the only row of a matrix or the only component is indexed, for which GLSL has no [].
 bool IsOnlyElement(const ir::Program& program, const ir::Index& node);
 
-// The element of an array of samplers that an expression names by a literal; no array for every
-// other expression.
-struct SamplerElement {
-  ir::VarId array;
-  std::uint32_t number = 0;
-};
-SamplerElement SamplerElementAt(const ir::Program& program, ir::ExprId expr);
-
 // The GLSL name of a shape: "vec3", "dmat4x3", "bvec4[3]". Where the target has no uint, uint is
 // int.
 std::string GlslName(const Shape& shape, bool has_unsigned = true);

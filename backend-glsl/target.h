@@ -146,6 +146,8 @@ struct BindingRules {
   std::optional<std::uint32_t> unplaced_set;  // the set of objects without a register
   // A texture and a sampler may have one binding, where the host has a combined image sampler.
   bool combines_samplers = false;
+  // Each element of an array of objects has a binding of its own: split_arrays.h.
+  bool splits_arrays = false;
   std::uint32_t pixel_sets = 0;  // what is added to the sets of the rules in a pixel shader
   std::optional<std::uint32_t> pixel_base;  // Target::PixelBase(); none: the target's own
 };

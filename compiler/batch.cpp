@@ -46,7 +46,7 @@ class Batch {
  public:
   explicit Batch(CommandLine command)
       : command_(std::move(command)),
-        printer_(command_.format),
+        printer_(command_.format, command_.messages),
         progress_(command_.format == MessageFormat::kText) {}
 
   RunResult Run(BatchOfGroups batch);
@@ -56,6 +56,7 @@ class Batch {
     std::size_t group = 0, number = 0;
   };
 
+  int RunAll(BatchOfGroups batch);
   std::string CheckUsage() const;
   std::string Prepare();
   std::string Plan();
@@ -68,7 +69,7 @@ class Batch {
   std::string WriteIndex();
   std::string IndexPath() const;
   std::string JournalPath() const;
-  void Summarise() const;
+  void Summarise();
 
   MacroMemo& MemoOf(const Job& job, std::vector<std::string_view>& values);
   std::optional<std::size_t> FindAlike(std::size_t at, const CompileResult* result);
@@ -319,7 +320,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
     return problem;
   OutputFiles files(OutputFiles::Unchanged::kKept);
-  std::unordered_set<std::string> paths = {IndexPath(), JournalPath()};
+  std::unordered_set<std::string> paths = {IndexPath(), JournalPath(), command_.messages};
   for (OutputPiece& piece : pieces) {
     if (!paths.insert(piece.path).second)
       return fmt::format("two outputs would go to `{}`; give them different names or extensions",
@@ -389,7 +390,7 @@ std::string Batch::WriteIndex() {
   return files.Commit();
 }
 
-void Batch::Summarise() const {
+void Batch::Summarise() {
   for (const std::string& line : errors_.Shared()) printer_.Say(line);
   const std::size_t left = jobs_.size() - finished_;
   if (exit_code_ == kExitOk && system::ErrorsAreOnTerminal()) {
@@ -421,23 +422,21 @@ std::string Batch::Prepare() {
   return {};
 }
 
-RunResult Batch::Run(BatchOfGroups batch) {
+int Batch::RunAll(BatchOfGroups batch) {
   groups_ = std::move(batch.groups);
   render_ = std::move(batch.render);
-  if (const std::string problem = CheckUsage(); !problem.empty())
-    return {Fail(problem, command_.format)};
-  if (const std::string problem = Prepare(); !problem.empty())
-    return {Fail(problem, command_.format)};
-  if (const std::string problem = Plan(); !problem.empty()) return {Fail(problem, command_.format)};
+  if (const std::string problem = CheckUsage(); !problem.empty()) return printer_.Fail(problem);
+  if (const std::string problem = Prepare(); !problem.empty()) return printer_.Fail(problem);
+  if (const std::string problem = Plan(); !problem.empty()) return printer_.Fail(problem);
   AddDependencies(batch.first.dependencies);
   printer_.Show(batch.first);
   if (command_.resume && batch.identity.empty())
-    return {printer_.Fail("--resume is for permutations and manifests, and this is an effect")};
+    return printer_.Fail("--resume is for permutations and manifests, and this is an effect");
   if (!batch.identity.empty()) {
     journal_ = std::make_unique<BatchJournal>(JournalPath(), std::move(batch.identity));
     if (command_.resume) Resume();
     if (const std::string problem = journal_->Begin(); !problem.empty())
-      return {printer_.Fail(problem)};
+      return printer_.Fail(problem);
   }
   CompileInOrder(
       jobs_.size(), command_.jobs,
@@ -449,9 +448,13 @@ RunResult Batch::Run(BatchOfGroups batch) {
       exit_code_ = printer_.Fail(problem);
   }
   if (journal_ && exit_code_ == kExitOk) journal_->Remove();
-  printer_.End();
   Summarise();
-  return {exit_code_, {std::move(dependencies_)}};
+  return exit_code_;
+}
+
+RunResult Batch::Run(BatchOfGroups batch) {
+  const int code = printer_.End(RunAll(std::move(batch)), dependencies_);
+  return {code, {std::move(dependencies_)}};
 }
 
 }  // namespace

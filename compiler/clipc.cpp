@@ -66,8 +66,10 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (named(command.table)) return "--table";
   if (named(command.reflection) && command.reflection != ".h") return "--reflect";
   if (named(command.header)) return "-Fh";
+  if (command.spirv_form == clipc::CommandLine::SpirvForm::kListing) return "-S";
   if (command.spirv_form != clipc::CommandLine::SpirvForm::kBinary) return "-mfmt";
   if (named(command.listing)) return "-Fc";
+  if (named(command.messages)) return "-Fe";
   if (named(command.preprocessed) && command.preprocessed != ".i") return "-P";
   if (named(command.fragment)) return "--fragment";
   if (named(command.pixel_output) && command.pixel_output != ".frag") return "--pixel-output";

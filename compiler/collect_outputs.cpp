@@ -9,6 +9,7 @@
 #include "clip-table/write.h"
 #include "compiler/depfile.h"
 #include "compiler/output_files.h"
+#include "compiler/validate.h"
 
 namespace clipc {
 namespace {
@@ -22,6 +23,7 @@ std::string VariableOf(const CommandLine& command, const CompileResult& result) 
 
 std::string ContentsOf(const std::vector<std::uint32_t>& words, CommandLine::SpirvForm form) {
   using enum CommandLine::SpirvForm;
+  if (form == kListing) return ListSpirv(words);
   if (form == kBinary) return {reinterpret_cast<const char*>(words.data()), 4 * words.size()};
   const std::string numbers = WordsInC(words);
   return form == kInBraces ? "{" + numbers + "\n}\n" : numbers.substr(1) + "\n";

@@ -53,6 +53,7 @@ struct LanguageOptions {
   // is that of other shaders too, which a Compiler reads once.
   bool is_in_effect = false;
   bool legacy_macro_expansion = false;  // read `##` as fxc from shader model 6 on too
+  bool byte_matrices_by_row = false;    // CheckOptions::byte_matrices_by_row
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
 };
@@ -61,6 +62,7 @@ struct LanguageOptions {
 struct IncludeOptions {
   std::vector<std::string> dirs;
   std::vector<std::string> forced;  // files, included before the first line
+  std::string preamble;             // SourceInput::preamble
   // If not empty, includes come from this function, and no file is read for them:
   // SourceInput::read_include.
   std::function<std::optional<std::string>(const std::string& path)> read;

@@ -34,7 +34,7 @@ namespace {
 class Driver {
  public:
   explicit Driver(CommandLine&& command)
-      : command_(std::move(command)), printer_(command_.format) {}
+      : command_(std::move(command)), printer_(command_.format, command_.messages) {}
 
   RunResult Run();
 
@@ -88,6 +88,10 @@ std::string Driver::CheckUsage() {
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
   if (!request.link.pixel_shader.path.empty()) sources.Add(request.link.pixel_shader.path);
+  const std::string& messages = command_.messages;
+  if (sources.Has(messages))
+    return fmt::format("the messages in `{}` would overwrite a file that is read", messages);
+  if (!messages.empty() && messages != "-") named.Add(messages);
   for (const std::string& input : inputs) {
     for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
       if (named.Has(path))
@@ -110,9 +114,10 @@ RunResult Driver::Run() {
   if (const std::string problem = PrepareRequest(command_); !problem.empty())
     return {Fail(problem, command_.format)};
   ShowNotices();
-  if (command_.notices.has_errors()) return {kExitUsage};
-  const int exit_code = CompileAll();
-  printer_.End();
+  int exit_code = command_.notices.has_errors() ? kExitUsage : CompileAll();
+  std::vector<std::string> read = command_.inputs;
+  for (const auto& files : files_) read.insert(read.end(), files.begin(), files.end());
+  exit_code = printer_.End(exit_code, read);
   return {exit_code, std::move(files_)};
 }
 

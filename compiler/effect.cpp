@@ -78,8 +78,7 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   for (const Diagnostic& diagnostic : diagnostics.all())
     loaded.messages.messages.push_back(ToMessage(diagnostic, source));
   if (command.format == MessageFormat::kText && !diagnostics.all().empty())
-    loaded.messages.text =
-        source.RenderText(diagnostics, command.colour.value_or(TerminalHasColour()));
+    loaded.messages.text = source.RenderText(diagnostics, WantsColour(command));
   loaded.messages.dependencies = source.Dependencies();
   loaded.code = !diagnostics.has_errors() ? kExitOk
                 : source.main_file_read() ? kExitErrors
@@ -95,10 +94,10 @@ RunResult RunEffect(CommandLine command) {
   if (!loaded.problem.empty())
     return {Fail(fmt::format("`{}`: {}", path, loaded.problem), command.format)};
   if (!loaded.is_read) {
-    MessagePrinter printer(command.format);
+    MessagePrinter printer(command.format, command.messages);
     printer.Show(loaded.messages);
-    printer.End();
-    return {loaded.code, {std::move(loaded.messages.dependencies)}};
+    const int code = printer.End(loaded.code, loaded.messages.dependencies);
+    return {code, {std::move(loaded.messages.dependencies)}};
   }
   const char* slash = EndsWithSlash(command.output) ? "" : "/";
   const std::string stem = WithoutExtension(path.substr(NameBegin(path)));

@@ -104,6 +104,27 @@ void SetNanClamp(Reading& reading, const std::string&) {
   reading.spirv.nan_clamp = true;
 }
 
+// Reads glslang's -S with a stage, or glslc's, which has no value: a listing of the SPIR-V.
+void SetStageOrListing(Reading& reading, const std::string& value) {
+  const bool is_file = value.find('.') != value.npos;
+  if (!value.empty() && !is_file) return SetStage(reading, value);
+  reading.writes_spirv = true;
+  reading.command.spirv_form = CommandLine::SpirvForm::kListing;
+  if (is_file) reading.command.inputs.push_back(value);
+}
+
+// Gives each element of an array of textures a binding of its own.
+void SplitArrays(Reading& reading, const std::string&) {
+  reading.vulkan_option = reading.option;
+  reading.bindings.splits_arrays = true;
+}
+
+// Reads a text that is put before the shader, one of several.
+void AddPreamble(Reading& reading, const std::string& value) {
+  std::string& preamble = reading.command.request.includes.preamble;
+  preamble += preamble.empty() ? value : '\n' + value;
+}
+
 // Reads glslc's -mfmt: the form of the SPIR-V, which glslc always writes.
 constexpr Named<CommandLine::SpirvForm> kSpirvForms[] = {{CommandLine::SpirvForm::kBinary, "bin"},
                                                          {CommandLine::SpirvForm::kNumbers, "num"},
@@ -208,10 +229,14 @@ constexpr Option kForeignOptions[] = {
     {"-matrix-layout-row-major", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>},
     {"-matrix-layout-column-major", kFlag,
      SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>},
-    {"-S -stage", kSeparate, SetStage},
+    {"-S", kOptional, SetStageOrListing},
+    {"-stage", kSeparate, SetStage},
+    {"--preamble-text --P", kEquals, AddPreamble},
     {"-fshader-stage", kEquals, SetStage},
     {"-flegacy-macro-expansion -legacy-macro-expansion", kFlag,
      Set<&LanguageOptions::legacy_macro_expansion>},
+    {"-fspv-flatten-resource-arrays --flatten-uniform-arrays --fua", kFlag, SplitArrays},
+    {"-fspv-use-legacy-buffer-matrix-order", kFlag, Set<&LanguageOptions::byte_matrices_by_row>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
     {"-MMD", kFlag, Set<&CommandLine::write_dependencies>},
     {"-MM", kFlag, Set<&CommandLine::only_dependencies>},
@@ -221,6 +246,7 @@ constexpr Option kForeignOptions[] = {
     {"-Ges", kFlag, SetPositionName<PositionName::kStrict>},
     {"-Vi", kFlag, Set<&CommandLine::show_includes>},
     {"-Fi", kJoinedOrSeparate, Set<&Reading::preprocess_output>},
+    {"-Fe", kJoinedOrSeparate, Set<&CommandLine::messages>},
     {"-Vd", kFlag, SetTo<&Reading::validate, false>},
     {"-WX", kFlag, Set<&WarningOptions::warnings_are_errors>},
     {"-no-warnings", kFlag, Set<&WarningOptions::no_warnings>},
@@ -298,10 +324,6 @@ constexpr Option kForeignOptions[] = {
     {"-opt-", kJoined, Refuse, nullptr, "clipc leaves optimisation to the driver"},
     {"-output -Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
     {"-fspv-print-all", kFlag, Refuse, nullptr, "`--dump-after` prints the program after a pass"},
-    {"-fspv-flatten-resource-arrays --flatten-uniform-arrays --fua", kFlag, Refuse, nullptr,
-     "an array of textures has one binding"},
-    {"-fspv-use-legacy-buffer-matrix-order", kFlag, Refuse, nullptr,
-     "a matrix in a raw buffer lies there column by column"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
     {"-fvk-bind-resource-heap -fvk-bind-sampler-heap -fvk-bind-counter-heap", kTwo, Refuse, nullptr,
      "GLSL has no objects without a declaration; declare arrays of them with registers"},
@@ -309,7 +331,6 @@ constexpr Option kForeignOptions[] = {
     {"--shift-", kJoined, Refuse, nullptr, kFollowRegisters},
     {"-enable-16bit-types --hlsl-enable-16bit-types -fhlsl-16bit-types", kFlag, Refuse, nullptr,
      "`half` and `min16float` are computed and stored at 32 bits"},
-    {"-Fe", kJoinedOrSeparate, Refuse, nullptr, "messages go to standard error"},
     {"-Fre", kJoinedOrSeparate, Refuse, nullptr, "`--reflect` writes the reflection as JSON"},
     {"-Frs -Fsh -setrootsignature -extractrootsignature -verifyrootsignature -getprivate "
      "-setprivate -dumpbin -compress -decompress",

@@ -16,8 +16,8 @@ constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 std::string KeyOf(const CompileRequest& request, const Plan& plan) {
   const SourceInput& input = plan.input;
-  std::string key = fmt::format("{}\n{}\n{} {} {} {}", input.path, request.language.entry_call,
-                                input.shader_model_major, input.shader_model_minor,
+  std::string key = fmt::format("{}\n{}\n{}\n{} {} {} {}", input.path, request.language.entry_call,
+                                input.preamble, input.shader_model_major, input.shader_model_minor,
                                 static_cast<int>(input.stage), static_cast<int>(input.language));
   for (const auto* list : {&input.include_dirs, &input.defines, &input.forced_includes}) {
     for (const std::string& text : *list) key += '\n' + text;

@@ -195,7 +195,7 @@ class ManifestReader {
   bool IsOfOneShader(const CommandLine& command) const {
     const auto run = [](const CommandLine& c) {
       return std::tie(c.action, c.output, c.batch, c.index, c.shard, c.shards, c.jobs, c.keep_going,
-                      c.watch, c.format, c.write_dependencies, c.dependency_file,
+                      c.watch, c.format, c.messages, c.write_dependencies, c.dependency_file,
                       c.dependency_target);
     };
     return run(command) == run(whole_);

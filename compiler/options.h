@@ -34,9 +34,10 @@ struct CommandLine {
   std::string pixel_output;  // the GLSL of a pair's pixel shader
   std::string table, reflection;
   std::string header, variable;  // -Fh, -Vn
-  // The form of SPIR-V in files: binary, or numbers in C, which braces may enclose.
-  enum class SpirvForm : std::uint8_t { kBinary, kNumbers, kInBraces };
+  // The form of SPIR-V in files: binary, numbers in C, which braces may enclose, or a listing.
+  enum class SpirvForm : std::uint8_t { kBinary, kNumbers, kInBraces, kListing };
   SpirvForm spirv_form = SpirvForm::kBinary;
+  std::string messages;      // -Fe
   std::string listing;       // -Fc
   std::string preprocessed;  // -P
   std::string fragment;      // a file: the fragment shader for --lower=discard

@@ -21,6 +21,7 @@ SourceInput InputOf(const CompileRequest& request, const ir::Profile& profile) {
           .text = request.text,
           .include_dirs = request.includes.dirs,
           .defines = request.defines,
+          .preamble = request.includes.preamble,
           .forced_includes = request.includes.forced,
           .read_include = request.includes.read,
           .shader_model_major = profile.major,
@@ -59,6 +60,7 @@ CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagno
   options.entry_call = language.entry_call;
   options.has_preshader = language.is_in_effect;
   options.packing = language.packing;
+  options.byte_matrices_by_row = language.byte_matrices_by_row;
   options.position_name = language.position_name;
   return options;
 }

@@ -10,30 +10,45 @@
 
 #include "base/system.h"
 #include "compiler/driver.h"
+#include "compiler/output_files.h"
 
 namespace clipc {
 namespace {
 
-void Print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+void PrintError(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 // "1 error", "2 errors"; empty for 0.
 std::string Counted(std::size_t count, std::string_view what) {
   return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+// The error of a run, as one whole text.
+std::string ErrorText(std::string_view what, MessageFormat format) {
+  switch (format) {
+    case MessageFormat::kJson: return RenderJson({UsageMessage(what)});
+    case MessageFormat::kSarif: return RenderSarif({UsageMessage(what)});
+    default: return fmt::format("clipc: error: {}\n", what);
+  }
+}
+
 }  // namespace
 
 int Fail(std::string_view what, MessageFormat format) {
-  switch (format) {
-    case MessageFormat::kText:
-    case MessageFormat::kMsvc: Print(fmt::format("clipc: error: {}\n", what)); break;
-    case MessageFormat::kJson: Print(RenderJson({UsageMessage(what)})); break;
-    case MessageFormat::kSarif: Print(RenderSarif({UsageMessage(what)})); break;
-  }
+  PrintError(ErrorText(what, format));
   return kExitUsage;
 }
 
-bool TerminalHasColour() { return system::ErrorsAreOnTerminal() && !std::getenv("NO_COLOR"); }
+bool WantsColour(const CommandLine& command) {
+  return command.colour.value_or(command.messages.empty() && system::ErrorsAreOnTerminal() &&
+                                 !std::getenv("NO_COLOR"));
+}
+
+void MessagePrinter::Print(std::string_view text) {
+  if (file_.empty())
+    PrintError(text);
+  else
+    text_ += text;
+}
 
 void MessagePrinter::Show(const CompileResult& result) {
   switch (format_) {
@@ -52,24 +67,47 @@ void MessagePrinter::Show(const CompileResult& result) {
 }
 
 int MessagePrinter::Fail(std::string_view what) {
-  if (IsLines()) return clipc::Fail(what, format_);
-  messages_.push_back(UsageMessage(what));
+  if (IsLines())
+    Print(ErrorText(what, format_));
+  else
+    messages_.push_back(UsageMessage(what));
   return kExitUsage;
 }
 
-void MessagePrinter::Say(std::string_view line) const {
+void MessagePrinter::Say(std::string_view line) {
   if (IsLines()) Print(fmt::format("clipc: {}\n", line));
 }
 
-void MessagePrinter::End() const {
-  if (format_ == MessageFormat::kText && system::ErrorsAreOnTerminal()) {
+std::string MessagePrinter::Document() const {
+  return format_ == MessageFormat::kJson ? RenderJson(messages_) : RenderSarif(messages_);
+}
+
+std::string MessagePrinter::WriteFile(const std::vector<std::string>& read) const {
+  FileSet sources;
+  for (const std::string& source : read) sources.Add(source);
+  if (sources.Has(file_))
+    return fmt::format("the messages in `{}` would overwrite a file that is read", file_);
+  OutputFiles files;
+  files.Add(file_, text_);
+  return files.Commit();
+}
+
+int MessagePrinter::End(int code, const std::vector<std::string>& read) {
+  if (format_ == MessageFormat::kText && file_.empty() && system::ErrorsAreOnTerminal()) {
     std::string counts = Counted(error_count_, "error");
     if (error_count_ && warning_count_) counts += " and ";
     counts += Counted(warning_count_, "warning");
     if (!counts.empty()) Print(counts + " generated.\n");
   }
-  if (IsLines()) return;
-  Print(format_ == MessageFormat::kJson ? RenderJson(messages_) : RenderSarif(messages_));
+  if (!IsLines()) Print(Document());
+  if (file_.empty()) return code;
+  const std::string problem = WriteFile(read);
+  if (problem.empty()) return code;
+  file_.clear();
+  if (IsLines()) Print(text_);
+  Fail(problem);
+  if (!IsLines()) Print(Document());
+  return kExitUsage;
 }
 
 Progress::Progress(bool is_wanted) : is_on_(is_wanted && system::ErrorsAreOnTerminal()) {}
@@ -81,11 +119,11 @@ void Progress::Say(std::size_t done, std::size_t count, std::string_view name) {
   if (is_shown_ && now - last_ < 100) return;
   last_ = now;
   is_shown_ = true;
-  Print(fmt::format("\r\x1b[K[{}/{}] {}", done, count, name.substr(0, 60)));
+  PrintError(fmt::format("\r\x1b[K[{}/{}] {}", done, count, name.substr(0, 60)));
 }
 
 void Progress::Clear() {
-  if (is_shown_) Print("\r\x1b[K");
+  if (is_shown_) PrintError("\r\x1b[K");
   is_shown_ = false;
 }
 

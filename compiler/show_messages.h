@@ -2,41 +2,51 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "compiler/compile.h"
 #include "compiler/message.h"
 #include "compiler/options.h"
 
-// The messages of a run, on standard error.
+// The messages of a run, on standard error or in a file.
 namespace clipc {
 
 // Prints `clipc: error: what`, or the document of a format that is one document. Returns the exit
 // code for wrong usage.
 int Fail(std::string_view what, MessageFormat format);
 
-bool TerminalHasColour();
+bool WantsColour(const CommandLine& command);
 
 class MessagePrinter {
  public:
-  explicit MessagePrinter(MessageFormat format) : format_(format) {}
+  // With a `file`, what would be printed is written there instead.
+  explicit MessagePrinter(MessageFormat format, std::string file = {})
+      : format_(format), file_(std::move(file)) {}
 
   void Show(const CompileResult& result);
   // Shows an error of the run itself. Returns the exit code for wrong usage.
   int Fail(std::string_view what);
   // Prints a line about the run itself, if the format has a place for it.
-  void Say(std::string_view line) const;
+  void Say(std::string_view line);
   // Prints the number of errors and warnings to a terminal, or the document of a format that is one
-  // document.
-  void End() const;
+  // document; then writes the file, unless it is one of those that were `read`. Returns the exit
+  // code of the run, whose own is `code`. Call it last.
+  int End(int code, const std::vector<std::string>& read);
 
  private:
   bool IsLines() const {
     return format_ == MessageFormat::kText || format_ == MessageFormat::kMsvc;
   }
 
+  void Print(std::string_view text);
+  std::string Document() const;
+  std::string WriteFile(const std::vector<std::string>& read) const;
+
   MessageFormat format_;
+  std::string file_, text_;
   std::vector<Message> messages_;                    // of a format that is one document
   std::size_t error_count_ = 0, warning_count_ = 0;  // of what was shown as text
 };

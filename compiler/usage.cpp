@@ -170,7 +170,7 @@ std::string PrepareRequest(CommandLine& command) {
   outputs.listing = !command.listing.empty();
   outputs.preprocess = !command.preprocessed.empty() || command.only_dependencies;
   outputs.text = command.format == MessageFormat::kText;
-  outputs.colour = outputs.text && command.colour.value_or(TerminalHasColour());
+  outputs.colour = outputs.text && WantsColour(command);
   request.planes.given_to_device = !command.table.empty() || outputs.reflection;
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/validate.h"
 
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <glslang/Public/ShaderLang.h>
 #if CLIPC_HAS_SPIRV
 #include <glslang/SPIRV/GlslangToSpv.h>
+#include <glslang/SPIRV/disassemble.h>
 #endif
 #include <glslang/build_info.h>
 
@@ -105,6 +107,16 @@ Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage
   made.problems.emplace_back("this clipc was built without glslang's SPIR-V");
 #endif
   return made;
+}
+
+std::string ListSpirv([[maybe_unused]] const std::vector<std::uint32_t>& words) {
+#if CLIPC_HAS_SPIRV
+  std::ostringstream text;
+  spv::Disassemble(text, words);
+  return text.str();
+#else
+  return {};
+#endif
 }
 
 std::string ValidatorName() {

@@ -37,6 +37,10 @@ struct Spirv {
 Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage,
                 const SpirvRequest& request, const std::string& name);
 
+// Lists SPIR-V that MakeSpirv made as text, in the form of `glslang -H`, which no assembler reads.
+// Not thread-safe.
+std::string ListSpirv(const std::vector<std::uint32_t>& words);
+
 // The name and version of the validator, "glslang 12.0.0".
 std::string ValidatorName();
 

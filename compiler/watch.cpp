@@ -146,7 +146,7 @@ std::vector<std::size_t> Watcher::Changed() const {
 }
 
 int Watcher::Watch() {
-  const MessagePrinter printer(command_.format);
+  MessagePrinter printer(command_.format);
   std::vector<std::size_t> due;
   for (std::size_t unit = 0; unit < units_.size(); ++unit) due.push_back(unit);
   for (;;) {

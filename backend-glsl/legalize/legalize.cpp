@@ -11,7 +11,7 @@ namespace {
 // pass leaves nodes that the later ones take apart: rows are vectors, components are scalars.
 constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-operand-order", LowerOperandOrder, Form::kInlined},
-    {"split-samplers", SplitSamplers, Form::kInlined},
+    {"split-arrays", SplitArrays, Form::kInlined},
     {"lower-indices", LowerIndices, Form::kInlined},
     {"lower-to-es100", LowerToEs100, Form::kInlined},
     {"lower-assignments", LowerAssignments, Form::kInlined},

@@ -19,11 +19,10 @@ namespace clipc::glsl {
 //   while (n + f(2));  =>  int old_n; while ((old_n = n) + f(2));
 void LowerOperandOrder(Legalizer& legalizer);
 
-// Makes a variable of each element of an array of samplers, which OpenGL combines with a texture as
-// it does others.
+// Makes a variable of each element of an array of objects that is split: split_arrays.h.
 //
 //   t.Sample(samplers[1], uv)  =>  t.Sample(samplers_1, uv)
-void SplitSamplers(Legalizer& legalizer);
+void SplitArrays(Legalizer& legalizer);
 
 // Evaluates indices that have effects and that GLSL does without before the expression that has
 // them: a matrix of one row is a vector, float1 a scalar.

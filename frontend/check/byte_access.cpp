@@ -152,9 +152,12 @@ class Access {
     if (type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector) return Words(id);
     Exprs parts;
     if (type.kind == TypeKind::kMatrix) {
-      const TypeId column = VectorOf(type.scalar, type.rows);
-      for (std::uint32_t i = 0; i < type.columns; ++i) parts.push_back(Words(column));
+      const bool by_row = context_.options.byte_matrices_by_row;
+      const TypeId part = VectorOf(type.scalar, by_row ? type.columns : type.rows);
+      for (std::uint32_t i = 0; i < (by_row ? type.rows : type.columns); ++i)
+        parts.push_back(Words(part));
       if (context_.IsError(parts[0])) return parts[0];
+      if (by_row) return context_.At(span_).ConstructOf(id, parts);
       const TypeId transposed = context_.types.Matrix(type.scalar, type.columns, type.rows);
       return CallIntrinsic("transpose", {context_.At(span_).ConstructOf(transposed, parts)});
     }
@@ -212,6 +215,10 @@ class Access {
     const Type type = context_.TypeOf(value);
     if (type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector) return StoreWords(value);
     Builder at = context_.At(span_);
+    if (type.kind == TypeKind::kMatrix && context_.options.byte_matrices_by_row) {
+      for (std::uint32_t row = 0; row < type.rows; ++row) StoreWords(at.At(CopyOf(value), row));
+      return;
+    }
     if (type.kind == TypeKind::kMatrix) {
       for (std::uint32_t column = 0; column < type.columns; ++column) {
         Exprs rows;

@@ -13,7 +13,8 @@ bool IsTypedAccess(const Context& context, const ast::MemberExpr& member, ExprId
 
 // Checks such a call. The value's scalars, vectors and columns of matrices follow each other in
 // memory without padding; each becomes one load or store of words, in that order, and the address
-// is evaluated once. Sources: DXC's RawBufferMethods.cpp and its tests buffer-agg-load-stores.hlsl.
+// is evaluated once. Under CheckOptions::byte_matrices_by_row rows take the place of columns.
+// Sources: DXC's RawBufferMethods.cpp and its tests buffer-agg-load-stores.hlsl.
 ExprId CheckTypedAccess(Context& context, const ast::MemberExpr& member, ExprId object,
                         ExprSpan arguments, Span span);
 

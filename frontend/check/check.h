@@ -41,6 +41,9 @@ struct CheckOptions {
   // Whether a Store of a byte address buffer stores a value of any type, bit by bit, as it does
   // from HLSL 2018 on. Before it, the value is converted to uint.
   bool stores_any_type = false;
+  // Whether matrices lie row by row in byte address buffers, as in the SPIR-V of older releases of
+  // dxc.
+  bool byte_matrices_by_row = false;
   // What the versions of the language differ in: whether there are templates (from 2021 on) and
   // enums (from 2017 on), and whether a struct becomes another only by a cast (from 2021 on).
   LanguageVersion language = LanguageVersion::k2021;

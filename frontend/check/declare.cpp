@@ -72,15 +72,27 @@ void DeclareNamespace(Context& context, const ast::NamespaceDecl& space, Span sp
   for (ast::DeclId member : context[space.members]) DeclareOne(context, member, inner);
 }
 
+// Reports a specialisation of what is not a template. A name that nothing else has is a type in
+// error from then on, so that its uses are not reported too.
+void ReportNoTemplate(Context& context, const ast::StructDecl& decl, SymbolId older,
+                      ScopeId scope) {
+  context.Report(decl.name_span, diag::SpecialisationOfNone, context[decl.name]);
+  if (older) return;
+  const SymbolId symbol =
+      context.names.Declare(SymbolKind::kType, scope, decl.name, {}, decl.name_span);
+  context[symbol].Resolve(context.types.Error().index);
+}
+
 // A forward declaration and the definition are one symbol, the definition's declaration.
 void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl, ScopeId scope) {
   if (decl.is_template && !context.options.has_templates)
     ReportLanguage(context, decl.name_span, "templates", LanguageVersion::k2021);
   const SymbolId older = decl.name ? context.names.FindIn(scope, decl.name, true) : SymbolId{};
-  const auto* before = older ? context.GetIf<ast::StructDecl>(context[older].decl) : nullptr;
+  const bool has_decl = older && context[older].decl;
+  const auto* before = has_decl ? context.GetIf<ast::StructDecl>(context[older].decl) : nullptr;
   if (!decl.template_arguments.empty()) {
     if (!before || !before->is_template)
-      context.Report(decl.name_span, diag::SpecialisationOfNone, context[decl.name]);
+      ReportNoTemplate(context, decl, older, scope);
     else if (decl.is_definition)
       context.structs.specialisations[older.index].push_back(id);
     return;

@@ -65,6 +65,7 @@ struct SourceInput {
   std::optional<std::string> text;
   std::vector<std::string> include_dirs;
   std::vector<std::string> defines;               // "NAME" (defined as 1) or "NAME=VALUE"
+  std::string preamble = {};                      // text that is read after them
   std::vector<std::string> forced_includes = {};  // files, included before the first line
   // Returns the text of the include file at `path`, which is a folder, a slash and the name as
   // written, or none if there is no such file. For a context with Files::kNone only.

@@ -121,7 +121,8 @@ std::string ReadText(const std::string& path, std::string& text) {
 std::string Predefines(const SourceInput& input) {
   std::string out = "#define __CLIPC__ 1\n";
   if (input.shader_model_major >= 6) DefineTarget(input, out);
-  if (input.defines.empty() && input.forced_includes.empty()) return out;
+  const bool has_preamble = !input.preamble.empty();
+  if (input.defines.empty() && !has_preamble && input.forced_includes.empty()) return out;
   out += "# 1 \"<command line>\" 1\n";
   for (const std::string& define : input.defines) {
     const std::string line = define.substr(0, define.find_first_of("\r\n"));
@@ -130,6 +131,9 @@ std::string Predefines(const SourceInput& input) {
                ? fmt::format("#define {} 1\n", line)
                : fmt::format("#define {} {}\n", line.substr(0, equals), line.substr(equals + 1));
   }
+  // A backslash at the end of the preamble continues into the empty line.
+  if (has_preamble)
+    out += fmt::format("# 1 \"<preamble>\" 1\n{}\n\n# 1 \"<command line>\" 2\n", input.preamble);
   for (const std::string& file : input.forced_includes) {
     const std::string name = file.substr(0, file.find_first_of("\"\r\n"));
     out += fmt::format("#include \"{}\"\n", name);

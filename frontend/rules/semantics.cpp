@@ -93,7 +93,7 @@ constexpr Semantic kSemantics[] = {
     {"vk::BaseInstance", {Is(Builtin::kBaseInstance, 0), kRefused}, kNowhere},
     {"vk::DrawIndex", {Is(Builtin::kDrawIndex, 0), kRefused}, kNowhere},
 };
-// Any other system value. Compilers know more of the rasterizer's than clipc.
+// Any other system value. A struct may carry it to a pixel shader that does not read it.
 constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
 
 // The meaning of a name that is not a system value's: of data from stage to stage.

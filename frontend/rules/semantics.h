@@ -28,7 +28,7 @@ struct SystemValue {
     kBuiltin,  // the built-in variable `builtin`
     kRefused,  // a system value of another stage
     kTarget,   // an output to the render target of the semantic's index
-    kMade,     // an input that the rasterizer makes, and that clipc does not translate
+    kMade,     // an input that only other stages have; it may be declared and not read
     kLost,     // an output of the stage before that is not passed on
   };
   // What an input is made of the built-in variable.

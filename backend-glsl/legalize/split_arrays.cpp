@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/split_arrays.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -21,7 +23,7 @@ const Resource& ResourceOf(const Program& program, VarId var) {
 VarId AddElement(Program& program, VarId array, std::uint32_t element) {
   Var var = program.vars[array];
   var.name += "_" + std::to_string(element);
-  var.type = program.types[var.type].element;
+  var.type = program.types.Innermost(var.type);
   Resource resource = ResourceOf(program, array);
   resource.var = program.vars.Add(std::move(var));
   resource.reg.number += element;
@@ -32,15 +34,16 @@ VarId AddElement(Program& program, VarId array, std::uint32_t element) {
 
 }  // namespace
 
-void SplitSamplers(Legalizer& legalizer) {
+void SplitArrays(Legalizer& legalizer) {
   Program& program = legalizer.program;
+  const Target& target = legalizer.target;
   const bool has_arrays = std::ranges::any_of(program.resources, [&](const Resource& resource) {
-    return program.types[program.vars[resource.var].type].kind == TypeKind::kArray;
+    return SplitCount(program, target, resource.var) > 0;
   });
-  if (legalizer.target.IsVulkan() || !has_arrays) return;
+  if (!has_arrays) return;
   std::map<std::pair<std::uint32_t, std::uint32_t>, VarId> elements;
   for (const ExprId expr : program.exprs.ids()) {
-    const SamplerElement element = SamplerElementAt(program, expr);
+    const ArrayElement element = SplitElementAt(program, target, expr);
     if (!element.array) continue;
     VarId& var = elements[{element.array.index, element.number}];
     if (!var) var = AddElement(program, element.array, element.number);
