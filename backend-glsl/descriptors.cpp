@@ -14,7 +14,8 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
                          const OtherStage* other)
     : target_(target),
       pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0),
-      pixel_base_(InfoOf(program.stage).draws_pixels ? target.PixelBase() : 0) {
+      pixel_base_(InfoOf(program.stage).draws_pixels ? target.PixelBase() : 0),
+      plain_set_(target.bindings.plain_sets[static_cast<std::size_t>(program.stage)]) {
   if (!target.IsVulkan()) return;
   std::ranges::copy_if(target.bindings.rules, std::back_inserter(rules_), [&](const auto& rule) {
     return rule.stage.value_or(program.stage) == program.stage;
@@ -121,6 +122,7 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
   const auto far = is_unplaced ? renumbered_.end() : renumbered_.find(reg.space);
   const std::uint32_t space = is_unplaced                ? *rules.unplaced_set
                               : far != renumbered_.end() ? far->second
+                              : reg.space == 0           ? plain_set_
                                                          : reg.space;
   for (const BindingRule& rule : rules_ | std::views::reverse) {
     if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||

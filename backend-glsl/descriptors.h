@@ -53,7 +53,7 @@ class Descriptors {
 
   const Target& target_;
   std::vector<BindingRule> rules_;  // those of the target that are for this stage
-  const std::uint32_t pixel_sets_, pixel_base_;
+  const std::uint32_t pixel_sets_, pixel_base_, plain_set_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;
   std::map<std::uint32_t, std::uint32_t> renumbered_;  // the sets of spaces that are too high

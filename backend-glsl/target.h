@@ -144,6 +144,7 @@ struct BindingRules {
   std::vector<BindingRule> rules;  // in place of the usual ones (descriptors.h); a later one wins
   std::optional<ir::Descriptor> globals;      // the place of $Globals
   std::optional<std::uint32_t> unplaced_set;  // the set of objects without a register
+  std::uint32_t plain_sets[2] = {};           // by stage: the set of space 0
   // A texture and a sampler may have one binding, where the host has a combined image sampler.
   bool combines_samplers = false;
   // Each element of an array of objects has a binding of its own: split_arrays.h.

@@ -110,6 +110,15 @@ bool AddRegister(glsl::BindingRules& rules, std::string_view value) {
 bool AddRegisters(glsl::BindingRules& rules, std::string_view value) {
   std::vector<std::string_view> words = WordsIn(value);
   const StageWord stage = TakeStage(words);
+  if (words.size() == 1) {
+    std::uint32_t set = 0;
+    if (!Read(words[0], set)) return false;
+    for (const Stage of : {Stage::kVertex, Stage::kPixel}) {
+      if (!stage.is_other && stage.stage.value_or(of) == of)
+        rules.plain_sets[static_cast<std::size_t>(of)] = set;
+    }
+    return true;
+  }
   if (words.empty() || words.size() % 3 != 0) return false;
   for (std::size_t i = 0; i < words.size(); i += 3) {
     if (words[i].empty() || !IsRegisterLetter(words[i][0])) return false;

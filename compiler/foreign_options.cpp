@@ -168,7 +168,8 @@ constexpr Named<MessageFormat> kClangFormats[] = {{MessageFormat::kText, "clang"
                                                   {MessageFormat::kSarif, "sarif"}};
 constexpr char kShift[] = "two numbers, or a number and `all`";
 constexpr char kKindShift[] = "a number, or numbers each with its set";
-constexpr char kRegisterSets[] = "registers, each with its set and its binding, `t0 1 2`";
+constexpr char kRegisterSets[] =
+    "registers, each with its set and its binding, `t0 1 2`, or one set for all";
 constexpr char kFollowRegisters[] = "bindings follow the registers; `--reflect` tells them";
 constexpr std::string_view kUtf8 = "utf8", kDeclared = "decl", kAny = "any",
                            kReserveAll = "reserve-all";

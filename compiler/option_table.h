@@ -20,6 +20,7 @@ struct Reading {
   std::string argument;  // the argument that is being read
   std::string option;    // the option that it begins with
   std::string advice;    // its Option::help
+  std::string next;      // the argument after it; empty: none
   std::string error;
   // The options that clipc does not have, as they are written, with the advice for each.
   std::vector<std::pair<std::string, std::string>> unknown;
@@ -47,6 +48,9 @@ struct Reading {
   std::vector<Ignored> without_effect;  // options of other compilers
   std::vector<std::string> foreign_warnings;
 };
+
+// The error that an option which needs a value has none.
+std::string NeedsValue(const Reading& reading);
 
 struct Option {
   enum class Form : std::uint8_t {

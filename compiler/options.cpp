@@ -123,6 +123,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   reading.argument = written;
   reading.option = written.substr(0, name.size());
   reading.advice = option->help;
+  reading.next = at < arguments.size() ? arguments[at] : "";
   std::string value = spelling.substr(name.size());
   if ((option->form == kEquals || option->form == kNumbers) && !value.empty()) {
     value.erase(0, 1);
@@ -133,8 +134,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
                           (!is_definition || IsDefinition(arguments[at]));
     if (has_next) value = arguments[at++];
     if (!has_next && option->form != kOptional && !is_definition) {
-      reading.error = fmt::format("{} needs a value", written);
-      if (at < arguments.size()) reading.error += fmt::format("; `{}` is an option", arguments[at]);
+      reading.error = NeedsValue(reading);
       return;
     }
   }
@@ -262,6 +262,12 @@ void ReportWithoutEffect(Reading& reading) {
 }
 
 }  // namespace
+
+std::string NeedsValue(const Reading& reading) {
+  const std::string problem = fmt::format("{} needs a value", reading.argument);
+  return reading.next.empty() ? problem
+                              : fmt::format("{}; `{}` is an option", problem, reading.next);
+}
 
 ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   Reading reading;

@@ -60,9 +60,12 @@ void SetPreprocess(Reading& reading, const std::string& value) {
 // Reads the entry, or glslang's and glslc's -E, which has no value: -o or standard output gets the
 // text after preprocessing. An entry has no dot in its name, and a file of a shader has one.
 void SetEntryOrPreprocess(Reading& reading, const std::string& value) {
-  if (value.find('.') == value.npos) return SetEntry(reading, value);
+  const bool is_file = value.find('.') != value.npos;
+  if (!value.empty() && !is_file) return SetEntry(reading, value);
+  if (value.empty() && reading.argument.starts_with('/'))
+    reading.error = NeedsValue(reading);
   reading.preprocesses_only = true;
-  reading.command.inputs.push_back(value);
+  if (is_file) reading.command.inputs.push_back(value);
 }
 
 template <auto kMember>
@@ -161,7 +164,7 @@ constexpr Option kOwnOptions[] = {
     Topic("language", "the shader and its language"),
     {"-T", kJoinedOrSeparate, SetProfile, "<PROFILE>",
      "vs_2_0 .. vs_6_8 (vs_5_0), ps_2_0 .. ps_6_8, vs_4_0_level_9_0, _9_1, _9_3"},
-    {"-E", kJoinedOrSeparate, SetEntryOrPreprocess, "<NAME>", "entry function (main)"},
+    {"-E", kOptional, SetEntryOrPreprocess, "<NAME>", "entry function (main)"},
     {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
     {"-include", kSeparate, Set<&IncludeOptions::forced>, "<FILE>", "include FILE first"},

@@ -17,7 +17,10 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
                   const std::function<bool(const Tokens&)>& wants) {
   if (!options.profile.stage) {  // the next errors would be about another stage's shader
-    diagnostics.Report({}, diag::OtherStageProfile, options.profile.name);
+    diagnostics.Report({}, diag::OtherStageProfile, options.profile.name,
+                       options.profile.name.starts_with("fx_")
+                           ? "`--effect` compiles the shaders of an effect"
+                           : "clipc compiles no others, use dxc or glslang for them");
     return {};
   }
   Tokens tokens = Lex(source, diagnostics);
