@@ -64,11 +64,14 @@ def explanations():
 
 
 def compiled(clipc, words, text):
-    """What clipc does with a shader that is x.hlsl."""
+    """What clipc does with a shader that is x.hlsl. A line `// x.frag:` begins another file."""
     with tempfile.TemporaryDirectory() as folder:
-        pathlib.Path(folder, "x.hlsl").write_text(text + "\n")
+        parts = re.split(r"^// (\w+\.\w+):\n", text, flags=re.M)
+        for name, part in zip(["x.hlsl", *parts[1::2]], parts[0::2]):
+            pathlib.Path(folder, name).write_text(part.rstrip("\n") + "\n")
+        output = "." if "--effect" in words else "x.out"
         return subprocess.run(
-            [clipc, "x.hlsl", *words.split(), "-o", "." if "--effect" in words else "x.out"],
+            [clipc, "x.hlsl", "-o", output, *words.split()],
             cwd=folder,
             capture_output=True,
             text=True,
