@@ -298,8 +298,10 @@ class TargetCheck : ExpressionCheck {
     std::string_view why;
   };
   std::vector<RefusedLoop> FindLoops(StmtId body) {
-    // Other styles read an array by a function, whose parameter is not a constant.
-    const bool has_indices = blocks_ == BlockStyle::kFlat;
+    // An array of rows is read by a function, whose parameter is not a constant.
+    bool has_indices = blocks_ == BlockStyle::kFlat;
+    for (const CbufferId id : program_.cbuffers.ids())
+      has_indices |= program_.cbuffers[id].declared && program_.cbuffers[id].declared->is_loose;
     if (has_indices) loop_indices_.resize(program_.vars.size());
     std::vector<RefusedLoop> refused;
     const CountedLoops loops(program_, body);

@@ -62,8 +62,7 @@ void SetPreprocess(Reading& reading, const std::string& value) {
 void SetEntryOrPreprocess(Reading& reading, const std::string& value) {
   const bool is_file = value.find('.') != value.npos;
   if (!value.empty() && !is_file) return SetEntry(reading, value);
-  if (value.empty() && reading.argument.starts_with('/'))
-    reading.error = NeedsValue(reading);
+  if (value.empty() && reading.argument.starts_with('/')) reading.error = NeedsValue(reading);
   reading.preprocesses_only = true;
   if (is_file) reading.command.inputs.push_back(value);
 }
