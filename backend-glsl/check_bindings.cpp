@@ -66,6 +66,13 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
         InfoOf(program.types[program.types.Innermost(var.type)].object).category;
     if (!reached.Has(resource.var)) continue;
     const std::uint32_t count = std::max(SplitCount(program, target, resource.var), 1u);
+    // The elements would move one by one.
+    if (count > 1 && descriptors.IsMoved(resource.reg)) {
+      diagnostics.Report(var.span, diag::Unsupported,
+                         "`-fspv-flatten-resource-arrays` of `" + var.name +
+                             "`, an array without a register whose binding is taken,");
+      continue;
+    }
     for (std::uint32_t i = 0; i < count; ++i) take(resource.reg, var.name, var.span, category, i);
   }
 }

@@ -41,6 +41,9 @@ class Descriptors {
   // The set and binding of the buffer or resource of the program that has this register.
   ir::Descriptor Of(const ir::Register& reg) const;
 
+  // Whether the place that follows from the register is taken, and the object is elsewhere.
+  bool IsMoved(const ir::Register& reg) const { return moved_.contains(&reg); }
+
   // Whether the set of the register is not its space, which is too high.
   bool IsRenumbered(const ir::Register& reg) const;
 

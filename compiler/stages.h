@@ -61,8 +61,8 @@ Lowered Lower(ir::Program program, const LowerOptions& options);
 std::vector<std::string_view> LowerPasses();
 
 // Makes uniform variables of buffers that the target could not index otherwise:
-// backend-glsl/loosen_blocks.h. For a shader alone, before CheckTarget: the shaders of a pair declare
-// a buffer alike.
+// backend-glsl/loosen_blocks.h. For a shader alone, before CheckTarget: the shaders of a pair
+// declare a buffer alike.
 void LoosenIndexedBlocks(Lowered& lowered);
 
 // Reports the parts of the program that the target cannot express. Without errors, Write succeeds,
