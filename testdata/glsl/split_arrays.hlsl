@@ -8,7 +8,6 @@
 // RUN: %clipc -T ps_6_0 %s -spirv -fspv-flatten-resource-arrays -w -o %t.spv
 // RUN: %clipc -T ps_6_0 %s --target=vulkan --flatten-uniform-arrays -w -o - | FileCheck %s
 // RUN: %clipc -T ps_6_0 %s --target=vulkan -w -o - | FileCheck %s --check-prefix=WHOLE
-// RUN: not %clipc -T ps_6_0 %s --target=vulkan -fspv-flatten-resource-arrays -D TAKEN -w -o - 2>&1 | FileCheck %s --check-prefix=TAKEN
 // CHECK-DAG: binding = 291) uniform texture2D maps_2;  // t3
 // CHECK-DAG: binding = 289) uniform texture2D maps_0;  // t1
 // CHECK-DAG: binding = 274) uniform sampler samplers_1;  // s2
@@ -24,7 +23,6 @@
 // SAID: warning: `-fspv-flatten-resource-arrays` has no effect: the array `counted` keeps its one binding
 // SAID: warning: `-fspv-flatten-resource-arrays` has no effect: the array `endless` keeps its one binding
 // SAID: warning: `-fspv-flatten-resource-arrays` has no effect: the array `tints` keeps its one binding
-// TAKEN: error: `maps` and `taken` {{.*}} [target-bindings-collide]
 struct Tint { float4 color; };
 Texture2D maps[3] : register(t1);
 SamplerState samplers[2] : register(s1);
@@ -34,15 +32,9 @@ AppendStructuredBuffer<float4> counted[2] : register(u5);
 Texture2D one[1] : register(t20);
 Texture2D endless[] : register(t0, space1);
 ConstantBuffer<Tint> tints[2] : register(b0);
-#ifdef TAKEN
-[[vk::binding(291)]] Texture2D taken;
-#endif
 float4 main(float2 uv : UV, nointerpolation uint i : INDEX) : SV_Target {
   written[1][0] = 1;
   counted[0].Append(uv.xyxy);
   float4 sum = maps[2].Sample(samplers[1], uv) + maps[0].Sample(samplers[0], uv) + grid[1][0].Sample(samplers[1], uv);
-#ifdef TAKEN
-  sum += taken.Sample(samplers[0], uv);
-#endif
   return sum + one[0].Load(0) + endless[i].Load(0) + tints[1].color;
 }
