@@ -22,10 +22,11 @@ std::uint32_t SplitCount(const Program& program, const Target& target, VarId var
   const bool is_counted = std::ranges::any_of(program.resources, [&](const Resource& resource) {
     return resource.counter_of && (resource.counter_of == var || resource.var == var);
   });
-  const bool is_split =
-      target.IsVulkan() ? target.bindings.splits_arrays && !is_counted
-                        : InfoOf(program.types[type].object).category == ObjectCategory::kSampler;
-  return is_split ? static_cast<std::uint32_t>(count) : 0;
+  if (target.IsVulkan())
+    return target.bindings.splits_arrays && !is_counted ? static_cast<std::uint32_t>(count) : 0;
+  // OpenGL has no arrays without a size, which is reported by itself.
+  const bool is_sampler = InfoOf(program.types[type].object).category == ObjectCategory::kSampler;
+  return is_sampler ? static_cast<std::uint32_t>(std::max<std::uint64_t>(count, 1)) : 0;
 }
 
 ArrayElement SplitElementAt(const Program& program, const Target& target, ExprId expr) {
