@@ -107,10 +107,17 @@ HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(
 
 Legalizer::Legalizer(Program& program, const Target& target)
     : program(program), target(target), first_new_(program.exprs.size()) {
-  for (const ExprId expr : program.exprs.ids()) {
+  for (const ExprId expr : program.exprs.ids())
     if (MayChange(program, target, program.exprs[expr])) operations_.push_back(expr);
-    names_least_integer_ |= IsLeastInteger(program, expr);
-  }
+}
+
+bool Legalizer::NamesLeastInteger() {
+  if (names_least_integer_) return *names_least_integer_;
+  bool found = false;
+  for (const ExprId expr : program.exprs.ids())
+    found = found || (expr.index < first_new_ && IsLeastInteger(program, expr));
+  names_least_integer_ = found;
+  return found;
 }
 
 bool Legalizer::MayBeSkipped(ExprId expr) {

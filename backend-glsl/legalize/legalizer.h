@@ -60,7 +60,7 @@ class Legalizer {
 
   // Whether the program names the least integer, which has no opposite. Others than those that it
   // names are not known to a GLSL compiler, so it does not divide them.
-  bool names_least_integer() const { return names_least_integer_; }
+  bool NamesLeastInteger();
 
   // Component `i` of a vector, a matrix of one row or one column, or a scalar.
   ir::ExprId Component(ir::Builder b, ir::ExprId expr, int i);
@@ -106,7 +106,7 @@ class Legalizer {
 
   std::vector<ir::ExprId> operations_;  // original ones that a pass may change, in order of ExprId
   std::uint32_t first_new_;             // the first expression that a pass added
-  bool names_least_integer_ = false;
+  std::optional<bool> names_least_integer_;        // none: nothing has asked for it
   std::map<std::string, ir::FunctionId> helpers_;  // by name and types of parameters
   std::optional<ir::Effects> effects_;
   std::uint32_t effects_functions_ = 0;  // the number of functions that effects_ was made for

@@ -11,13 +11,13 @@ using namespace ir;
 namespace {
 
 // Whether GLSL has `target op= value` for numbers of this shape.
-bool IsNative(const Legalizer& legalizer, BinaryOp op, const Shape& shape, ExprId value) {
+bool IsNative(Legalizer& legalizer, BinaryOp op, const Shape& shape, ExprId value) {
   if (shape.kind == Shape::kRows) return false;
   const bool is_modulo_of_uint =
       shape.scalar == Scalar::kUint && legalizer.target.Has(Feature::kUnsigned);
   // LowerDivisions has such a division.
   const bool is_signed = !IsFloat(shape.scalar) && !IsUnsigned(shape.scalar);
-  if (op == BinaryOp::kDiv && is_signed && legalizer.names_least_integer()) return false;
+  if (op == BinaryOp::kDiv && is_signed && legalizer.NamesLeastInteger()) return false;
   if (op == BinaryOp::kMod) return !shape.HasRows() && is_modulo_of_uint;
   if (shape.kind != Shape::kMatrix) return true;
   const auto& node = legalizer.program.exprs[value].node;

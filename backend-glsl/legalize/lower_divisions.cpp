@@ -67,7 +67,7 @@ void LowerDivisions(Legalizer& legalizer) {
     if (!binary || (binary->op != BinaryOp::kDiv && binary->op != BinaryOp::kMod)) return;
     const Scalar kind = legalizer.TypeOf(expr).scalar;
     if (!legalizer.IsNumeric(expr) || IsFloat(kind) || IsUnsigned(kind)) return;
-    Lower(legalizer, expr, Binary(*binary), legalizer.names_least_integer());
+    Lower(legalizer, expr, Binary(*binary), legalizer.NamesLeastInteger());
   });
 }
 
