@@ -166,9 +166,9 @@ void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
   if (call.op == ObjectOp::kSampleCmp && object == ObjectKind::kTexture2DArray &&
       arguments.size() > 4)
     Check(Feature::kShadowArrayOffsets, diag::TargetSampleOffset, span);
-  if (call.clamp)
+  if (call.has_clamp)
     Check(Feature::kLevelClamps, diag::TargetTiled, span, "a clamp of the level of detail");
-  if (call.texel) Status(object, span);
+  if (call.has_texel) Status(object, span);
   const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
   if (!is_length) Check(NeedOf(call.op), span);
 }

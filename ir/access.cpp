@@ -136,7 +136,8 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
                    },
                    [&](const IntrinsicCall& node) { return WritesArgument(node.op, operand); },
                    [&](const ObjectCall& node) {
-                     return node.texel && operand == node.arguments.size + (node.clamp ? 1 : 0);
+                     return node.has_texel &&
+                            operand + 1 == node.arguments.size + node.Tiled().size;
                    },
                    [](const auto&) { return false; },
                },

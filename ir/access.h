@@ -71,6 +71,14 @@ inline bool IsOfWritingKind(const Expr& expr) {
 // evaluation: assignments, increments, and the out and inout arguments of calls.
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand);
 
+// The clamp and the texel of a call of an object, as ObjectCall has them; none where it has none.
+inline ExprId ClampOf(const Program& program, const ObjectCall& call) {
+  return call.has_clamp ? program.expr_lists[call.Tiled()][0] : ExprId{};
+}
+inline ExprId TexelOf(const Program& program, const ObjectCall& call) {
+  return call.has_texel ? program.expr_lists[call.Tiled()][call.has_clamp] : ExprId{};
+}
+
 // Calls on_target(ExprId) for each target that the node of `expr` writes. The operands' own writes
 // are not among them.
 template <typename OnTarget>
@@ -90,7 +98,7 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
               if (WritesArguments(node.op)) of_call(node.arguments);
             },
             [&](const ObjectCall& node) {
-              if (node.texel) on_target(node.texel);
+              if (node.has_texel) on_target(TexelOf(program, node));
             },
             [](const auto&) {},
         },

@@ -151,8 +151,10 @@ ExprId Builder::CopyOf(TypeId type, const decltype(Expr::node)& node) {
   const ExprId copy = Add(type, node);
   const auto own = [&](auto& of_copy) {
     if constexpr (requires { of_copy.arguments; }) {
-      of_copy.arguments =
-          program_.expr_lists.Add(std::as_const(program_).expr_lists[of_copy.arguments]);
+      List<ExprId> all = of_copy.arguments;
+      if constexpr (requires { of_copy.Tiled(); }) all.size += of_copy.Tiled().size;
+      of_copy.arguments.begin =
+          program_.expr_lists.Add(std::as_const(program_).expr_lists[all]).begin;
     }
   };
   Visit(own, program_.exprs[copy].node);

@@ -170,7 +170,8 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
 }
 
 void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
-  const std::uint32_t words = WordsOf(node.texel ? node.texel : expr);
+  const ExprId clamp = ClampOf(program_, node), texel = TexelOf(program_, node);
+  const std::uint32_t words = WordsOf(texel ? texel : expr);
   const std::size_t base = stack_.size();
   ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};
   std::vector<Word> bits;
@@ -196,22 +197,22 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   request.arguments = bits;
   request.is_part = node.op == ObjectOp::kStore && node.arguments.size > 3;
   request.coordinates = coordinates;
-  if (node.clamp) {
-    Eval(node.clamp);
-    request.clamp = FloatOf(ToBits(stack_.back(), TypeOf(node.clamp).scalar));
+  if (clamp) {
+    Eval(clamp);
+    request.clamp = FloatOf(ToBits(stack_.back(), TypeOf(clamp).scalar));
     stack_.resize(base);
   }
   std::vector<Word> result(words, 0);
   const bool is_lost = is_discarded_ && WritesObject(node.op);
   if (inputs_.read_object && !is_lost) inputs_.read_object(request, result);
   if (words == 0) return;
-  const TypeId type = program_.exprs[node.texel ? node.texel : expr].type;
+  const TypeId type = program_.exprs[texel ? texel : expr].type;
   const std::vector<Scalar> kinds = KindsOf(program_.types, type);
   for (std::uint32_t i = 0; i < words; ++i) stack_.push_back(FromBits(result[i], kinds[i]));
-  if (!node.texel) return;
-  const std::vector<Word> texel(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end());
+  if (!texel) return;
+  const std::vector<Word> value(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end());
   stack_.resize(base);
-  Store(Locate(node.texel), words, texel.data());
+  Store(Locate(texel), words, value.data());
   stack_.push_back(1);  // all texels are in memory
 }
 

@@ -324,10 +324,11 @@ TEST_F(Evaluator, ObjectReadsHaveAClampAndAStatus) {
       shader.AddVar("linear", shader.types.Object(ObjectKind::kSampler), Storage::kResource);
   shader.resources = {{map, {}}, {linear, {}}};
   const VarId texel = build.Local("texel", Float4());
-  const List<ExprId> arguments =
-      shader.expr_lists.Add({build.Ref(map), build.Ref(linear),
-                             build.Swizzled(build.Ref(shader.parameter), {0, 1}), build.Float(2)});
-  const ObjectCall call{ObjectOp::kSampleLevel, arguments, build.Float(3), build.Ref(texel)};
+  List<ExprId> arguments = shader.expr_lists.Add(
+      {build.Ref(map), build.Ref(linear), build.Swizzled(build.Ref(shader.parameter), {0, 1}),
+       build.Float(2), build.Float(3), build.Ref(texel)});
+  arguments.size = 4;
+  const ObjectCall call{ObjectOp::kSampleLevel, arguments, true, true};
   const ExprId status = build.Add(shader.types.Make(Scalar::kUint), call);
   const ExprId is_mapped = build.IntrinsicOf(Intrinsic::kCheckAccessFullyMapped,
                                              shader.types.Make(Scalar::kBool), {status});

@@ -267,11 +267,14 @@ constexpr bool TakesSampler(ObjectOp op) {
 struct ObjectCall {
   ObjectOp op{};
   List<ExprId> arguments;
-  ExprId clamp = {};  // the least level of detail of a sample; none: the texture has them all
-  // A variable of the value that the call has otherwise, but of four components where it is not a
-  // comparison: it is written, and the call's value is a uint, the status. None: there is no
-  // status.
-  ExprId texel = {};
+  // Whether there are operands of tiled resources, which follow the arguments in the pool: the node
+  // is small for the many calls without them. The clamp is the least level of detail of a sample.
+  // The texel is a variable of the value that the call has otherwise, but of four components if it
+  // is not a comparison: it is written, and the call's value is a uint, the status.
+  bool has_clamp = false, has_texel = false;
+  List<ExprId> Tiled() const {
+    return {arguments.begin + arguments.size, std::uint32_t{has_clamp} + std::uint32_t{has_texel}};
+  }
 };
 // An expression that evaluates `first`, then `second`, whose value it has.
 struct Comma {

@@ -261,8 +261,8 @@ void Printer::Put(ExprId id) {
           [&](const IntrinsicCall& n) { Put(ir::NameOf(n.op), "(", n.arguments, ")"); },
           [&](const ObjectCall& n) {
             Put(TextOf(n.op), "(", n.arguments);
-            if (n.clamp) Put(", clamp: ", Operand{n.clamp});
-            if (n.texel) Put(", texel: ", Operand{n.texel});
+            if (n.has_clamp) Put(", clamp: ", Operand{ClampOf(program_, n)});
+            if (n.has_texel) Put(", texel: ", Operand{TexelOf(program_, n)});
             Put(")");
           },
           [&](const Comma& n) { Put(Operand{n.first}, ", ", Operand{n.second}); },

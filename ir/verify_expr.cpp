@@ -335,9 +335,10 @@ void ExprVerifier::Check(const ObjectCall& node) {
     Require(is_stored || TypeOf(arguments[i]).IsNumeric(),
             "coordinates, levels and offsets are numeric");
   }
-  if (node.clamp) Require(TypeOf(node.clamp).IsNumeric(), "a clamp is numeric");
-  if (node.texel) {
-    Require(IsTarget(node.texel), "the texel is an assignment target");
+  if (const ExprId clamp = ClampOf(program_, node))
+    Require(TypeOf(clamp).IsNumeric(), "a clamp is numeric");
+  if (const ExprId texel = TexelOf(program_, node)) {
+    Require(IsTarget(texel), "the texel is an assignment target");
     Require(TypeOf(expr_).scalar == Scalar::kUint, "a status is a uint");
   }
   for (std::size_t i = 0; i < (has_sampler ? 2u : 1u) && i < arguments.size(); ++i) {

@@ -34,8 +34,7 @@ void ForEachSlot(Node& node, Own&& own, Listed&& list) {
       [&](OneOf<Construct, Call, IntrinsicCall> auto& of) { list(of.arguments); },
       [&](OneOf<ObjectCall> auto& of) {
         list(of.arguments);
-        if (of.clamp) own(of.clamp);
-        if (of.texel) own(of.texel);
+        if (of.has_clamp || of.has_texel) list(of.Tiled());
       },
       [&](OneOf<Comma> auto& of) { own(of.first), own(of.second); },
   }(node);

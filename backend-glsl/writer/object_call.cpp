@@ -104,32 +104,32 @@ class ObjectCaller {
   // `function`; the function itself where the call has neither.
   std::string TiledName(std::string_view function) {
     std::string name(function);
-    if (node_.clamp) {
+    if (node_.has_clamp) {
       code_.Require(Feature::kLevelClamps);
       name += "Clamp";
     }
-    if (node_.texel) {
+    if (node_.has_texel) {
       code_.Require(Feature::kTextureStatus);
       name[0] = static_cast<char>(name[0] - 'a' + 'A');
       name = "sparse" + name;
     }
-    return node_.clamp || node_.texel ? name + "ARB" : name;
+    return node_.has_clamp || node_.has_texel ? name + "ARB" : name;
   }
   // The arguments of such a function that come after the offset and before a bias or a component.
   std::string TiledArguments() {
     std::string text;
-    if (node_.clamp) Append(text, ", ", Argument(code_, node_.clamp));
-    if (node_.texel) Append(text, ", ", Argument(code_, node_.texel));
+    if (node_.has_clamp) Append(text, ", ", Argument(code_, ClampOf(code_.program, node_)));
+    if (node_.has_texel) Append(text, ", ", Argument(code_, TexelOf(code_.program, node_)));
     return text;
   }
 
   // The status that a call gives, if it has one, as HLSL's uint.
   Text Status(std::string call) {
-    return node_.texel ? Called("uint", {call}) : Text{std::move(call)};
+    return node_.has_texel ? Called("uint", {call}) : Text{std::move(call)};
   }
 
   Text Narrow(std::string four) {
-    if (node_.texel) return Status(std::move(four));
+    if (node_.has_texel) return Status(std::move(four));
     const std::size_t count = ShapeOf(code_[type_], code_.target).size;
     if (count < 4) Append(four, ".", std::string_view("xyzw").substr(0, count));
     return {std::move(four)};

@@ -334,8 +334,8 @@ void WrittenWalk::Visit(ExprId expr) {
                    [&](const ObjectCall& node) {
                      for (const ExprId argument : program_.expr_lists[node.arguments])
                        Visit(argument);
-                     if (node.clamp) Visit(node.clamp);
-                     if (node.texel) WriteTo(node.texel, {});
+                     if (node.has_clamp) Visit(ClampOf(program_, node));
+                     if (node.has_texel) WriteTo(TexelOf(program_, node), {});
                    },
                    [&]<typename Node>(const Node& node) {
                      if constexpr (std::same_as<Node, Binary>) shared_.values.Check(node);

@@ -230,8 +230,11 @@ class OffsetFinder {
     const auto given = program_.expr_lists[arguments];
     const ExprId texture = given[0], location = given[1], level = given[2];
     const ExprId moved = Moved(Builder(program_, span), program_, location, offset);
-    std::get<ObjectCall>(program_.exprs[expr].node).arguments =
-        program_.expr_lists.Add({texture, moved, level});
+    auto& call = std::get<ObjectCall>(program_.exprs[expr].node);
+    std::vector<ExprId> operands = {texture, moved, level};
+    if (call.has_texel) operands.push_back(TexelOf(program_, call));
+    call.arguments.begin = program_.expr_lists.Add(std::span<const ExprId>(operands)).begin;
+    call.arguments.size = 3;
   }
 
   // Whether Direct3D 11 takes the offset as a number like any other, with gather4_po.

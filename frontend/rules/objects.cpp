@@ -234,15 +234,21 @@ class MethodCheck : IntrinsicCheck {
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
   ExprId Finish(ObjectOp op, TypeId type) {
-    const List<ExprId> list = program.expr_lists.Add(arguments_);
-    if (!status_) return Make().Add(type, ObjectCall{op, list, clamp_, {}});
-    const Type value = program.types[type];
-    const TypeId texel = ComparesOnce(op) ? type : program.types.Vector(value.scalar, 4);
-    const VarId var = temporaries.Make(Make().ZeroOf(texel)).var;
-    const ExprId call = Make().Add(program.types.Make(Scalar::kUint),
-                                   ObjectCall{op, list, clamp_, Make().Ref(var)});
-    const ExprId assign = Make().AssignTo(status_, Convert(call, TypeIdOf(status_)));
-    return Make().CommaOf(assign, ConvertExplicit(program, Make().Ref(var), type, temporaries));
+    VarId texel;
+    if (status_) {
+      const TypeId four = program.types.Vector(program.types[type].scalar, 4);
+      texel = temporaries.Make(Make().ZeroOf(ComparesOnce(op) ? type : four)).var;
+    }
+    const auto count = static_cast<std::uint32_t>(arguments_.size());
+    if (clamp_) arguments_.push_back(clamp_);
+    if (status_) arguments_.push_back(Make().Ref(texel));
+    List<ExprId> list = program.expr_lists.Add(arguments_);
+    list.size = count;
+    const ObjectCall call{op, list, bool(clamp_), bool(status_)};
+    if (!status_) return Make().Add(type, call);
+    const ExprId value = Make().Add(program.types.Make(Scalar::kUint), call);
+    const ExprId assign = Make().AssignTo(status_, Convert(value, TypeIdOf(status_)));
+    return Make().CommaOf(assign, ConvertExplicit(program, Make().Ref(texel), type, temporaries));
   }
   static bool ComparesOnce(ObjectOp op) {
     using enum ObjectOp;

@@ -174,9 +174,9 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Call& call) {
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const ObjectCall& call) {
-  if (call.clamp) {
-    const ExprId clamp = Visit(call.clamp).expr;
-    std::get<ObjectCall>(program_.exprs[id].node).clamp = clamp;
+  if (call.has_clamp) {
+    const ExprId clamp = Visit(ClampOf(program_, call)).expr;
+    program_.expr_lists[call.Tiled()][0] = clamp;
   }
   for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
     const ExprId argument = program_.expr_lists[call.arguments][i];
