@@ -272,6 +272,8 @@ struct ObjectCall {
   // The texel is a variable of the value that the call has otherwise, but of four components if it
   // is not a comparison: it is written, and the call's value is a uint, the status.
   bool has_clamp = false, has_texel = false;
+  // The arguments and those operands, as one list.
+  List<ExprId> Operands() const { return {arguments.begin, arguments.size + Tiled().size}; }
   List<ExprId> Tiled() const {
     return {arguments.begin + arguments.size, std::uint32_t{has_clamp} + std::uint32_t{has_texel}};
   }

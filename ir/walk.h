@@ -32,10 +32,7 @@ void ForEachSlot(Node& node, Own&& own, Listed&& list) {
         own(of.condition), own(of.when_true), own(of.when_false);
       },
       [&](OneOf<Construct, Call, IntrinsicCall> auto& of) { list(of.arguments); },
-      [&](OneOf<ObjectCall> auto& of) {
-        list(of.arguments);
-        if (of.has_clamp || of.has_texel) list(of.Tiled());
-      },
+      [&](OneOf<ObjectCall> auto& of) { list(of.Operands()); },
       [&](OneOf<Comma> auto& of) { own(of.first), own(of.second); },
   }(node);
 }
