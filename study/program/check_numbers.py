@@ -372,7 +372,7 @@ GIVEN = {
     "docs/speed.md": {
         "12.0",
         "1.3",
-        "700,000",
+        "710,000",
         "830,000",
     },  # counts, with the command that makes them
 }
