@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,6 +25,11 @@ inline bool SameShape(const Type& a, const Type& b) {
   return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
 }
 
+inline bool IsOutputArray(const Program& program, VarId var) {
+  return program.vars[var].storage == Storage::kOutput &&
+         program.types[program.vars[var].type].kind == TypeKind::kArray;
+}
+
 // A verifier of the types of expressions. It remembers the first problem; after it, nothing else is
 // checked.
 class ExprVerifier {
@@ -45,6 +51,8 @@ class ExprVerifier {
   std::string where;
   // The functions that the trees checked so far call.
   std::vector<FunctionId> calls;
+  // The number of references to arrays of outputs in the trees checked so far.
+  std::size_t output_arrays = 0;
 
  private:
   bool Require(bool holds, std::string_view rule);  // of `expr_`

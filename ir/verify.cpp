@@ -111,6 +111,8 @@ class ProgramVerifier {
     }
     LeaveScope(0);
     if (id == program_.main) ShowInterface(Scope::kGone);
+    Require(exprs_.output_arrays == array_targets_,
+            "an array of outputs is only the target of a statement");
     callees_.push_back(exprs_.calls);
     exprs_.where.clear();
   }
@@ -145,6 +147,12 @@ class ProgramVerifier {
       exprs_.scope[declared_.back().index] = Scope::kGone;
   }
 
+  void CountArrayTarget(StmtId stmt) {
+    const Assign* assign = exprs_.failed() ? nullptr : AsAssignment(program_, stmt);
+    const VarId root = assign ? RootOf(program_, assign->target) : VarId{};
+    if (root && IsOutputArray(program_, root)) ++array_targets_;
+  }
+
   void CheckCondition(ExprId condition) {
     exprs_.CheckTree(condition);
     if (exprs_.failed()) return;
@@ -176,7 +184,10 @@ class ProgramVerifier {
     std::visit(Overloaded{
                    [&](const Block& n) { CheckList(n.body, loop); },
                    [&](const Declare& n) { CheckDeclare(n); },
-                   [&](const Evaluate& n) { exprs_.CheckTree(n.expr); },
+                   [&](const Evaluate& n) {
+                     exprs_.CheckTree(n.expr);
+                     CountArrayTarget(id);
+                   },
                    [&](const If& n) {
                      CheckCondition(n.condition);
                      CheckBody(n.then, loop);
@@ -305,6 +316,7 @@ class ProgramVerifier {
   std::vector<bool> has_parent_;
   const Function* function_ = nullptr;
   std::vector<VarId> declared_;
+  std::size_t array_targets_ = 0;  // statements that assign to an array of outputs
   std::vector<std::vector<FunctionId>> callees_;
   std::vector<std::uint8_t> state_;
 };

@@ -16,7 +16,7 @@ namespace clipc::ir {
 // * Ids are in range; an expression or statement has one parent; every expression has the type that
 //   its node promises.
 // * Targets of assignments and out arguments are paths to variables that may be written, without a
-//   repeated component.
+//   repeated component. An array of outputs is only the target of statements, or a part of one is.
 // * A variable is used in its scope: a local after its Declare, a parameter in its function, a
 //   global after its initialiser, an input or output in `main` only; uniforms are members.
 // * Statements fit their function: break and continue are in loops, return has its type.

@@ -102,6 +102,7 @@ void ExprVerifier::Check(const VarRef& node) {
   if (node.var.index >= program_.vars.size()) return Fail("the variable is not of this program");
   const Var& var = program_.vars[node.var];
   if (!Require(var.type == IdOf(expr_), "a reference has the variable's type")) return;
+  output_arrays += IsOutputArray(program_, node.var) ? 1 : 0;
   if (scope[node.var.index] == Scope::kVisible) return;
   Require(false, scope[node.var.index] == Scope::kGone ? "the variable is out of scope here"
                                                        : "the variable is not declared here");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <array>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ir/access.h"
 #include "ir/test_program.h"
 #include "ir/verify.h"
 
@@ -92,6 +95,19 @@ TEST_F(InterfaceRules, ClipDistanceIsASmallFloatArray) {
 TEST_F(InterfaceRules, ClipDistance) {
   AddOutput(shader.types.Array(F(), 8), Builtin::kClipDistance);
   EXPECT_EQ(Verify(shader, Form::kTyped), std::nullopt);
+}
+TEST_F(InterfaceRules, OutputArrayIsATarget) {
+  const VarId array = AddOutput(shader.types.Array(F(), 8), Builtin::kClipDistance).var;
+  const auto element = [&] {
+    return shader.build.Add(F(), Index{shader.build.Ref(array), shader.build.Int(0)});
+  };
+  const auto write = [&](ExprId value) {
+    return shader.build.Eval(shader.build.AssignTo(element(), value));
+  };
+  AppendToBody(shader, shader.main, std::array{write(shader.build.Float(1))});
+  EXPECT_EQ(Verify(shader, Form::kTyped), std::nullopt);
+  AppendToBody(shader, shader.main, std::array{write(element())});
+  ExpectProblem("an array of outputs is only the target of a statement");
 }
 TEST_F(InterfaceRules, VertexIdIsNoOutput) {
   AddOutput(shader.types.Make(Scalar::kUint), Builtin::kVertexId);
