@@ -103,7 +103,7 @@ class TargetCheck : ExpressionCheck {
     if (input.builtin == Builtin::kNone && clipc::InfoOf(program_.stage).has_stage_before)
       return Varying(input);
     Check(NeedOf(input.builtin), var.span, input.semantic);
-    DoubleVarying(var, input.semantic + std::to_string(input.index));
+    DoubleVarying(input);
   }
 
   void UntranslatedInput(const IoVar& input, Span span) {
@@ -121,13 +121,21 @@ class TargetCheck : ExpressionCheck {
       Report(program_.vars[input.var].span, diag::TargetOrigin, input.semantic);
   }
 
+  bool IsFloating(const IoVar& io) const {
+    return ShapeOf(program_.types[program_.vars[io.var].type], target_).IsFloating();
+  }
+
+  // Checks the feature that the input or output needs if `needs_it`.
+  void CheckIo(bool needs_it, Feature feature, const Need::Named& message, const IoVar& io) {
+    if (needs_it)
+      Check(feature, message, program_.vars[io.var].span, io.semantic + std::to_string(io.index));
+  }
+
   // Checks an output to a render target.
   void RenderTarget(const IoVar& output) {
-    const Span span = program_.vars[output.var].span;
-    const std::string name = output.semantic + std::to_string(output.index);
-    if (target_.Has(Feature::kInAndOut)) return;
-    if (!ShapeOf(program_.types[program_.vars[output.var].type], target_).IsFloating())
-      Check(Feature::kIntegerVaryings, diag::TargetIntegerVarying, span, name);
+    const bool is_varying = !target_.Has(Feature::kInAndOut);
+    CheckIo(is_varying && !IsFloating(output), Feature::kIntegerVaryings,
+            diag::TargetIntegerVarying, output);
   }
 
   void Output(const IoVar& output) {
@@ -146,27 +154,21 @@ class TargetCheck : ExpressionCheck {
   }
 
   void Varying(const IoVar& output) {
-    const Var& var = program_.vars[output.var];
-    const std::string name = output.semantic + std::to_string(output.index);
-    const bool is_floating = ShapeOf(program_.types[var.type], target_).IsFloating();
-    const auto check = [&](bool asked, Feature feature, const Need::Named& message) {
-      if (asked) Check(feature, message, var.span, name);
-    };
+    const bool is_floating = IsFloating(output);
     const bool is_flat = output.interpolation == Interpolation::kNoInterpolation;
-    check(!is_floating, Feature::kIntegerVaryings, diag::TargetIntegerVarying);
-    check(is_flat && is_floating, Feature::kInAndOut, diag::TargetFlat);
-    check(output.interpolation == Interpolation::kNoPerspective, Feature::kNoPerspective,
-          diag::TargetNoPerspective);
-    check(output.centroid, Feature::kCentroid, diag::TargetCentroid);
-    check(output.sample, Feature::kPerSample, diag::TargetPerSample);
-    DoubleVarying(var, name);
+    CheckIo(!is_floating, Feature::kIntegerVaryings, diag::TargetIntegerVarying, output);
+    CheckIo(is_flat && is_floating, Feature::kInAndOut, diag::TargetFlat, output);
+    CheckIo(output.interpolation == Interpolation::kNoPerspective, Feature::kNoPerspective,
+            diag::TargetNoPerspective, output);
+    CheckIo(output.centroid, Feature::kCentroid, diag::TargetCentroid, output);
+    CheckIo(output.sample, Feature::kPerSample, diag::TargetPerSample, output);
+    DoubleVarying(output);
   }
 
-  void DoubleVarying(const Var& var, const std::string& name) {
-    const ir::Type& type = program_.types[var.type];
-    if (type.IsNumeric() && BaseOf(type.scalar) == Scalar::kDouble) {
-      Check(Feature::kDoubleVaryings, diag::TargetDoubleVarying, var.span, name);
-    }
+  void DoubleVarying(const IoVar& io) {
+    const ir::Type& type = program_.types[program_.vars[io.var].type];
+    CheckIo(type.IsNumeric() && BaseOf(type.scalar) == Scalar::kDouble, Feature::kDoubleVaryings,
+            diag::TargetDoubleVarying, io);
   }
 
   // ---- buffers and textures

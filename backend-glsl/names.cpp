@@ -31,15 +31,15 @@ constexpr std::string_view kOfWebGl = "webgl_";
 
 // Whether the name is legal as it is, as most names are; false means that Spelling must look at it.
 bool IsPlain(std::string_view name) {
-  if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_')
-    return false;
+  if (name.empty() || !IsLetterOrDigit(name[0]) || name[0] <= '9') return false;
+  if (name.size() > 2 && name[2] == '_' && (name[0] == 'g' || name[0] == 'G')) return false;
   unsigned before = kLetterOrDigit;
   for (const char c : name) {
     const unsigned kind = KindOf(c);
     if (kind & (before | kNeither)) return false;
     before = kind;
   }
-  return !name.starts_with(kOfWebGl);
+  return name[0] != kOfWebGl[0] || !name.starts_with(kOfWebGl);
 }
 
 // Returns the name in letters, digits and single underscores, not a digit first, outside the

@@ -78,12 +78,17 @@ Shape Shape::With(Scalar kind) const {
   return shape;
 }
 
-std::string GlslName(const Shape& shape, bool has_unsigned) {
+std::string_view WordOf(const Shape& shape, bool has_unsigned) {
+  CLIPC_CHECK(shape.kind != Shape::kRows);
   const KindNames& names = NamesOf(shape.scalar, has_unsigned);
-  if (shape.kind == Shape::kMatrix)
-    return std::string(names.matrices[shape.rows - 2][shape.size - 2]);
-  std::string name(shape.size == 1 ? names.scalar : names.vectors[shape.size - 2]);
-  if (shape.kind == Shape::kRows) (name += '[') += static_cast<char>('0' + shape.rows), name += ']';
+  if (shape.kind == Shape::kMatrix) return names.matrices[shape.rows - 2][shape.size - 2];
+  return shape.size == 1 ? names.scalar : names.vectors[shape.size - 2];
+}
+
+std::string GlslName(const Shape& shape, bool has_unsigned) {
+  if (shape.kind != Shape::kRows) return std::string(WordOf(shape, has_unsigned));
+  std::string name(WordOf(shape.Row(), has_unsigned));
+  (name += '[') += static_cast<char>('0' + shape.rows), name += ']';
   return name;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "backend-glsl/target.h"
 #include "ir/program.h"
@@ -39,8 +40,11 @@ Shape ShapeOf(ir::Scalar scalar, int rows, int columns);
 // Whether the only row of a matrix or the only component is indexed, for which GLSL has no [].
 bool IsOnlyElement(const ir::Program& program, const ir::Index& node);
 
-// The GLSL name of a shape: "vec3", "dmat4x3", "bvec4[3]". Where the target has no uint, uint is
-// int.
+// GLSL's word for a shape that is not in rows: "vec3", "dmat4x3". Where the target has no uint,
+// uint is int.
+std::string_view WordOf(const Shape& shape, bool has_unsigned);
+
+// The GLSL name of a shape: its word, or the array "bvec4[3]".
 std::string GlslName(const Shape& shape, bool has_unsigned = true);
 
 }  // namespace clipc::glsl

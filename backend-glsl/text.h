@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <charconv>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -46,7 +48,13 @@ void AppendPart(std::string& text, const char (&part)[kSize]) {
   else
     text.append(part, kSize - 1);
 }
-// Appends the parts, none of which lies in `text`.
+template <std::same_as<std::uint32_t> Number>
+void AppendPart(std::string& text, Number number) {
+  char digits[10];
+  text.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
+}
+// Appends the parts, none of which lies in `text`. A part that is not a text has an AppendPart of
+// its own.
 template <typename... Parts>
 void Append(std::string& text, const Parts&... parts) {
   (AppendPart(text, parts), ...);

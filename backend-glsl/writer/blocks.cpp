@@ -104,7 +104,7 @@ class BlockWriter {
     text_ += ";\n\n";
   }
 
-  std::string NameOf(const BlockMember& member) const {
+  const std::string& NameOf(const BlockMember& member) const {
     if (member.field < 0) return context_.NameOf(member.var);
     const Type& type = context_[context_.types.Innermost(context_[member.var].type)];
     return context_.names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
@@ -137,22 +137,22 @@ class BlockWriter {
     Padding(member);
     const bool turned =
         layout_.matrices == MatrixLayout::kNone && member.matrices == MatrixLayout::kRowMajor;
-    text_ += "    ";
+    AppendPart(text_, "    ");
     if (member.explicit_offset || turned) {
       text_ += LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
                            turned ? "row_major" : ""});
     }
     if (member.form == PartForm::kRows) return PartInRows(member);
     if (member.form == PartForm::kWords) return PartInWords(member);
-    const std::string name = NameOf(member);
-    text_ += PrecisionOf(member.var, member.field);
+    const std::string& name = NameOf(member);
+    AppendPart(text_, PrecisionOf(member.var, member.field));
     if (context_.IsWrittenAsUint(member.var)) {
       const Shape shape = ShapeOf(context_[member.type], context_.target);
-      text_ += Declaration(context_, shape.With(Scalar::kUint), name);
+      AppendDeclaration(context_, text_, shape.With(Scalar::kUint), name);
     } else {
       AppendDeclaration(context_, text_, member.type, name);
     }
-    text_ += ";\n";
+    AppendPart(text_, ";\n");
     info_.members.push_back({member.var, member.field, HostName(name)});
   }
 

@@ -21,7 +21,7 @@ using namespace ir;
 namespace {
 
 // Two views, as for a headset: OVR_multiview requires the number in the shader.
-constexpr int kViews = 2;
+constexpr std::uint32_t kViews = 2;
 
 // Whether the shader reads neither attributes nor objects, as that of a full-screen triangle: there
 // are no vertices in memory, of which a draw call could leave out the first.
@@ -122,7 +122,7 @@ void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
   }
   const bool has_stage_before = InfoOf(context.program.stage).has_stage_before;
   if (input.builtin == Builtin::kViewId && !is_vulkan && !has_stage_before) {
-    inputs.text += fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input, ""));
+    Append(inputs.text, "layout(num_views = ", kViews, ") in;", SemanticComment{input, ""});
   }
 }
 
@@ -133,20 +133,18 @@ bool IsIntegerAsFloat(const Context& context, const IoVar& input) {
          !InfoOf(context.program.stage).has_stage_before;
 }
 
-// The declaration of an output, or of the matrix or array that it is a part of: "vec2 uv"; "mat3
-// tangents", whose first column the output is. An input of a stage with a stage before is declared
-// alike.
-std::string VaryingDeclaration(Context& context, const IoVar& io, Shape shape,
-                               std::string_view name) {
-  if (!io.reader || io.reader->IsWhole()) return Declaration(context, shape, name);
+// Appends the declaration of an output, or of the matrix or array that it is a part of: "vec2 uv";
+// "mat3 tangents", whose first column the output is. An input of a stage with a stage before is
+// declared alike.
+void AppendVarying(Context& context, std::string& text, const IoVar& io, Shape shape,
+                   std::string_view name) {
+  if (!io.reader || io.reader->IsWhole()) return AppendDeclaration(context, text, shape, name);
   if (io.reader->columns > 1) {
     shape.kind = Shape::kMatrix;
     shape.rows = static_cast<std::uint8_t>(io.reader->columns);
   }
-  std::string text = Declaration(context, shape, name.substr(0, name.find('[')));
-  for (const std::uint32_t dimension : io.reader->dimensions)
-    Append(text, "[", std::to_string(dimension), "]");
-  return text;
+  AppendDeclaration(context, text, shape, name.substr(0, name.find('[')));
+  for (const std::uint32_t dimension : io.reader->dimensions) Append(text, "[", dimension, "]");
 }
 
 // Whether the shader reads the input, or another row of the matrix that the input begins.
@@ -179,19 +177,21 @@ void WriteVaryingInput(Context& context, const IoVar& input, const std::string& 
   if (has_location) info.location = input.location;
   if (!IsDeclared(context, input)) return;
   const Shape shape = context.ShapeAt(input.var);
-  const std::string location = has_location ? LocationText(input.location) : "";
-  const std::string declaration = VaryingDeclaration(context, input, shape, name);
-  const std::string comment = Concat(";", SemanticComment(input, name));
+  AppendPart(inputs.text, LocationText{info.location});
   if (IsPerVertex(context, input.var)) {
     context.Require(Feature::kBarycentrics);
-    Append(inputs.text, location, context.target.IsVulkan() ? "pervertexEXT" : "pervertexNV",
-           " in ", AtVertex(declaration, "3"), comment);
-    return;
+    std::string declaration;
+    AppendVarying(context, declaration, input, shape, name);
+    Append(inputs.text, context.target.IsVulkan() ? "pervertexEXT" : "pervertexNV", " in ",
+           AtVertex(declaration, "3"));
+  } else {
+    Append(inputs.text,
+           InterpolationText(context,
+                             {shape.scalar, input.interpolation, input.centroid, input.sample}),
+           context.Has(Feature::kInAndOut) ? "in " : "varying ");
+    AppendVarying(context, inputs.text, input, shape, name);
   }
-  Append(
-      inputs.text, location,
-      InterpolationText(context, {shape.scalar, input.interpolation, input.centroid, input.sample}),
-      context.Has(Feature::kInAndOut) ? "in " : "varying ", declaration, comment);
+  Append(inputs.text, ";", SemanticComment{input, name});
 }
 
 void WriteInput(Context& context, const IoVar& input, const std::string& attribute,
@@ -212,11 +212,11 @@ void WriteInput(Context& context, const IoVar& input, const std::string& attribu
   if (!info.is_used) return;
   info.integer_as_float = IsIntegerAsFloat(context, input);
   const Shape shape = context.ShapeAt(input.var);
-  Append(
-      inputs.text, has_location ? LocationText(input.location) : "",
-      context.Has(Feature::kInAndOut) ? "in " : "attribute ",
-      Declaration(context, info.integer_as_float ? shape.With(Scalar::kFloat) : shape, attribute),
-      ";", SemanticComment(input, attribute));
+  Append(inputs.text, LocationText{info.location},
+         context.Has(Feature::kInAndOut) ? "in " : "attribute ");
+  AppendDeclaration(context, inputs.text,
+                    info.integer_as_float ? shape.With(Scalar::kFloat) : shape, attribute);
+  Append(inputs.text, ";", SemanticComment{input, attribute});
 }
 
 // Declares an output that is not built in at its location, or at `location` if that is higher.
@@ -236,12 +236,13 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, Outputs& outpu
     return location + 1;
   }
   if (reader && reader->element > 0) return location + 1;  // declared with its first element
-  Append(outputs.text, has_location ? LocationText(location) : "",
+  Append(outputs.text, LocationText{info.location},
          PreciseText(context, context[output.var].precise),
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
-         has_out ? "out " : "varying ", VaryingDeclaration(context, output, shape, info.name), ";",
-         SemanticComment(output, info.name));
+         has_out ? "out " : "varying ");
+  AppendVarying(context, outputs.text, output, shape, info.name);
+  Append(outputs.text, ";", SemanticComment{output, info.name});
   return location + LocationCount(context.TypeOf(output.var));
 }
 
@@ -254,33 +255,26 @@ void WriteTarget(Context& context, const IoVar& output, Outputs& outputs) {
   }
   const bool has_location = context.Has(Feature::kTargetLocations);
   if (has_location) info.location = output.location;
-  Append(outputs.text, has_location ? LocationText(output.location) : "", "out ",
-         Declaration(context, context.ShapeAt(output.var), info.name), ";",
-         SemanticComment(output, info.name));
+  Append(outputs.text, LocationText{info.location}, "out ");
+  AppendDeclaration(context, outputs.text, context.ShapeAt(output.var), info.name);
+  Append(outputs.text, ";", SemanticComment{output, info.name});
 }
 
 // The elements of an output array that `main` assigns, one bit for each; all if it assigns the
-// whole array or an element whose index is not constant.
+// whole array or an element whose index is not constant. The array is only the target of
+// statements, a promise of ir/verify.h.
 std::uint32_t WrittenElements(const Context& context, VarId array) {
   const std::uint32_t count = context.TypeOf(array).count;
   const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;
-  std::uint32_t mask = 0, references = 0, elements = 0;
-  const auto is_array = [&](ExprId expr) {
-    const auto* ref = context.As<VarRef>(expr);
-    return ref && ref->var == array;
-  };
-  ForEachExpr(context.program, context[context.program.main].body, [&](ExprId id) {
-    const auto& node = context[id].node;
-    const auto* ref = std::get_if<VarRef>(&node);
-    references += ref && ref->var == array ? 1 : 0;
-    const auto* assign = std::get_if<Assign>(&node);
-    const auto* index = assign ? context.As<Index>(assign->target) : nullptr;
+  std::uint32_t mask = 0;
+  ForEachStmt(context.program, context[context.program.main].body, [&](StmtId stmt) {
+    const Assign* assign = AsAssignment(context.program, stmt);
+    if (!assign || RootOf(context.program, assign->target) != array) return;
+    const auto* index = context.As<Index>(assign->target);
     const auto* element = index ? context.As<Literal>(index->index) : nullptr;
-    if (!element || !is_array(index->base)) return;
-    ++elements;
-    mask |= 1u << (UintOf(element->bits) & 31);
+    mask |= element ? 1u << (UintOf(element->bits) & 31) : all;
   });
-  return references == elements ? mask & all : all;
+  return mask & all;
 }
 
 // Declares clip and cull distances anew, since they have no size of their own: as members of

@@ -37,17 +37,18 @@ std::string MemberText(Context& context, std::size_t group, std::size_t number,
   const OutputGroup::GroupMember& member = whole.members[number];
   std::string text = "    ";
   if (whole.is_block) {
-    if (member.location && has_locations) text += LocationText(*member.location);
-    Append(text, PreciseText(context, IsPrecise(context, group, number)),
+    Append(text, LocationText{has_locations ? member.location : std::nullopt},
+           PreciseText(context, IsPrecise(context, group, number)),
            InterpolationText(
                context, {member.scalar, member.interpolation, member.centroid, member.sample}));
   }
   const Shape shape = ShapeOf(member.scalar, member.columns, member.components);
-  text += Declaration(context, shape, member.name);
-  for (const std::uint32_t dimension : member.dimensions)
-    Append(text, "[", std::to_string(dimension), "]");
-  const IoVar* output = OutputOf(context, group, number);
-  Append(text, ";", output ? SemanticComment(*output, member.name) : "\n");
+  AppendDeclaration(context, text, shape, member.name);
+  for (const std::uint32_t dimension : member.dimensions) Append(text, "[", dimension, "]");
+  if (const IoVar* output = OutputOf(context, group, number))
+    Append(text, ";", SemanticComment{*output, member.name});
+  else
+    text += ";\n";
   return text;
 }
 
@@ -75,7 +76,8 @@ void WriteGroup(Context& context, std::size_t number, std::string& text) {
   std::string members;
   for (std::size_t i = 0; i < group.members.size(); ++i)
     members += MemberText(context, number, i, has_locations);
-  const std::string location = has_locations && group.location ? LocationText(*group.location) : "";
+  LocationText location;
+  if (has_locations) location.location = group.location;
   const std::string& instance = context.names.groups[number];
   if (group.is_block) {
     Append(text, location, "out ", group.type, " {\n", members, "}", instance.empty() ? "" : " ",
@@ -88,14 +90,15 @@ void WriteGroup(Context& context, std::size_t number, std::string& text) {
 
 }  // namespace
 
-std::string LocationText(std::uint32_t location) {
-  return Concat("layout(location = ", std::to_string(location), ") ");
+void AppendPart(std::string& text, const LocationText& part) {
+  if (part.location) Append(text, "layout(location = ", *part.location, ") ");
 }
 
-std::string SemanticComment(const IoVar& io, std::string_view name) {
-  const bool is_said = io.name.empty() || io.name == name;
-  return Concat("  // ", is_said ? std::string_view() : io.name, is_said ? "" : " : ", io.semantic,
-                std::to_string(io.index), "\n");
+void AppendPart(std::string& text, const SemanticComment& part) {
+  const IoVar& io = part.io;
+  text += "  // ";
+  if (!io.name.empty() && io.name != part.name) Append(text, io.name, " : ");
+  Append(text, io.semantic, io.index, "\n");
 }
 
 std::string InterpolationText(Context& context, const Interpolated& output) {

@@ -2,19 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "backend-glsl/writer/context.h"
 
 // The common parts of declarations of outputs, and the blocks and structs that outputs are in.
 namespace clipc::glsl {
 
-// The qualifier "layout(location = 2) ".
-std::string LocationText(std::uint32_t location);
+// The qualifier "layout(location = 2) "; nothing without a location.
+struct LocationText {
+  std::optional<std::uint32_t> location;
+};
+void AppendPart(std::string& text, const LocationText& part);
 
 // The comment "  // uv : TEXCOORD0", which has the name in HLSL unless it is `name`, that in GLSL;
 // and the end of the line.
-std::string SemanticComment(const ir::IoVar& io, std::string_view name);
+struct SemanticComment {
+  const ir::IoVar& io;
+  std::string_view name;
+};
+void AppendPart(std::string& text, const SemanticComment& part);
 
 struct Interpolated {
   ir::Scalar scalar = ir::Scalar::kFloat;

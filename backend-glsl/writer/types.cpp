@@ -14,16 +14,20 @@ using namespace ir;
 namespace {
 
 struct TypeParts {
-  std::string base, dimensions;  // "vec4" and "[2][3]"
+  std::string_view base;   // "vec4", a text that lives as long as the context
+  std::string dimensions;  // "[2][3]"
 };
 
 std::string Dimension(std::uint32_t count) {
-  return count == 0 ? "[]" : Concat("[", std::to_string(count), "]");
+  std::string text = "[";
+  if (count != 0) AppendPart(text, count);
+  text += ']';
+  return text;
 }
 
 // The name of the struct with these fields in place of an array: `name`, or one like it.
-std::string ArrayStruct(Context& context, const std::string& key, std::string_view name,
-                        std::string_view fields) {
+std::string_view ArrayStruct(Context& context, const std::string& key, std::string_view name,
+                             std::string_view fields) {
   auto [found, is_new] = context.wrappers.try_emplace(key);
   if (is_new) {
     found->second = context.namer.Global(name);
@@ -33,17 +37,17 @@ std::string ArrayStruct(Context& context, const std::string& key, std::string_vi
 }
 
 // The struct vec4_array3 { vec4 e0, e1, e2; } in place of an array where arrays are not values.
-std::string StructOfFields(Context& context, const std::string& element, std::uint32_t count) {
+std::string_view StructOfFields(Context& context, std::string_view element, std::uint32_t count) {
   const std::string fields =
       ListOf(count, [](std::uint32_t i) { return Concat("e", std::to_string(i)); });
-  return ArrayStruct(context, element + Dimension(count),
+  return ArrayStruct(context, Concat(element, Dimension(count)),
                      Concat(element, "_array", std::to_string(count)),
                      Concat(element, " ", fields));
 }
 
 TypeParts PartsOf(Context& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;
-  TypeParts parts{GlslName(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)), ""};
+  TypeParts parts{WordOf(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)), ""};
   if (is_array && !context.Has(Feature::kArrayValues))
     parts.base = StructOfFields(context, parts.base, shape.rows);
   else if (is_array)
@@ -54,11 +58,11 @@ TypeParts PartsOf(Context& context, const Shape& shape) {
 TypeParts PartsOf(Context& context, TypeId id);
 
 // The struct float_array3 { float e[3]; } in place of an array that is an element of another.
-std::string WrapperOf(Context& context, TypeId array) {
+std::string_view WrapperOf(Context& context, TypeId array) {
   const TypeParts parts = PartsOf(context, array);
   const Type& type = context[array];
   const std::uint32_t count = type.kind == TypeKind::kArray ? type.count : type.rows;
-  return ArrayStruct(context, parts.base + parts.dimensions,
+  return ArrayStruct(context, Concat(parts.base, parts.dimensions),
                      Concat(parts.base, "_array", std::to_string(count)),
                      Concat(parts.base, " e", parts.dimensions));
 }
@@ -105,15 +109,13 @@ TypeParts PartsOf(Context& context, TypeId id) {
 }  // namespace
 
 std::string TypeName(Context& context, TypeId type) {
-  TypeParts parts = PartsOf(context, type);
-  parts.base += parts.dimensions;
-  return std::move(parts.base);
+  const TypeParts parts = PartsOf(context, type);
+  return Concat(parts.base, parts.dimensions);
 }
 
 std::string TypeName(Context& context, const Shape& shape) {
-  TypeParts parts = PartsOf(context, shape);
-  parts.base += parts.dimensions;
-  return std::move(parts.base);
+  const TypeParts parts = PartsOf(context, shape);
+  return Concat(parts.base, parts.dimensions);
 }
 
 std::string Declaration(Context& context, TypeId type, std::string_view name) {
@@ -128,6 +130,12 @@ std::string Declaration(Context& context, const Shape& shape, std::string_view n
 
 void AppendDeclaration(Context& context, std::string& text, TypeId type, std::string_view name) {
   const TypeParts parts = PartsOf(context, type);
+  Append(text, parts.base, " ", name, parts.dimensions);
+}
+
+void AppendDeclaration(Context& context, std::string& text, const Shape& shape,
+                       std::string_view name) {
+  const TypeParts parts = PartsOf(context, shape);
   Append(text, parts.base, " ", name, parts.dimensions);
 }
 

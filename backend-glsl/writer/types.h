@@ -22,6 +22,8 @@ std::string TypeName(Context& context, const Shape& shape);
 std::string Declaration(Context& context, ir::TypeId type, std::string_view name);
 std::string Declaration(Context& context, const Shape& shape, std::string_view name);
 void AppendDeclaration(Context& context, std::string& text, ir::TypeId type, std::string_view name);
+void AppendDeclaration(Context& context, std::string& text, const Shape& shape,
+                       std::string_view name);
 // The declaration "float name[3]" of a uniform, which is an array wherever HLSL has one.
 std::string UniformDeclaration(Context& context, ir::TypeId type, std::string_view name);
 // The part "name[3]" of a declaration, after the type.
