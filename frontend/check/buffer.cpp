@@ -2,6 +2,7 @@
 #include "frontend/check/buffer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frontend/check/assign.h"
 #include "frontend/check/global.h"
@@ -96,9 +97,10 @@ void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& va
     }
     return;
   }
-  if (IsBuffer(context, var)) return;  // its registers are the buffer's
+  // The registers of an object are the buffer's.
+  if (var.registers.empty() || IsBuffer(context, var)) return;
   std::string letters = "cbi";
-  if (!var.registers.empty()) AddObjectLetters(context, made.type, letters);
+  AddObjectLetters(context, made.type, letters);
   CheckRegisterKinds(context, made.name, var.registers, letters);
   KeepObjectRegisters(context, var, member.var, std::string_view(letters).substr(3));
   if (const ast::RegisterBinding* binding = BindingOf(context, made.name, var.registers, 'c');
@@ -218,7 +220,7 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
       result.count = RegisterCount(context.types, context[var].type);
       member.has_packoffset = false;
     }
-    result.members.push_back(member);
+    result.members.push_back(std::move(member));
   }
   CheckMixedPlaces(context, buffer);
   if (buffer.kind == CbufferKind::kGlobals) CheckCommonRegisters(context, result);

@@ -2,6 +2,7 @@
 #include "frontend/rules/semantic_check.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,13 +34,12 @@ SystemValue SemanticCheck::LookUp(const Carrier& leaf, Direction direction) {
 
 bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
   // The position has two names if Direct3D 9's name counts, and render targets have them.
-  const std::string name = value.builtin == Builtin::kPosition ? "SV_POSITION"
-                           : value.use == SystemValue::Use::kTarget
-                               ? "SV_TARGET"
-                               : ToUpper(leaf.cursor.semantic.name);
-  const std::string key = name + std::to_string(leaf.cursor.semantic.index);
+  std::string name = value.builtin == Builtin::kPosition      ? "SV_POSITION"
+                     : value.use == SystemValue::Use::kTarget ? "SV_TARGET"
+                                                              : ToUpper(leaf.cursor.semantic.name);
   auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
-  const auto [found, is_new] = seen.try_emplace(key, leaf.span);
+  const auto [found, is_new] =
+      seen.try_emplace({std::move(name), leaf.cursor.semantic.index}, leaf.span);
   const bool is_input = direction == Direction::kInput;
   if (is_new || (is_input && program_.profile.IsDirect3D9())) return true;
   // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
@@ -51,6 +51,7 @@ bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const Syste
   const bool is_pixel_input = is_input && InfoOf(program_.stage).has_stage_before;
   const bool is_dxc = is_pixel_input && program_.profile.IsAtLeast(6, 0);
   const std::string_view how = is_pixel_input && !is_dxc ? ", with different types" : "";
+  const std::string key = fmt::format("{}{}", found->first.first, found->first.second);
   (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side, how,
                                    is_dxc ? "dxc" : "fxc")
              : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))

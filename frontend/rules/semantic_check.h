@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <memory_resource>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "frontend/rules/semantics.h"
 #include "frontend/rules/signature_leaves.h"
@@ -34,7 +39,11 @@ class SemanticCheck {
   const Program& program_;
   PositionName position_;
   Diagnostics& diagnostics_;
-  std::map<std::string, Span> seen_inputs_, seen_outputs_;
+  // A signature has a few semantics; nodes for those lie here.
+  std::array<std::byte, 2048> first_memory_;
+  std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
+  using Seen = std::pmr::map<std::pair<std::string, std::uint32_t>, Span>;  // by name and index
+  Seen seen_inputs_{&memory_}, seen_outputs_{&memory_};
 };
 
 }  // namespace clipc::rules
