@@ -372,8 +372,8 @@ GIVEN = {
     "docs/speed.md": {
         "12.0",
         "1.3",
-        "710,000",
-        "830,000",
+        "693,000",
+        "814,000",
     },  # counts, with the command that makes them
 }
 
