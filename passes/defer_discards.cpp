@@ -63,9 +63,10 @@ class StoreGuard {
     stores_.push_back(id);
     ForEachExpr(program_, evaluate->expr, [&](ExprId part) { in_stores_.insert(part); });
   }
+  // Whether a statement's expression writes an object; nothing uses the value that it may have.
   bool IsStore(ExprId id) const {
     const auto* call = As<ObjectCall>(program_, id);
-    return call && WritesObject(call->op) && TypeIdOf(program_, id) == program_.types.Void();
+    return call && WritesObject(call->op);
   }
   void Value(ExprId id) {
     const auto* call = As<ObjectCall>(program_, id);

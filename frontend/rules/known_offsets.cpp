@@ -323,15 +323,17 @@ class OffsetFinder {
     ForEachExpr(program_, function.body, [&](ExprId part) {
       const auto* ref = As<VarRef>(program_, part);
       const auto found = ref ? values.find(ref->var) : values.end();
-      if (found == values.end()) return;
-      const auto bits = ConstantBits(program_, found->second);
-      const Span span = program_.exprs[part].span;
-      const ExprId value = Builder(program_, span).ValueOf(TypeIdOf(program_, part), *bits);
-      program_.exprs[part].node = program_.exprs[value].node;
+      if (found != values.end()) ReplaceBy(part, *ConstantBits(program_, found->second));
     });
     const FunctionId copy = program_.functions.Add(std::move(function));
     unread_.push_back(copy);
     return copy;
+  }
+
+  void ReplaceBy(ExprId expr, const std::vector<std::uint64_t>& bits) {
+    const Span span = program_.exprs[expr].span;
+    const ExprId value = Builder(program_, span).ValueOf(TypeIdOf(program_, expr), bits);
+    program_.exprs[expr].node = program_.exprs[value].node;
   }
 
   // ---- loops
@@ -377,15 +379,55 @@ class OffsetFinder {
     }
   }
 
-  // Unrolls for (int i = 0; i < 2; ++i) body  =>  { int i = 0; body ++i; body ++i; }. Returns false
-  // if no offset depends on the counter or the counter's values are not known.
+  // Replaces the counter, whose value is known, by it in a copy of the loop's body, as well as what
+  // is made of the counter in whole numbers; a branch that the value never takes is removed.
+  void Insert(VarId counter, StmtId body) {
+    ForEachExpr(program_, body, [&](ExprId expr) {
+      const auto* ref = As<VarRef>(program_, expr);
+      const auto* convert = As<Convert>(program_, expr);
+      const Type& type = TypeOf(program_, convert ? convert->operand : expr);
+      if (ref ? ref->var != counter : !type.IsNumeric() || IsFloat(type.scalar)) return;
+      const bool has_counter = AnyExpr(program_, expr, [&](ExprId part) {
+        const auto* inner = As<VarRef>(program_, part);
+        return inner && inner->var == counter;
+      });
+      if (!has_counter) return;
+      if (const auto bits = ConstantBits(program_, expr)) ReplaceBy(expr, *bits);
+    });
+    ForEachStmt(program_, body, [&](StmtId stmt) {
+      const auto* branch = As<If>(program_, stmt);
+      const auto* literal = branch ? As<Literal>(program_, branch->condition) : nullptr;
+      if (!literal) return;
+      const StmtId taken = literal->bits != 0 ? branch->then : branch->otherwise;
+      program_.stmts[stmt].node =
+          taken ? program_.stmts[taken].node : decltype(Stmt::node)(Block{});
+    });
+  }
+
+  // Appends a statement, or those of a block, which stay a block if they declare a variable.
+  void Append(StmtId stmt, std::vector<StmtId>& stmts) {
+    const auto* block = As<Block>(program_, stmt);
+    if (!block) return stmts.push_back(stmt);
+    std::vector<StmtId> inner;
+    const List<StmtId> list = block->body;
+    for (std::uint32_t i = 0; i < list.size; ++i) Append(program_.stmt_lists[list][i], inner);
+    const bool is_scope = std::ranges::any_of(
+        inner, [&](StmtId part) { return As<Declare>(program_, part) != nullptr; });
+    if (is_scope) inner = {Builder(program_, program_.stmts[stmt].span).BlockOf(inner)};
+    stmts.insert(stmts.end(), inner.begin(), inner.end());
+  }
+
+  // Unrolls for (int i = 0; i < 2; ++i) body  =>  { body body }, each with the value of `i`.
+  // Returns false if no offset depends on the counter or the counter's values are not known.
   bool Unroll(StmtId stmt, const For& loop) {
     const CountedLoop parts = PartsOf(program_, loop);
     if (!parts.counter || !is_source_[parts.counter.index] || !loop.condition ||
         !IsPlain(loop, parts) || !Know(parts.counter, parts.start))
       return false;
     Builder at(program_, program_.stmts[stmt].span);
-    std::vector<StmtId> stmts = {program_.stmt_lists[loop.init][0]};
+    // A counter that is declared before the loop may be read after it.
+    std::vector<StmtId> stmts;
+    if (!parts.is_declared) stmts.push_back(program_.stmt_lists[loop.init][0]);
     const ExprId next = NextOf(at, parts);
     bool is_known = true;
     while (is_known) {
@@ -394,9 +436,10 @@ class OffsetFinder {
       if (!is_known || goes_on->front() == 0) break;
       if (!MayCopy(program_.stmts[stmt].span)) break;
       const StmtId body = CopyOf(loop.body);
+      Insert(parts.counter, body);
       Read(body);
-      stmts.push_back(body);
-      stmts.push_back(at.Eval(Clone(program_, parts.step)));
+      Append(body, stmts);
+      if (!parts.is_declared) stmts.push_back(at.Eval(Clone(program_, parts.step)));
       is_known = Know(parts.counter, next);
     }
     Forget(parts.counter);

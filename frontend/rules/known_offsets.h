@@ -8,9 +8,8 @@ namespace clipc::rules {
 // Makes the offsets of texture reads constants, as GLSL and Direct3D take them. HLSL lets an offset
 // be computed from local variables that are set once and from counters of loops:
 //
-//   for (int i = -1; i < 1; ++i)                  int i = -1;
-//     sum += map.Gather(s, uv, int2(i, 0));   =>  sum += map.Gather(s, uv, int2(-1, 0)); ++i;
-//                                                 sum += map.Gather(s, uv, int2(0, 0)); ++i;
+//   for (int i = -1; i < 1; ++i)                  sum += map.Gather(s, uv, int2(-1, 0));
+//     sum += map.Gather(s, uv, int2(i, 0));   =>  sum += map.Gather(s, uv, int2(0, 0));
 //
 // Such offsets become literals, a `for` loop whose counter they depend on is unrolled, and a
 // function with a parameter that they depend on is copied for the constants of its calls. Reports

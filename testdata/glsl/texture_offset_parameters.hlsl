@@ -35,15 +35,8 @@ float4 main(float2 uv : TEXCOORD, float scale : SCALE) : SV_Position {
 // CHECK-NEXT: vec4 Row(vec2 uv) {
 // CHECK-NEXT:     vec4 sum = vec4(0.0);
 // CHECK-NEXT:     {
-// CHECK-NEXT:         int x = -1;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             sum += Near(uv, float(x + 2));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++x;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             sum += Near_2(uv, float(x + 2));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++x;
+// CHECK-NEXT:         sum += Near(uv, 1.0);
+// CHECK-NEXT:         sum += Near_2(uv, 2.0);
 // CHECK-NEXT:     }
 // CHECK-NEXT:     return sum;
 // CHECK-NEXT: }
@@ -59,15 +52,8 @@ float4 main(float2 uv : TEXCOORD, float scale : SCALE) : SV_Position {
 // CHECK-NEXT: vec4 Row_2(vec2 uv) {
 // CHECK-NEXT:     vec4 sum = vec4(0.0);
 // CHECK-NEXT:     {
-// CHECK-NEXT:         int x = -1;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             sum += Near_3(uv, float(x + 2));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++x;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             sum += Near_4(uv, float(x + 2));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++x;
+// CHECK-NEXT:         sum += Near_3(uv, 1.0);
+// CHECK-NEXT:         sum += Near_4(uv, 2.0);
 // CHECK-NEXT:     }
 // CHECK-NEXT:     return sum;
 // CHECK-NEXT: }

@@ -41,33 +41,15 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // CHECK-NEXT:     {
 // CHECK-NEXT:         x = kWidth;
 // CHECK-NEXT:         {
-// CHECK-NEXT:             ivec2 away[2] = ivec2[2](ivec2(x, 1), ivec2(1, x));
-// CHECK-NEXT:             {
-// CHECK-NEXT:                 int k = 0;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     sum += textureLodOffset(map, uv, 0.0, ivec2(2, 1));
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 ++k;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     sum += textureLodOffset(map, uv, 0.0, ivec2(1, 2));
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 ++k;
-// CHECK-NEXT:             }
+// CHECK-NEXT:             ivec2 away[2] = ivec2[2](ivec2(2, 1), ivec2(1, 2));
+// CHECK-NEXT:             sum += textureLodOffset(map, uv, 0.0, ivec2(2, 1));
+// CHECK-NEXT:             sum += textureLodOffset(map, uv, 0.0, ivec2(1, 2));
 // CHECK-NEXT:         }
 // CHECK-NEXT:         x -= 3;
 // CHECK-NEXT:         {
-// CHECK-NEXT:             ivec2 away[2] = ivec2[2](ivec2(x, 1), ivec2(1, x));
-// CHECK-NEXT:             {
-// CHECK-NEXT:                 int k = 0;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     sum += textureLodOffset(map, uv, 0.0, ivec2(-1, 1));
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 ++k;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     sum += textureLodOffset(map, uv, 0.0, ivec2(1, -1));
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 ++k;
-// CHECK-NEXT:             }
+// CHECK-NEXT:             ivec2 away[2] = ivec2[2](ivec2(-1, 1), ivec2(1, -1));
+// CHECK-NEXT:             sum += textureLodOffset(map, uv, 0.0, ivec2(-1, 1));
+// CHECK-NEXT:             sum += textureLodOffset(map, uv, 0.0, ivec2(1, -1));
 // CHECK-NEXT:         }
 // CHECK-NEXT:         x -= 3;
 // CHECK-NEXT:     }
@@ -77,64 +59,17 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     gl_Position = Sum(in_TEXCOORD0) + texelFetchOffset(map, ivec2(1, 0), 0, ivec2(-1, 1));
 // CHECK-NEXT:     {
-// CHECK-NEXT:         int y = -1;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             {
-// CHECK-NEXT:                 int x = 0;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(0, -1)) * float(x + 1);
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 x++;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(1, -1)) * float(x + 1);
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 x++;
-// CHECK-NEXT:             }
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++y;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             {
-// CHECK-NEXT:                 int x = 0;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(0)) * float(x + 1);
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 x++;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(1, 0)) * float(x + 1);
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 x++;
-// CHECK-NEXT:             }
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++y;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             {
-// CHECK-NEXT:                 int x = 0;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(0, 1)) * float(x + 1);
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 x++;
-// CHECK-NEXT:                 {
-// CHECK-NEXT:                     gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(1)) * float(x + 1);
-// CHECK-NEXT:                 }
-// CHECK-NEXT:                 x++;
-// CHECK-NEXT:             }
-// CHECK-NEXT:         }
-// CHECK-NEXT:         ++y;
+// CHECK-NEXT:         gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(0, -1)) * 1.0;
+// CHECK-NEXT:         gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(1, -1)) * 2.0;
+// CHECK-NEXT:         gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(0)) * 1.0;
+// CHECK-NEXT:         gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(1, 0)) * 2.0;
+// CHECK-NEXT:         gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(0, 1)) * 1.0;
+// CHECK-NEXT:         gl_Position += textureLodOffset(map, in_TEXCOORD0, 0.0, ivec2(1)) * 2.0;
 // CHECK-NEXT:     }
 // CHECK-NEXT:     {
-// CHECK-NEXT:         uint i = 0u;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(-1, 0));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         i++;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(0, 2));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         i++;
-// CHECK-NEXT:         {
-// CHECK-NEXT:             gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(1, -3));
-// CHECK-NEXT:         }
-// CHECK-NEXT:         i++;
+// CHECK-NEXT:         gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(-1, 0));
+// CHECK-NEXT:         gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(0, 2));
+// CHECK-NEXT:         gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(1, -3));
 // CHECK-NEXT:     }
 // CHECK-NEXT:     for (int j = 0; j < 2; ++j) {
 // CHECK-NEXT:         gl_Position += textureGatherOffset(map, in_TEXCOORD0, ivec2(1, -3));

@@ -22,7 +22,8 @@ float4 main(float2 uv : UV) : SV_Target {
 // CHECK-NEXT: imageStore(log_, ivec2(0), texture(map, vs_UV0));
 // CHECK: if (!is_discarded) {
 // CHECK-NEXT: counts[1] = 7u;
-// CHECK: is_discarded ? 0u : atomicAdd(counts[2], 3u);
+// CHECK: if (!is_discarded) {
+// CHECK-NEXT: atomicAdd(counts[2], 3u);
 // CHECK: if (is_discarded) {
 // CHECK-NEXT: discard;
 
