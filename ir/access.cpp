@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/access.h"
 
-#include "ir/scalar.h"
-
 namespace clipc::ir {
 namespace {
 
@@ -97,33 +95,6 @@ bool HasLiteralIndices(const Program& program, ExprId path) {
     if (index && !As<Literal>(program, index->index)) return false;
   }
   return true;
-}
-
-std::optional<std::uint32_t> FirstComponentIn(const Program& program, ExprId path, ExprId whole) {
-  const auto count = [&](TypeId type) {
-    return static_cast<std::uint32_t>(KindsOf(program.types, type).size());
-  };
-  std::uint32_t first = 0;
-  for (; path != whole; path = WholeOf(program, path)) {
-    if (const auto* field = As<FieldRef>(program, path)) {
-      const auto& fields = program.types.StructOf(TypeIdOf(program, field->base)).fields;
-      for (std::uint32_t i = 0; i < field->field; ++i) first += count(fields[i].type);
-    } else if (const auto* index = As<Index>(program, path)) {
-      const auto* number = As<Literal>(program, index->index);
-      const Type& type = TypeOf(program, index->base);
-      const std::uint32_t end = type.kind == TypeKind::kVector ? type.columns : type.count;
-      if (!number || type.kind == TypeKind::kMatrix || UintOf(number->bits) >= end)
-        return std::nullopt;
-      first += UintOf(number->bits) * count(TypeIdOf(program, path));
-    } else {
-      const auto* swizzle = As<Swizzle>(program, path);
-      if (!swizzle) return std::nullopt;
-      for (std::uint8_t i = 0; i < swizzle->count; ++i)
-        if (swizzle->components[i] != swizzle->components[0] + i) return std::nullopt;
-      first += swizzle->components[0];
-    }
-  }
-  return first;
 }
 
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {

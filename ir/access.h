@@ -105,10 +105,14 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
         program.exprs[expr].node);
 }
 
-// The number of the first component of `path` in `whole`, which it is a part of, counted through
-// structs and arrays. None where an index is not a literal or a part of a matrix, and where a
-// swizzle is not of neighbours in their order.
-std::optional<std::uint32_t> FirstComponentIn(const Program& program, ExprId path, ExprId whole);
+// The steps to the part of a structured buffer's element that a store or an atomic operation
+// changes: the number of a field, an element, a row or a component, from the whole inwards. The
+// number of a field is a literal. The last step of a vector is the first of the components that the
+// value has. Empty where the operation changes the whole element.
+inline std::span<const ExprId> StepsOf(const Program& program, const ObjectCall& call) {
+  const auto arguments = program.expr_lists[call.arguments];
+  return arguments.subspan(2, arguments.size() - 2 - ValuesOf(call.op));
+}
 
 // Whether the expression changes nothing, so that it may be evaluated twice or not at all: it has
 // no assignment, increment, store or out argument in it, and no call of a function but helpers.

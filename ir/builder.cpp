@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/builder.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -187,6 +188,34 @@ void IndexWholeVector(Program& program, ExprId expr) {
   for (int i = 0; i < swizzle.count; ++i) components.push_back(at.Int(swizzle.components[i]));
   const TypeId type = program.types.Vector(Scalar::kInt, swizzle.count);
   program.exprs[expr].node = Index{swizzle.base, at.At(at.ConstructOf(type, components), number)};
+}
+
+std::optional<std::vector<ExprId>> StepsTo(Program& program, ExprId path, ExprId whole) {
+  std::vector<ExprId> steps;
+  for (; path != whole; path = WholeOf(program, path)) {
+    IndexWholeVector(program, path);
+    Builder at(program, program.exprs[path].span);
+    if (const auto* field = As<FieldRef>(program, path)) {
+      steps.push_back(at.Uint(field->field));
+    } else if (const auto* index = As<Index>(program, path)) {
+      const auto* number = As<Literal>(program, index->index);
+      const Type& type = TypeOf(program, index->base);
+      const std::uint32_t parts = type.kind == TypeKind::kVector
+                                      ? type.columns
+                                      : program.types.PartCount(TypeIdOf(program, index->base));
+      const bool is_outside = number && UintOf(number->bits) >= parts;
+      if (is_outside || As<MatrixSwizzle>(program, index->base)) return std::nullopt;
+      steps.push_back(index->index);
+    } else {
+      const auto* swizzle = As<Swizzle>(program, path);
+      if (!swizzle) return std::nullopt;
+      for (std::uint8_t i = 0; i < swizzle->count; ++i)
+        if (swizzle->components[i] != swizzle->components[0] + i) return std::nullopt;
+      steps.push_back(at.Uint(swizzle->components[0]));
+    }
+  }
+  std::ranges::reverse(steps);
+  return steps;
 }
 
 }  // namespace clipc::ir

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "ir/program.h"
 
@@ -83,5 +85,8 @@ ExprId Clone(Program& program, ExprId expr);
 // Turns v.zyx[i], an index into a swizzle, into v[int3(2, 1, 0)[i]], which can be assigned to. Any
 // other expression is left as it is.
 void IndexWholeVector(Program& program, ExprId expr);
+// The steps to `path` in `whole`, which it is a part of: StepsOf. None for components of a vector
+// or a matrix that are not neighbours in their order, and for literals outside of their bounds.
+std::optional<std::vector<ExprId>> StepsTo(Program& program, ExprId path, ExprId whole);
 
 }  // namespace clipc::ir

@@ -169,6 +169,30 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
   if (!has_value) stack_.resize(base);
 }
 
+// The number of the first component of the part of a `whole` that the steps lead to. A step outside
+// leads nowhere.
+std::uint32_t Machine::ComponentAt(TypeId whole, std::span<const Word> steps) {
+  std::uint64_t first = 0;
+  bool is_row = false;
+  for (const Word step : steps) {
+    const Type& type = program_.types[whole];
+    if (type.kind == TypeKind::kStruct) {
+      const auto& fields = program_.types.StructOf(whole).fields;
+      for (Word i = 0; i < step; ++i) first += WordsOf(fields[i].type);
+      whole = fields[step].type;
+      continue;
+    }
+    const bool is_array = type.kind == TypeKind::kArray;
+    const bool is_matrix = type.kind == TypeKind::kMatrix && !is_row;
+    const std::uint64_t count = is_array ? type.count : is_matrix ? type.rows : type.columns;
+    if (step >= count) return ~0u;
+    first += step * (is_array ? WordsOf(type.element) : is_matrix ? type.columns : 1);
+    if (is_array) whole = type.element;
+    is_row = is_matrix;
+  }
+  return static_cast<std::uint32_t>(first);
+}
+
 void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   const ExprId clamp = ClampOf(program_, node), texel = TexelOf(program_, node);
   const std::uint32_t words = WordsOf(texel ? texel : expr);
@@ -178,10 +202,15 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   std::vector<double> coordinates;
   const bool asks = neighbours_ && AsksNeighbours(node.op);
   const std::uint32_t coordinate = TakesSampler(node.op) ? 2 : 1;
+  const bool may_step = node.op == ObjectOp::kStore || IsAtomic(node.op);
+  const std::size_t steps_end = may_step ? 2 + StepsOf(program_, node).size() : 0;
+  std::vector<Word> steps;
   for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
     const ExprId argument = program_.expr_lists[node.arguments][i];
     Eval(argument);
-    if (TypeOf(argument).kind == TypeKind::kObject) {
+    if (i >= 2 && i < steps_end) {
+      steps.push_back(ToBits(stack_.back(), TypeOf(argument).scalar));
+    } else if (TypeOf(argument).kind == TypeKind::kObject) {
       const Word object = stack_.back();
       (i == 0 ? request.object : request.sampler) = VarId{static_cast<std::uint32_t>(object >> 32)};
       (i == 0 ? request.object_element : request.sampler_element) =
@@ -195,8 +224,11 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
     stack_.resize(base);
   }
   request.arguments = bits;
-  request.is_part = node.op == ObjectOp::kStore && node.arguments.size > 3;
   request.coordinates = coordinates;
+  if (!steps.empty()) {
+    const TypeId object = program_.types.Innermost(program_.vars[request.object].type);
+    request.part = ComponentAt(program_.types[object].element, steps);
+  }
   if (clamp) {
     Eval(clamp);
     request.clamp = FloatOf(ToBits(stack_.back(), TypeOf(clamp).scalar));

@@ -135,6 +135,7 @@ class Machine {
   // evaluate_call.cpp
   void EvalNode(ExprId expr, const Call& node);
   void EvalNode(ExprId expr, const IntrinsicCall& node);
+  std::uint32_t ComponentAt(TypeId whole, std::span<const Word> steps);
   void EvalNode(ExprId expr, const ObjectCall& node);
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);

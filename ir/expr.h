@@ -179,15 +179,13 @@ enum class ObjectOp : std::uint8_t {
   kSubpassLoad,
   // (RWTexture, coordinate int{1..3})
   kImageLoad,
-  // (a writable object, place as the load of that object has it, value): void; the place in an
-  // RWByteAddressBuffer is a byte address, the value uint..uint4. Of a structured buffer, a value
-  // that is a part of an element has one more argument, as in kAtomicAdd: the number of its first
-  // component in the element, a literal.
+  // (a writable object, place as the load of that object has it, steps.., value): void; the place
+  // in an RWByteAddressBuffer is a byte address, the value uint..uint4. The steps lead to the part
+  // of a structured buffer's element that is stored, StepsOf; without any it is the whole element.
   kStore,
-  // (a writable object of int or uint elements or an RWByteAddressBuffer, place, value): changes
-  // the element in one step, which no other invocation interrupts; gives the element before it, of
-  // the value's type. Of a structured buffer whose elements are no scalars, one more argument is
-  // the number of the component that changes, a literal; they count through structs and arrays.
+  // (a writable object of int or uint elements or an RWByteAddressBuffer, place, steps.., value):
+  // changes the element, or the component of one that the steps lead to, in one step, which no
+  // other invocation interrupts; gives the element before it, of the value's type.
   kAtomicAdd,
   kAtomicAnd,
   kAtomicOr,
@@ -195,7 +193,7 @@ enum class ObjectOp : std::uint8_t {
   kAtomicMin,
   kAtomicMax,
   kAtomicExchange,
-  // (as kAtomicAdd, but place, what the element is compared with, value): writes it where equal
+  // (as kAtomicAdd, but steps.., what the element is compared with, value): writes it where equal
   kAtomicCompareExchange,
   // (a structured buffer with a counter): uint, the counter before it is one more, and after it is
   // one less. rules::MakeCounters replaces both by kAtomicAdd before Check returns.
@@ -223,6 +221,10 @@ constexpr bool IsCounter(ObjectOp op) {
 // Whether the operation changes the contents of the object, or its counter.
 constexpr bool WritesObject(ObjectOp op) {
   return op == ObjectOp::kStore || IsAtomic(op) || IsCounter(op);
+}
+// The number of values that an operation that writes elements of objects takes, at its end.
+constexpr std::uint32_t ValuesOf(ObjectOp op) {
+  return op == ObjectOp::kAtomicCompareExchange ? 2 : 1;
 }
 // Whether the operation reads one component of four texels, or compares it.
 constexpr bool IsGather(ObjectOp op) {

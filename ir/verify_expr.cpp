@@ -332,9 +332,15 @@ void ExprVerifier::Check(const ObjectCall& node) {
   const bool has_sampler = TakesSampler(node.op);
   if (has_sampler) Require(is_object(1), "the second argument is a sampler");
   for (std::size_t i = has_sampler ? 2 : 1; i < arguments.size(); ++i) {
-    const bool is_stored = node.op == ObjectOp::kStore && i == 2;
+    const bool is_stored = node.op == ObjectOp::kStore && i + 1 == arguments.size();
     Require(is_stored || TypeOf(arguments[i]).IsNumeric(),
             "coordinates, levels and offsets are numeric");
+  }
+  if (node.op == ObjectOp::kStore || IsAtomic(node.op)) {
+    const bool has_values = arguments.size() >= 2 + ValuesOf(node.op);
+    if (!Require(has_values, "what is written has a place and a value")) return;
+    for (const ExprId step : StepsOf(program_, node))
+      Require(TypeOf(step).IsNumeric() && ir::IsInteger(TypeOf(step).scalar), "a step is a number");
   }
   if (const ExprId clamp = ClampOf(program_, node))
     Require(TypeOf(clamp).IsNumeric(), "a clamp is numeric");

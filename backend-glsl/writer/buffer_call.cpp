@@ -60,28 +60,90 @@ BufferInHelper InHelper(Code& code, ExprId object) {
   return buffer;
 }
 
-// The path ".lists[1].x" to what begins at a component of a value, whose components are numbered
-// through structs and arrays: the part of type `part`, or if that is none the scalar.
-std::string PathTo(const Code& code, TypeId id, std::uint32_t component, TypeId part = {}) {
-  if (id == part) return "";
+// The path ".lists[1].x" to a component of a value, whose components are numbered through structs
+// and arrays.
+std::string PathTo(const Code& code, TypeId id, std::uint32_t component) {
   const Type& type = code[id];
   const auto count = [&](TypeId part) {
     return static_cast<std::uint32_t>(KindsOf(code.types, part).size());
   };
   if (type.kind == TypeKind::kVector && type.columns > 1)
-    return Concat(".",
-                  std::string_view("xyzw").substr(component, part ? code[part].Components() : 1));
+    return Concat(".", std::string_view("xyzw").substr(component, 1));
   if (type.kind == TypeKind::kArray) {
     const std::uint32_t each = count(type.element);
     return Concat("[", std::to_string(component / each), "]",
-                  PathTo(code, type.element, component % each, part));
+                  PathTo(code, type.element, component % each));
   }
   if (type.kind != TypeKind::kStruct) return "";
   const auto& fields = code.types.StructOf(id).fields;
   std::size_t field = 0;
   for (; component >= count(fields[field].type); ++field) component -= count(fields[field].type);
   return Concat(".", code.names.fields[type.structure.index][field],
-                PathTo(code, fields[field].type, component, part));
+                PathTo(code, fields[field].type, component));
+}
+
+// The path ".lists[i].xy" that steps lead to in an element of a structured buffer; `count` is the
+// number of components of what is there.
+std::string PathAlong(Code& code, TypeId id, std::span<const ExprId> steps, std::size_t count) {
+  std::string path;
+  bool is_row = false;  // whether the last step was one to a row of a matrix
+  for (const ExprId step : steps) {
+    const Type& type = code[id];
+    const auto* number = code.As<Literal>(step);
+    if (type.kind == TypeKind::kStruct) {
+      const std::uint32_t field = UintOf(number->bits);
+      Append(path, ".", code.names.fields[type.structure.index][field]);
+      id = code.types.StructOf(id).fields[field].type;
+      continue;
+    }
+    const bool is_array = type.kind == TypeKind::kArray;
+    const bool is_matrix = type.kind == TypeKind::kMatrix && !is_row;
+    const bool has_rows = type.rows > 1 && type.columns > 1;
+    if (is_array || (is_matrix && has_rows) || (!number && type.Components() > 1) ||
+        (is_row && has_rows && count == 1)) {
+      Append(path, "[", IndexValue(code, step), "]");
+    } else if (const std::size_t all = is_matrix ? type.rows : type.columns;
+               all > 1 && count < all) {
+      Append(path, ".", std::string_view("xyzw").substr(UintOf(number->bits), count));
+    }
+    if (is_array) id = type.element;
+    is_row = is_matrix;
+  }
+  return path;
+}
+
+// The number of the word that steps lead to in an element: what literals say of it, and the text
+// "4 * i + k" of the other steps.
+struct WordAlong {
+  std::uint32_t known = 0;
+  std::string rest;
+};
+WordAlong WordTo(Code& code, TypeId id, std::span<const ExprId> steps) {
+  WordAlong word;
+  const auto count = [&](TypeId part) {
+    return static_cast<std::uint32_t>(KindsOf(code.types, part).size());
+  };
+  for (const ExprId step : steps) {
+    const Type& type = code[id];
+    const auto* number = code.As<Literal>(step);
+    if (type.kind == TypeKind::kStruct) {
+      const auto& fields = code.types.StructOf(id).fields;
+      const std::uint32_t field = UintOf(number->bits);
+      for (std::uint32_t i = 0; i < field; ++i) word.known += count(fields[i].type);
+      id = fields[field].type;
+      continue;
+    }
+    const std::uint32_t each = type.kind == TypeKind::kArray ? count(type.element) : 1;
+    if (number)
+      word.known += each * UintOf(number->bits);
+    else
+      Append(word.rest, word.rest.empty() ? "" : " + ",
+             Scaled(each, code.TypeOf(step).scalar == Scalar::kInt
+                              ? ExprText(code, step).At(Binding::kProduct)
+                              : IntIndex(code, step)));
+    id = type.element;
+  }
+  return word;
 }
 
 // The word that holds a component.
@@ -93,31 +155,32 @@ std::string WordOf(Code& code, Scalar kind, const std::string& value) {
   }
 }
 
-// The number of the component at which a store of a part of an element begins; none: it stores the
-// whole element.
-std::optional<std::uint32_t> StoredAt(const Code& code, const ObjectCall& node) {
-  const auto arguments = code[node.arguments];
-  if (arguments.size() < 4) return std::nullopt;
-  return UintOf(code.As<Literal>(arguments[3])->bits);
-}
-
 // Stores an element that lies tighter than std430 can say, or a part of one, word by word.
 Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
   const auto arguments = code[node.arguments];
   const VarId buffer = RootOf(code.program, arguments[0]);
   const BufferInHelper named = InHelper(code, arguments[0]);
-  const TypeId stored_type = code.program.exprs[arguments[2]].type;
-  const auto part = StoredAt(code, node);
-  const std::string name = Concat(named.name, "_store", part ? std::to_string(*part) : "", "_at");
-  const std::string key = part ? TypeName(code, stored_type) : "";
+  const TypeId stored_type = code.program.exprs[arguments.back()].type;
+  const auto steps = StepsOf(code.program, node);
+  const WordAlong part = WordTo(code, ObjectTypeOf(code, buffer).element, steps);
+  const bool moves = !part.rest.empty();
+  const std::string name = Concat(named.name, "_store",
+                                  moves           ? "_part"
+                                  : steps.empty() ? ""
+                                                  : std::to_string(part.known),
+                                  "_at");
+  const std::string key = steps.empty() ? "" : TypeName(code, stored_type);
   const std::string helper = Helper(code, name, key, [&](const std::string& function) {
     const std::string i = Fresh(code, "i"), stored = Fresh(code, "value");
-    std::string text = fmt::format("void {}({}int {}, {} {}) {{\n", function, named.parameter, i,
-                                   TypeName(code, stored_type), stored);
+    const std::string from = moves ? Fresh(code, "word") : "";
+    std::string text =
+        fmt::format("void {}({}int {}, {}{} {}) {{\n", function, named.parameter, i,
+                    moves ? Concat("int ", from, ", ") : "", TypeName(code, stored_type), stored);
     std::uint32_t component = 0;
-    const std::string first = Scaled(WordsOf(code, buffer), i);
+    const std::string first =
+        Concat(Scaled(WordsOf(code, buffer), i), moves ? Concat(" + ", from) : "");
     for (const Scalar kind : KindsOf(code.types, stored_type)) {
-      const std::uint32_t word = part.value_or(0) + component;
+      const std::uint32_t word = (moves ? 0 : part.known) + component;
       const std::string path = PathTo(code, stored_type, component);
       text += fmt::format("    {}[{}{}] = {};\n", named.elements, first,
                           word > 0 ? fmt::format(" + {}", word) : "",
@@ -126,7 +189,10 @@ Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
     }
     return text + "}\n";
   });
-  return Called(helper, {named.argument + IntIndex(code, arguments[1]), value});
+  const std::string index = IntIndex(code, arguments[1]);
+  const std::string known = part.known > 0 ? Concat(" + ", std::to_string(part.known)) : "";
+  const std::string from = moves ? Concat(part.rest, known, ", ") : "";
+  return Called(helper, {named.argument + index, from + value});
 }
 
 }  // namespace
@@ -173,17 +239,11 @@ Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
 
 Text BufferStore(Code& code, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
-  const std::string value = Argument(code, arguments[2]);
+  const std::string value = Argument(code, arguments.back());
   if (const VarId buffer = RootOf(code.program, arguments[0]);
       IsStructured(ObjectTypeOf(code, buffer).object)) {
     if (!HasElements(code, buffer)) return StoreWords(code, node, value);
-    const auto part = StoredAt(code, node);
-    const std::string path = part ? PathTo(code, ObjectTypeOf(code, buffer).element, *part,
-                                           code.program.exprs[arguments[2]].type)
-                                  : "";
-    return {Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "]", path,
-                   " = ", value),
-            Binding::kAssignment};
+    return {Concat(BufferWord(code, node), " = ", value), Binding::kAssignment};
   }
   const BufferInHelper named = InHelper(code, arguments[0]);
   const std::string& name = named.elements;
@@ -210,14 +270,11 @@ std::string BufferWord(Code& code, const ObjectCall& node) {
   const std::string index = is_bytes ? ExprText(code, arguments[1]).At(Binding::kProduct) + " / 4u"
                                      : IndexValue(code, arguments[1]);
   const std::string element = Concat(ElementsOf(code, arguments[0]), "[", index, "]");
-  if (ValueEnd(node) == arguments.size()) return element;
-  const TypeId type = ObjectTypeOf(code, RootOf(code.program, arguments[0])).element;
-  return element + PathTo(code, type, UintOf(code.As<Literal>(arguments.back())->bits),
-                          code.program.exprs[arguments[2]].type);
-}
-
-std::size_t ValueEnd(const ObjectCall& node) {
-  return node.op == ObjectOp::kAtomicCompareExchange ? 4 : 3;
+  const auto steps = StepsOf(code.program, node);
+  if (steps.empty()) return element;
+  const std::size_t count = code.TypeOf(arguments.back()).Components();
+  return element + PathAlong(code, ObjectTypeOf(code, RootOf(code.program, arguments[0])).element,
+                             steps, count);
 }
 
 Text BufferSize(Code& code, ExprId object) {

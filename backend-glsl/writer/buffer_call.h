@@ -12,11 +12,9 @@ namespace clipc::glsl {
 Text StructuredLoad(Code& code, const ir::ObjectCall& node);
 Text ByteLoad(Code& code, ir::TypeId type, const ir::ObjectCall& node);
 Text BufferStore(Code& code, const ir::ObjectCall& node);
-// The element of a buffer, a component of the element, or the word at an address, that an atomic
-// operation changes.
+// The element of a buffer, a part of the element, or the word at an address, that a store or an
+// atomic operation changes.
 std::string BufferWord(Code& code, const ir::ObjectCall& node);
-// The number of the arguments of an atomic operation that are its object, place and values.
-std::size_t ValueEnd(const ir::ObjectCall& node);
 // The number of elements of a buffer, or of bytes of a byte address buffer.
 Text BufferSize(Code& code, ir::ExprId object);
 

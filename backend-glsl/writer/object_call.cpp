@@ -319,7 +319,7 @@ class ObjectCaller {
     std::string text = is_image ? Concat("imageAtomic", what, "(", ObjectName(code_, arguments_[0]),
                                          ", ", ArgumentAt(1))
                                 : Concat("atomic", what, "(", BufferWord(code_, node_));
-    for (const ExprId value : arguments_.subspan(2, ValueEnd(node_) - 2))
+    for (const ExprId value : arguments_.last(ValuesOf(node_.op)))
       Append(text, ", ", Argument(code_, value));
     return {text + ")"};
   }

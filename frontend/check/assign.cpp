@@ -6,6 +6,7 @@
 
 #include "frontend/check/bit_field.h"
 #include "frontend/check/cast_target.h"
+#include "frontend/check/element.h"
 #include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/init.h"
@@ -22,54 +23,6 @@ ExprId AssignValue(Context& context, const ast::AssignExpr& expr, ExprId target,
   if (expr.op) return AssignCompound(context, *expr.op, target, value, span);
   const ExprId converted = Implicit(context, value, context.TypeIdOf(target));
   return context.IsError(converted) ? converted : StoreTo(context, target, converted, span);
-}
-
-// The store object[place] = value, of a part of the element that begins at `component` if one is
-// given.
-ExprId StoreElement(Context& context, ExprId object, ExprId place, ExprId value,
-                    std::optional<std::uint32_t> component, Span span) {
-  const Builder at = context.At(span);
-  Exprs arguments = {object, place, value};
-  if (component) arguments.push_back(Builder(at).Uint(*component));
-  return context.At(span).Add(
-      context.types.Void(), ObjectCall{ObjectOp::kStore, context.program.expr_lists.Add(
-                                                             std::span<const ExprId>(arguments))});
-}
-
-// The first component of `target` in the element of a structured buffer that it is a part of: other
-// invocations may change the other parts, which must not be stored with it. None for a whole
-// element, a texel, and a part whose place is not known.
-std::optional<std::uint32_t> ComponentIn(const Context& context, ExprId element, ExprId target) {
-  const auto* load = context.GetIf<ObjectCall>(element);
-  if (target == element || load->op != ObjectOp::kStructuredLoad) return std::nullopt;
-  return FirstComponentIn(context.program, target, element);
-}
-
-// The assignment to an element of an object, or to a part of one. object[place] = value is a store,
-// and so is object[place].x = value of a structured buffer; another part and object[place] += value
-// change a copy, which is then stored.
-// `is_used`: the assignment is a part of an expression, and has the value that was stored.
-ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId element,
-                     ExprId value, bool is_used, Span span) {
-  Exprs steps;
-  const auto component = ComponentIn(context, element, target);
-  if ((target == element || component) && !expr.op) {
-    ExprId converted = Implicit(context, value, context.TypeIdOf(target));
-    if (context.IsError(converted)) return converted;
-    if (is_used) converted = Hoist(context, converted, steps);
-    const auto load = context[context.Get<ObjectCall>(element).arguments];
-    const ExprId store = StoreElement(context, load[0], load[1], converted, component, span);
-    if (!is_used) return store;
-    steps.push_back(store);
-    return WithPrologue(context, steps, Clone(context.program, converted));
-  }
-  const ExprId store = ChangeElement(context, element, target, steps);
-  const ExprId change = AssignValue(context, expr, target, value, span);
-  if (context.IsError(change)) return change;
-  steps.push_back(change);
-  if (!is_used) return WithPrologue(context, steps, store);
-  steps.push_back(store);
-  return WithPrologue(context, steps, Clone(context.program, target));
 }
 
 // Whether the expression is a temporary of the statement in progress.
@@ -109,12 +62,37 @@ ExprId AssignChosen(Context& context, const ast::AssignExpr& expr, ExprId target
   return WithPrologue(context, steps, Clone(context.program, target));
 }
 
+// The assignment to an element of an object, or to a part of one. If it is not a store of `value`,
+// it changes a copy, which is then stored. `is_used`: the assignment is a part of an expression,
+// and has the value that was stored.
+ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId element,
+                     ExprId value, bool is_used, Span span) {
+  if (!expr.op) {
+    value = Implicit(context, value, context.TypeIdOf(target));
+    if (context.IsError(value)) return value;
+    const ExprId stored = StoreToElement(context, element, target, value, is_used, span);
+    if (stored) return stored;
+  }
+  Exprs steps;
+  Exprs stores = ChangeElement(context, element, target, !IsPure(context.program, value), steps);
+  const ExprId change = IsChosenComponent(context, target)
+                            ? AssignChosen(context, expr, target, value, span)
+                            : AssignValue(context, expr, target, value, span);
+  if (context.IsError(change)) return change;
+  steps.push_back(change);
+  if (is_used) stores.push_back(Clone(context.program, target));
+  steps.insert(steps.end(), stores.begin(), stores.end() - 1);
+  return WithPrologue(context, steps, stores.back());
+}
+
 // The assignment to `target`, of whichever kind it is.
 ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, bool is_used,
                 Span span) {
   const bool is_list = context.Is<ast::InitListExpr>(expr.right);
   if (is_list && !expr.op && !context.IsError(target)) {
     const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
+    if (const ExprId element = ElementIn(context, target); element && !context.IsError(value))
+      return AssignElement(context, expr, target, element, value, is_used, span);
     if (!context.IsError(value) && IsChosenComponent(context, target))
       return AssignChosen(context, expr, target, value, span);
     return !context.IsError(value) && CheckTarget(context, target)
@@ -235,32 +213,6 @@ bool CheckTarget(Context& context, ExprId target) {
   }
   IndexWholeVector(context.program, target);
   return true;
-}
-
-ExprId ElementIn(const Context& context, ExprId expr) {
-  while (const ExprId whole = WholeOf(context.program, expr)) expr = whole;
-  const auto* call = context.GetIf<ObjectCall>(expr);
-  if (!call) return {};
-  const bool is_element = call->op == ObjectOp::kBufferLoad ||
-                          call->op == ObjectOp::kStructuredLoad || call->op == ObjectOp::kImageLoad;
-  const ExprId object = context[call->arguments][0];
-  return is_element && IsWritable(context.TypeOf(object).object) ? expr : ExprId{};
-}
-
-ExprId ChangeElement(Context& context, ExprId element, ExprId target, Exprs& prologue) {
-  const Span span = context[element].span;
-  const auto component = ComponentIn(context, element, target);
-  const auto load = context.Get<ObjectCall>(element);
-  const ExprId object = context[load.arguments][0];
-  ExprId place = context[load.arguments][1];
-  if (!IsPure(context.program, place)) place = Hoist(context, place, prologue);
-  const List<ExprId> again = context.program.expr_lists.Add(
-      {Clone(context.program, object), Clone(context.program, place)});
-  const ExprId read = context.At(span).Add(context.TypeIdOf(element), ObjectCall{load.op, again});
-  const ExprId copy = Hoist(context, read, prologue);
-  context[element].node = context[copy].node;
-  const ExprId value = component ? Clone(context.program, target) : copy;
-  return StoreElement(context, object, place, value, component, span);
 }
 
 bool IsChosenComponent(const Context& context, ExprId expr) {

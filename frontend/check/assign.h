@@ -12,13 +12,6 @@ bool IsConstVar(const Context& context, VarId var);
 // Returns whether the expression can be assigned to, and reports the reason if not. An index into a
 // swizzle becomes an index into the vector.
 bool CheckTarget(Context& context, ExprId target);
-// The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
-// in `buffer[i].x`; none for other expressions.
-ExprId ElementIn(const Context& context, ExprId expr);
-// Turns `element`, a read that ElementIn found in `target`, into a variable that holds the value
-// read, so that `target` can be changed in place. Returns the store of what may have changed into
-// the object. `prologue` must come before.
-ExprId ChangeElement(Context& context, ExprId element, ExprId target, Exprs& prologue);
 // Whether the expression is m._m00_m11[i], a component chosen at run time among several of a
 // matrix, which CheckTarget accepts and GLSL does not.
 bool IsChosenComponent(const Context& context, ExprId expr);

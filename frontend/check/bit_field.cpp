@@ -5,6 +5,7 @@
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
+#include "frontend/check/element.h"
 #include "frontend/check/enum_class.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/struct.h"
@@ -159,7 +160,9 @@ ExprId AssignToBits(Context& context, std::optional<BinaryOp> op, ExprId bits, E
   if (context.IsError(value)) return context.ErrorExpr(span);
   Exprs steps;
   const ExprId element = ElementIn(context, word);
-  const ExprId store = element ? ChangeElement(context, element, word, steps) : ExprId{};
+  const Exprs stores =
+      element ? ChangeElement(context, element, word, !IsPure(context.program, value), steps)
+              : Exprs{};
   if (!element && !CheckTarget(context, word)) return context.ErrorExpr(span);
   word = Stabilize(context, word, steps);
   const auto read = [&] { return Clone(context.program, word); };
@@ -173,7 +176,7 @@ ExprId AssignToBits(Context& context, std::optional<BinaryOp> op, ExprId bits, E
   if (!IsPure(context.program, value)) value = Hoist(context, value, steps);
   steps.push_back(context.At(span).AssignTo(word, Insert(context, read(), value, field, span)));
   const ExprId result = Noted(context, read(), field, span);
-  if (store) steps.push_back(store);
+  steps.insert(steps.end(), stores.begin(), stores.end());
   return WithPrologue(context, steps, result);
 }
 

@@ -6,6 +6,7 @@
 #include "frontend/check/byte_access.h"
 #include "frontend/check/cast_target.h"
 #include "frontend/check/construct.h"
+#include "frontend/check/element.h"
 #include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
@@ -250,9 +251,9 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
     return BindCast(context, parameter, context.TypeIdOf(argument), operand, before, after);
   argument = TakeSteps(context, argument, before);
   if (const ExprId element = ElementIn(context, argument)) {
-    const ExprId store = ChangeElement(context, element, argument, before);
+    const Exprs stores = ChangeElement(context, element, argument, true, before);
     const ExprId bound = BindArgument(context, parameter, argument, before, after);
-    after.push_back(store);
+    after.insert(after.end(), stores.begin(), stores.end());
     return bound;
   }
   if (IsChosenComponent(context, argument)) {

@@ -7,6 +7,7 @@
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
 #include "frontend/check/bit_field.h"
+#include "frontend/check/element.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/type.h"
@@ -27,8 +28,11 @@ ExprId MatrixComponents(Context& context, MatrixSwizzle node, Span span) {
   }
   Exprs prologue;
   const Scalar kind = context.TypeOf(node.base).scalar;
-  node.base = RootOf(context.program, node.base) ? Stabilize(context, node.base, prologue)
-                                                 : Hoist(context, node.base, prologue);
+  if (const ExprId element = ElementIn(context, node.base))
+    FixIndices(context, node.base, element, false, prologue);
+  else
+    node.base = RootOf(context.program, node.base) ? Stabilize(context, node.base, prologue)
+                                                   : Hoist(context, node.base, prologue);
   return WithPrologue(context, prologue, at.Add(context.types.Vector(kind, node.count), node));
 }
 

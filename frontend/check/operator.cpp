@@ -6,6 +6,7 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
+#include "frontend/check/element.h"
 #include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
@@ -26,9 +27,9 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
     return context.Fail(span, diag::BadOperand, SpellingOf(op), context.TypeName(target));
   if (IsBitField(context, target)) return IncrementBits(context, op, target, span);
   if (const ExprId element = ElementIn(context, target)) {
-    const ExprId store = ChangeElement(context, element, target, steps);
+    const Exprs stores = ChangeElement(context, element, target, false, steps);
     const ExprId result = Hoist(context, context.At(span).UnaryOf(op, target), steps);
-    steps.push_back(store);
+    steps.insert(steps.end(), stores.begin(), stores.end());
     return WithPrologue(context, steps, result);
   }
   if (IsChosenComponent(context, target)) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "frontend/rules/object_call.h"
@@ -36,7 +35,7 @@ constexpr struct {
 // The element, or the component of one, that an atomic operation changes.
 struct AtomicPlace {
   const ObjectCall* load = nullptr;  // the read of the element; null: there is no such element
-  std::optional<std::uint32_t> component = std::nullopt;  // none: the element is a scalar
+  std::vector<ExprId> steps = {};    // to the component; empty: the element is a scalar
 };
 
 AtomicPlace PlaceOf(const IntrinsicCheck& call) {
@@ -46,19 +45,17 @@ AtomicPlace PlaceOf(const IntrinsicCheck& call) {
   if (!is_integer) return {};
   ExprId element = call.arguments[0];
   while (const ExprId whole = WholeOf(call.program, element)) element = whole;
-  std::optional<std::uint32_t> component;
-  if (element != call.arguments[0]) {
-    component = FirstComponentIn(call.program, call.arguments[0], element);
-    if (!component) return {};
-  }
+  auto steps = StepsTo(call.program, call.arguments[0], element);
+  if (!steps) return {};
   const auto* load = As<ObjectCall>(call.program, element);
   if (!load) return {};
   const bool is_structured = load->op == kStructuredLoad;
   const bool is_element = is_structured || load->op == kBufferLoad || load->op == kImageLoad;
   const ExprId object = call.program.expr_lists[load->arguments][0];
-  if (!is_element || !IsWritable(call.TypeOf(object).object) || (component && !is_structured))
+  const bool has_steps = !steps->empty();
+  if (!is_element || !IsWritable(call.TypeOf(object).object) || (has_steps && !is_structured))
     return {};
-  return {load, component};
+  return {load, std::move(*steps)};
 }
 
 }  // namespace
@@ -84,6 +81,7 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     }
     const auto place = call.program.expr_lists[changed.load->arguments];
     arguments = {place[0], place[1]};
+    arguments.insert(arguments.end(), changed.steps.begin(), changed.steps.end());
     type = call.ArgumentTypeId(0);
   }
   for (std::size_t i = 1; i < least; ++i) {
@@ -91,7 +89,6 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     if (!value) return call.Error();
     arguments.push_back(*value);
   }
-  if (changed.component) arguments.push_back(call.Make().Uint(*changed.component));
   const ExprId original = MakeObjectCall(call.Make(), call.program, type, atomic->op, arguments);
   if (call.arguments.size() == least) return original;
   if (!call.IsTarget(least)) return call.Error();

@@ -193,8 +193,7 @@ class MethodCheck : IntrinsicCheck {
   ExprId GatherAfter(std::size_t least, ObjectKind sampler, ObjectOp op, Scalar kind) {
     const std::size_t given = arguments.size();
     const bool has_four = traits_.offset != 0 && (given == least + 4 || given == least + 5);
-    if (has_four && given == least + 5)
-      return Fail(name_span, diag::MethodStatus, name, "a read with four offsets");
+    if (has_four && given == least + 5 && (!IsAtLeast(5, 0) || !TakeStatus())) return Error();
     if ((!has_four && !CheckCount(least)) || !TakeSampler(sampler) ||
         !TakeFloats(1, traits_.coordinates) || (least == 3 && !TakeFloats(2, 1)))
       return Error();
@@ -206,11 +205,40 @@ class MethodCheck : IntrinsicCheck {
       steps.push_back(place.prologue);
       arguments_[i] = Make().Ref(place.var);
     }
+    const TypeId four = program.types.Vector(kind, 4);
+    if (has_four && status_) return After(*this, steps, GatherWithStatus(least, op, four));
     const std::size_t end = has_four ? given : std::min(given, least + 1);
     for (std::size_t i = least; i < end; ++i) {
       if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
     }
-    return After(*this, steps, Finish(op, program.types.Vector(kind, 4)));
+    return After(*this, steps, Finish(op, four));
+  }
+  // A gather for each of the four offsets from argument `first` on, which have one status: that of
+  // the first of them whose texels are not all in memory, since CheckAccessFullyMapped asks about
+  // all that the method read (its page in Direct3D's documentation; DXC has that of the first).
+  ExprId GatherWithStatus(std::size_t first, ObjectOp op, TypeId type) {
+    const std::vector<ExprId> leading = arguments_;
+    const ExprId target = status_;
+    const VarId all = temporaries.Make(Make().Uint(0)).var;
+    const VarId one = temporaries.Make(Make().Uint(0)).var;
+    std::vector<ExprId> steps, texels;
+    for (int i = 0; i < 4; ++i) {
+      arguments_.clear();
+      for (const ExprId argument : leading) arguments_.push_back(Clone(program, argument));
+      status_ = Make().Ref(i == 0 ? all : one);
+      if (!TakeOffset(first + static_cast<std::size_t>(i), OffsetsOf(true, program.profile)))
+        return Error();
+      const auto gathered = temporaries.Make(Finish(op, type));
+      steps.push_back(gathered.prologue);
+      texels.push_back(Make().Swizzled(Make().Ref(gathered.var), {i}));
+      if (i == 0) continue;
+      const ExprId is_mapped = Make().IntrinsicOf(
+          Intrinsic::kCheckAccessFullyMapped, program.types.Make(Scalar::kBool), {Make().Ref(all)});
+      const Conditional later{is_mapped, Make().Ref(one), Make().Ref(all)};
+      steps.push_back(Make().AssignTo(Make().Ref(all), Make().Add(TypeIdOf(status_), later)));
+    }
+    steps.push_back(Make().AssignTo(target, Convert(Make().Ref(all), TypeIdOf(target))));
+    return After(*this, steps, Make().ConstructOf(type, texels));
   }
   // Adds the offset, the last argument, to the texel's location: GLSL has no texelFetchOffset of
   // multisampled textures.

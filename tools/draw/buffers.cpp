@@ -168,10 +168,9 @@ class Access {
       Write(buffer_, static_cast<std::uint32_t>(byte), bits, size);
   }
 
-  // A part of an element is followed by the number of its first component.
   void StoreStructured() {
-    const std::size_t first = request_.is_part ? request_.arguments.back() : 0;
-    const std::size_t count = request_.arguments.size() - (request_.is_part ? 2 : 1);
+    const std::size_t first = request_.part.value_or(0);
+    const std::size_t count = request_.arguments.size() - 1;
     std::size_t component = 0;
     ForEachInElement([&](Scalar kind, std::uint64_t byte) {
       const std::size_t i = component++ - first;
@@ -189,16 +188,15 @@ class Access {
     Scalar kind =
         IsByteAddress(type_.object) ? Scalar::kUint : ElementKind(program_, request_.object);
     std::uint64_t byte = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
-    const std::size_t values = request_.op == ObjectOp::kAtomicCompareExchange ? 2 : 1;
-    if (request_.arguments.size() > 1 + values) {
-      std::uint64_t next = 0;
+    if (request_.part) {
+      std::uint32_t next = 0;
       ForEachInElement([&](Scalar each, std::uint64_t at) {
-        if (next++ == request_.arguments.back()) byte = at, kind = each;
+        if (next++ == *request_.part) byte = at, kind = each;
       });
     }
     const auto old = static_cast<std::uint32_t>(Component(byte, kind, 0));
     if (!result_.empty()) result_[0] = old;
-    Store(byte, kind, Combined(request_.op, kind, old, request_.arguments.subspan(1, values)));
+    Store(byte, kind, Combined(request_.op, kind, old, request_.arguments.subspan(1)));
   }
 
   const Program& program_;

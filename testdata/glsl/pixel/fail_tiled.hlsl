@@ -38,8 +38,6 @@ float4 memory(float2 uv : UV) : SV_Target {
   sum += items.Load(1, status);
   // MEMORY: [[#@LINE+1]]:16: error: `Load2` has a status of tiled resources; no target has one for a buffer
   sum += bytes.Load2(8, status).xyxy;
-  // MEMORY: [[#@LINE+1]]:14: error: `Gather` has a status of tiled resources; no target has one for a read with four offsets
-  sum += map.Gather(smooth, uv, int2(0, 0), int2(0, 1), int2(1, 0), int2(1, 1), status);
   // MEMORY: [[#@LINE+1]]:14: error: `Load` takes 1 or 2 arguments; 3 given
   sum += map.Load(0, int2(0, 0), status + 1);
   return sum;

@@ -39,6 +39,7 @@ float4 ps(float2 uv : UV, nointerpolation int at : AT) : SV_Target {
   sum += samples.Load(int2(1, 2), 1, int2(0, 0), status) * status;
   sum += image.Load(int2(1, 2), status) * status;
   sum += maps.Sample(smooth, uv.xyx, int2(0, 0), 1, status) * status;
+  sum += map.GatherBlue(smooth, uv, int2(0, 0), int2(0, 1), int2(1, 0), at, status) * status;
   float half_status;
   sum += volume.SampleLevel(smooth, uv.xyx, 0, int3(0, 0, 0), half_status) * half_status;
   return sum;
@@ -60,6 +61,7 @@ float4 ps(float2 uv : UV, nointerpolation int at : AT) : SV_Target {
 // CHECK-NEXT: layout(binding = 24) uniform sampler3D volume;  // t4 with smooth : s0
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec2 vs_UV0;  // uv : UV0
+// CHECK-NEXT: layout(location = 1) flat in int vs_AT0;  // at : AT0
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) out vec4 SV_Target0;  // ps : SV_Target0
 // CHECK-EMPTY:
@@ -104,7 +106,18 @@ float4 ps(float2 uv : UV, nointerpolation int at : AT) : SV_Target {
 // CHECK-NEXT:     SV_Target0 += (status = uint(sparseImageLoadARB(image, ivec2(1, 2), temporary_15)), temporary_15.x) * float(status);
 // CHECK-NEXT:     vec4 temporary_16;
 // CHECK-NEXT:     SV_Target0 += (status = uint(sparseTextureClampARB(maps, vs_UV0.xyx, 1.0, temporary_16)), temporary_16) * float(status);
+// CHECK-NEXT:     uint temporary_17;
+// CHECK-NEXT:     uint temporary_18;
+// CHECK-NEXT:     vec4 temporary_19;
+// CHECK-NEXT:     vec4 temporary_20;
+// CHECK-NEXT:     vec4 temporary_21;
+// CHECK-NEXT:     vec4 temporary_22;
+// CHECK-NEXT:     vec4 temporary_23;
+// CHECK-NEXT:     vec4 temporary_24;
+// CHECK-NEXT:     vec4 temporary_25;
+// CHECK-NEXT:     vec4 temporary_26;
+// CHECK-NEXT:     SV_Target0 += (temporary_20 = (temporary_17 = uint(sparseTextureGatherARB(map_smooth, vs_UV0, temporary_19, 2)), temporary_19), (temporary_22 = (temporary_18 = uint(sparseTextureGatherOffsetARB(map_smooth, vs_UV0, ivec2(0, 1), temporary_21, 2)), temporary_21), (temporary_17 = sparseTexelsResidentARB(int(temporary_17)) ? temporary_18 : temporary_17, (temporary_24 = (temporary_18 = uint(sparseTextureGatherOffsetARB(map_smooth, vs_UV0, ivec2(1, 0), temporary_23, 2)), temporary_23), (temporary_17 = sparseTexelsResidentARB(int(temporary_17)) ? temporary_18 : temporary_17, (temporary_26 = (temporary_18 = uint(sparseTextureGatherOffsetARB(map_smooth, vs_UV0, ivec2(vs_AT0), temporary_25, 2)), temporary_25), (temporary_17 = sparseTexelsResidentARB(int(temporary_17)) ? temporary_18 : temporary_17, (status = temporary_17, vec4(temporary_20.x, temporary_22.y, temporary_24.z, temporary_26.w))))))))) * float(status);
 // CHECK-NEXT:     float half_status;
-// CHECK-NEXT:     vec4 temporary_17;
-// CHECK-NEXT:     SV_Target0 += (half_status = float(uint(sparseTextureLodARB(volume, vs_UV0.xyx, 0.0, temporary_17))), temporary_17) * half_status;
+// CHECK-NEXT:     vec4 temporary_27;
+// CHECK-NEXT:     SV_Target0 += (half_status = float(uint(sparseTextureLodARB(volume, vs_UV0.xyx, 0.0, temporary_27))), temporary_27) * half_status;
 // CHECK-NEXT: }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/check/context.h"
+
+// Elements of writable objects as targets: `buffer[i]`, and parts of them. A store to a part of an
+// element of a structured buffer writes that part alone, since other invocations may change the
+// others at the same time: fxc's store_structured has a mask and a byte offset, and DXC stores each
+// component that is written ("gep + store", EmitStoreThroughExtVectorComponentLValue).
+namespace clipc::check {
+
+// The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
+// in `buffer[i].x`; none for other expressions.
+ExprId ElementIn(const Context& context, ExprId expr);
+// Evaluates what chooses `path` in `element`, a read that ElementIn found, before what follows: the
+// path can then be cloned. What is evaluated later may change what the indices read if `may_change`
+// says so.
+void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, Exprs& prologue);
+// The assignment target = value, of the same type, as stores into the object, with the value if it
+// `is_used`. None if no store writes the target alone: ChangeElement can.
+ExprId StoreToElement(Context& context, ExprId element, ExprId target, ExprId value, bool is_used,
+                      Span span);
+// Turns `element` in `target` into a variable that holds the value read, so that `target` can be
+// changed in place. Returns the stores of what may have changed into the object, which come after.
+// `prologue` must come before; `may_change` as in FixIndices.
+Exprs ChangeElement(Context& context, ExprId element, ExprId target, bool may_change,
+                    Exprs& prologue);
+
+}  // namespace clipc::check
