@@ -119,12 +119,39 @@ class RangeFinder {
     return from == Scalar::kBool ? FloatRange{0, 1} : of(node.operand);
   }
 
+  // min(max(x, low), high) of any x: max(NaN, low) is low in Direct3D.
+  static Range Clamped(const Range& low, const Range& high) {
+    if (!low || !high) return std::nullopt;
+    return FloatRange{std::min(low->low, high->low), high->high};
+  }
+
+  // min and max. Of a value that may be anything, min(max(x, low), high) is known as clamp is.
+  Range OfExtreme(const IntrinsicCall& node, const Range& a, const Range& b, auto& of) const {
+    const bool is_min = node.op == Intrinsic::kMin;
+    if (a && b)
+      return is_min ? FloatRange{std::min(a->low, b->low), std::min(a->high, b->high)}
+                    : FloatRange{std::max(a->low, b->low), std::max(a->high, b->high)};
+    if (!a && !b) return std::nullopt;
+    const ExprId open = program_.expr_lists[node.arguments][a ? 1 : 0];
+    const auto* inner = As<IntrinsicCall>(program_, open);
+    if (!inner || inner->op != (is_min ? Intrinsic::kMax : Intrinsic::kMin)) return std::nullopt;
+    const auto sides = program_.expr_lists[inner->arguments];
+    const Range first = of(sides[0]), other = first ? first : of(sides[1]), &known = a ? a : b;
+    if (!other) return std::nullopt;
+    return is_min ? Clamped(other, known)
+                  : FloatRange{known->low, std::max(known->high, other->high)};
+  }
+
   Range OfIntrinsic(const IntrinsicCall& node, auto& of) const {
     const auto argument = [&](std::size_t number) {
       return of(program_.expr_lists[node.arguments][number]);
     };
     switch (node.op) {
-      case Intrinsic::kSaturate: return FloatRange{0, 1};  // 0 for NaN
+      case Intrinsic::kSaturate:
+      case Intrinsic::kStep: return FloatRange{0, 1};  // 0 for NaN
+      case Intrinsic::kClamp: return Clamped(argument(1), argument(2));
+      case Intrinsic::kMin:
+      case Intrinsic::kMax: return OfExtreme(node, argument(0), argument(1), of);
       case Intrinsic::kFloor:
       case Intrinsic::kCeil:
       case Intrinsic::kRound:

@@ -12,8 +12,8 @@ struct FloatRange {
   double low = 0, high = 0;
 };
 
-// Knows the bounds of constants, of saturate, of a pixel's place on the screen, and of what
-// arithmetic and rounding make of them; std::nullopt for every other expression.
+// Knows the bounds of constants, of saturate and clamp, of a pixel's place on the screen, and of
+// what arithmetic and rounding make of them; std::nullopt for every other expression.
 std::optional<FloatRange> RangeOf(const ir::Program& program, ir::ExprId expr);
 
 }  // namespace clipc::glsl

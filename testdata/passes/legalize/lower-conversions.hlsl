@@ -17,7 +17,9 @@ float4 main(float4 p : POSITION, float2 i : INDEX) : SV_Position {
   int2 between = i.x > 0 ? -saturate(p.xy) * 3 + 1.5 : 2;
   int far = saturate(i.y) * 2147483520.0 + 100, near = saturate(i.y) * 2147483392.0;
   uint below = saturate(i.y) - 0.5, unknown = frac(i.y) * 4;
-  float4 sum = bones[places.x + 1] + bones[place];
+  uint2 clamped = clamp(i, 0, kScale), bounded = min(9, max(p.xy, 0)), open = max(p.xy, 0);
+  int stepped = step(i.x, p.x) * 3, over = max(min(p.x, 2147483520.0), -2147483648.0), beyond = min(max(p.x, 0), 3e9);
+  float4 sum = bones[places.x + 1] + bones[place] + (clamped + bounded + open).xyxy + stepped + over + beyond;
   return sum + any + positive.x + packed + between.xyxy + far + near + below + unknown + byte + kFits + kTooLarge;
 }
 
@@ -45,7 +47,13 @@ float4 main(float4 p : POSITION, float2 i : INDEX) : SV_Position {
 // CHECK-NEXT:   int near = convert<int>(saturate(in_INDEX0.y) * 2147483392.0)
 // CHECK-NEXT:   uint below = to_uint.1(saturate(in_INDEX0.y) - 0.5)
 // CHECK-NEXT:   uint unknown = to_uint.1(frac(in_INDEX0.y) * 4.0)
-// CHECK-NEXT:   float4 sum = bones[places.x + 1] + bones[place]
+// CHECK-NEXT:   uint2 clamped = convert<uint2>(clamp(in_INDEX0, splat<float2>(0.0), splat<float2>(kScale)))
+// CHECK-NEXT:   uint2 bounded = convert<uint2>(min(splat<float2>(9.0), max(in_POSITION0.xy, splat<float2>(0.0))))
+// CHECK-NEXT:   uint2 open = to_uint(max(in_POSITION0.xy, splat<float2>(0.0)))
+// CHECK-NEXT:   int stepped = convert<int>(step(in_INDEX0.x, in_POSITION0.x) * 3.0)
+// CHECK-NEXT:   int over = convert<int>(max(min(in_POSITION0.x, 2147483520.0), -2147483648.0))
+// CHECK-NEXT:   int beyond = to_int(min(max(in_POSITION0.x, 0.0), 3e+09))
+// CHECK-NEXT:   float4 sum = ((((bones[places.x + 1] + bones[place]) + convert<float4>(((clamped + bounded) + open).xyxy)) + splat<float4>(convert<float>(stepped))) + splat<float4>(convert<float>(over))) + splat<float4>(convert<float>(beyond))
 // CHECK-NEXT:   vs_SV_POSITION0 = ((((((((((sum + splat<float4>(convert<float>(any))) + splat<float4>(convert<float>(positive.x))) + convert<float4>(packed)) + convert<float4>(between.xyxy)) + splat<float4>(convert<float>(far))) + splat<float4>(convert<float>(near))) + splat<float4>(convert<float>(below))) + splat<float4>(convert<float>(unknown))) + splat<float4>(convert<float>(byte))) + splat<float4>(convert<float>(kFits))) + splat<float4>(convert<float>(kTooLarge))
 // CHECK-NEXT: }
 // CHECK-NEXT: helper int to_int(float x) {
