@@ -10,6 +10,7 @@
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/check_bindings.h"
 #include "backend-glsl/check_expression.h"
+#include "backend-glsl/images.h"
 #include "backend-glsl/legalize/es100/loops.h"
 #include "backend-glsl/needs.h"
 #include "backend-glsl/reach.h"
@@ -56,6 +57,7 @@ class TargetCheck : ExpressionCheck {
       if (IsOrdered(Innermost(program_.vars[resource.var].type).object))
         Check(Feature::kInterlocks, diag::TargetOrder, program_.vars[resource.var].span,
               program_.vars[resource.var].name);
+      if (IsImage(Innermost(program_.vars[resource.var].type).object)) Image(resource);
       if (!target_.IsVulkan()) TextureUnit(resource);
       SubpassInput(resource);
     }
@@ -133,6 +135,7 @@ class TargetCheck : ExpressionCheck {
 
   // Checks an output to a render target.
   void RenderTarget(const IoVar& output) {
+    CheckIo(output.blend_index > 0, Feature::kBlendIndices, diag::TargetPixelValue, output);
     const bool is_varying = !target_.Has(Feature::kInAndOut);
     CheckIo(is_varying && !IsFloating(output), Feature::kIntegerVaryings,
             diag::TargetIntegerVarying, output);
@@ -196,6 +199,19 @@ class TargetCheck : ExpressionCheck {
     }
   }
 
+  // Reports what OpenGL ES lacks of an image, beside images as such.
+  void Image(const Resource& resource) {
+    const Var& var = program_.vars[resource.var];
+    if (!target_.Has(Feature::kImages)) return;
+    const ObjectInfo& info = InfoOf(Innermost(var.type).object);
+    if (target_.IsEs() && info.axes == 1)
+      return Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
+    if (info.category == ObjectCategory::kTypedBuffer)
+      Check(NeedOf(ObjectKind::kBuffer), var.span, var.name);
+    const std::string problem = ImageProblem(program_, reached_, target_, resource);
+    if (!problem.empty())
+      Lack(Feature::kImageFormats, var.span, diag::TargetImageFormat, var.name, problem);
+  }
   void Object(const Var& var) {
     const ir::Type& type = Innermost(var.type);
     const bool is_array = IsArray(var.type);

@@ -40,7 +40,9 @@ enum class Feature : std::uint8_t {
   kUniformTransposes,  // glUniformMatrix can transpose
   kExplicitOffsets,    // layout(offset = 16)
   kBindings,           // layout(binding = 0)
-  kImages,             // images that a vertex shader may write
+  kImages,             // images that a shader may write
+  kImageFormats,       // images of two components, and reads and writes of one of any format
+  kImageAtomics,       // atomic operations on images
   kStorageBuffers,     // `buffer`
   kMemoryBarriers,     // memoryBarrier
   kInterlocks,         // beginInvocationInterlock
@@ -58,6 +60,7 @@ enum class Feature : std::uint8_t {
   kShadingRate,
   // ---- of fragment shaders
   kTargetLocations,    // layout(location = 0) of an output to a render target
+  kBlendIndices,       // two colors of a render target, for the blender
   kSeveralTargets,     // gl_FragData[1], where outputs have no locations
   kUpperLeftOrigin,    // layout(origin_upper_left) of gl_FragCoord
   kSampleVariables,    // gl_SampleID, gl_SampleMask and gl_SampleMaskIn

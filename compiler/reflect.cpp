@@ -47,6 +47,7 @@ Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Vari
   const bool is_target = program.vars[io.var].storage == ir::Storage::kOutput &&
                          io.builtin == ir::Builtin::kNone && !InfoOf(program.stage).has_stage_after;
   if (is_target) json["renderTarget"] = io.location;
+  if (io.blend_index > 0) json["blendIndex"] = io.blend_index;
   if (written.needs_base_vertex_zero) json["needsBaseVertexZero"] = true;
   if (written.needs_base_instance_zero) json["needsBaseInstanceZero"] = true;
   if (written.integer_as_float) json["integerAsFloat"] = true;

@@ -185,6 +185,9 @@ struct IoVar {
   std::string path = {};
   std::optional<Reader> reader = {};  // for an output with a known or supposed input
   bool is_unwritten = false;          // of an output: no path writes it, which is reported
+  bool may_be_unwritten = false;      // of an output: a path does not write it, which is reported
+  // Of an output of a pixel shader: 1 for the second of the two colors that are blended.
+  std::uint32_t blend_index = 0;
 };
 
 // The locations that an input or output of this scalar or vector type needs: two for three or four

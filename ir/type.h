@@ -105,8 +105,9 @@ struct Field {
   bool centroid = false;
   bool sample = false;
   bool precise = false;
-  std::optional<std::uint32_t> location = {};  // [[vk::location(..)]]
-  std::optional<std::uint32_t> offset = {};    // [[vk::offset(..)]], in bytes
+  std::optional<std::uint32_t> location = {};     // [[vk::location(..)]]
+  std::optional<std::uint32_t> blend_index = {};  // [[vk::index(..)]]
+  std::optional<std::uint32_t> offset = {};       // [[vk::offset(..)]], in bytes
 };
 // A struct. Fields of its base structs come first.
 struct Struct {

@@ -255,7 +255,14 @@ void WriteTarget(Context& context, const IoVar& output, Outputs& outputs) {
   }
   const bool has_location = context.Has(Feature::kTargetLocations);
   if (has_location) info.location = output.location;
-  Append(outputs.text, LocationText{info.location}, "out ");
+  if (output.blend_index > 0) {
+    context.Require(Feature::kBlendIndices);
+    Append(outputs.text, "layout(location = ", output.location, ", index = ", output.blend_index,
+           ") ");
+  } else {
+    AppendPart(outputs.text, LocationText{info.location});
+  }
+  outputs.text += "out ";
   AppendDeclaration(context, outputs.text, context.ShapeAt(output.var), info.name);
   Append(outputs.text, ";", SemanticComment{output, info.name});
 }

@@ -186,7 +186,8 @@ class Naming {
   // The name of an output to a render target, as HLSLcc has it; without `out`, the components of
   // GLSL's own variable that the output has.
   std::string TargetName(const IoVar& output) {
-    const std::string number = std::to_string(output.location);
+    const std::string number =
+        std::to_string(output.blend_index > 0 ? output.index : output.location);
     if (context_.Has(Feature::kInAndOut)) return namer_.Global(Concat("SV_Target", number));
     const std::uint32_t count = context_.TypeOf(output.var).Components();
     return Concat("gl_FragData[", number, "]",

@@ -316,6 +316,7 @@ class ObjectCaller {
   // The call imageAtomicAdd(image, place, value) or atomicAdd(buffer[place], value).
   Text Atomic(std::string_view what) {
     const bool is_image = IsImage(kind_);
+    if (is_image) code_.Require(Feature::kImageAtomics);
     std::string text = is_image ? Concat("imageAtomic", what, "(", ObjectName(code_, arguments_[0]),
                                          ", ", ArgumentAt(1))
                                 : Concat("atomic", what, "(", BufferWord(code_, node_));

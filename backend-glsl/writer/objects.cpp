@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "backend-glsl/images.h"
 #include "backend-glsl/needs.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/bindings.h"
@@ -177,25 +178,21 @@ class ObjectWriter {
     return context_.namer.Global(Concat(context_.options.other ? name : written, "_block"));
   }
 
-  // Declares an image. GLSL requires the format of an image that is read; HLSL tells the components
-  // and their kind, which are 32 bits each unless [[vk::image_format]] says more.
+  // Declares an image. GLSL requires the format of one that is read.
   void Image(const Resource& resource) {
     const Type& type = ObjectTypeOf(context_, resource.var);
     GlslInfo::Object& info = Add(resource);
     const std::string place =
         Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var),
              context_.WrittenObject(resource.var, {}));
-    const std::string_view prefix = PrefixOf(context_, type);
-    const int size = type.element ? ShapeOf(context_[type.element], context_.target).size : 4;
-    const std::string format = Concat(
-        std::string_view("rgba").substr(0, size == 3 ? 4 : static_cast<std::size_t>(size)), "32",
-        prefix == "u"   ? "ui"
-        : prefix == "i" ? "i"
-                        : "f");
-    Append(text_, LayoutText({place, resource.format.empty() ? format : resource.format}),
-           context_[resource.var].coherent ? "coherent " : "", "uniform ", prefix, "image",
-           Dimension(type.object), " ", info.name, Dimensions(context_, resource.var), ";  // ",
-           RegisterText(resource.reg), "\n");
+    if (InfoOf(type.object).category == ObjectCategory::kTypedBuffer)
+      context_.Require(Feature::kTextureBuffers);
+    Append(text_, LayoutText({place, ImageFormat(context_.program, resource)}),
+           context_[resource.var].coherent ? "coherent " : "",
+           ImageAccess(context_.program, context_.reached, context_.target, resource),
+           context_.target.IsEs() ? "uniform highp " : "uniform ", PrefixOf(context_, type),
+           "image", Dimension(type.object), " ", info.name, Dimensions(context_, resource.var),
+           ";  // ", RegisterText(resource.reg), "\n");
   }
 
   GlslInfo::Object& Add(const Resource& resource) {

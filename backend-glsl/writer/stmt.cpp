@@ -234,6 +234,12 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
     code.Line(Declaration(code, code[output.var].type, local), ";");
     last.emplace_back(name, is_int ? Concat("int(", local, ")") : local);
   }
+  // A path that does not write the depth has that of the primitive: GLSL has none there at all.
+  for (const IoVar& output : code.program.outputs)
+    if (output.may_be_unwritten && !output.is_unwritten &&
+        (output.builtin == Builtin::kDepth || output.builtin == Builtin::kDepthGreaterEqual ||
+         output.builtin == Builtin::kDepthLessEqual))
+      code.Line(code.NameOf(output.var), " = gl_FragCoord.z;");
   if (code.has_order) code.Line("beginInvocationInterlockARB();");
   WriteStmts(code, MainBody(code.program));
   if (code.has_order) code.Line("endInvocationInterlockARB();");

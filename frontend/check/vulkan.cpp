@@ -119,6 +119,10 @@ std::optional<std::uint32_t> LocationOf(Context& context, List<ast::Attr> attrib
                 "a location from 0 to 4094");
 }
 
+std::optional<std::uint32_t> BlendIndexOf(Context& context, List<ast::Attr> attributes) {
+  return Number(context, attributes, VulkanAttribute::kIndex, 1, "0 or 1");
+}
+
 std::string BuiltinOf(Context& context, List<ast::Attr> attributes) {
   const std::string_view name = Text(context, attributes, VulkanAttribute::kBuiltin,
                                      "the name of a built-in in quotes, such as \"BaseVertex\"");

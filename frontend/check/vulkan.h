@@ -24,14 +24,18 @@ std::optional<std::uint32_t> CounterBindingOf(Context& context, List<ast::Attr> 
 std::optional<std::uint32_t> OffsetOf(Context& context, List<ast::Attr> attributes);
 // The number that [[vk::location(number)]] gives; nullopt without one, and after an error.
 std::optional<std::uint32_t> LocationOf(Context& context, List<ast::Attr> attributes);
+// The number that [[vk::index(number)]] gives, 0 or 1; nullopt as above.
+std::optional<std::uint32_t> BlendIndexOf(Context& context, List<ast::Attr> attributes);
 // The semantic for [[vk::builtin("BaseVertex")]], vk::BaseVertex; empty if there is no such
 // attribute.
 std::string BuiltinOf(Context& context, List<ast::Attr> attributes);
 
-// Sets the location and the semantic of an EntryParameter or an ir::Field from the attributes.
+// Sets the location, the blend index and the semantic of an EntryParameter or an ir::Field from the
+// attributes.
 void ReadVulkan(Context& context, List<ast::Attr> attributes, auto& into) {
   if (attributes.empty()) return;
   into.location = LocationOf(context, attributes);
+  into.blend_index = BlendIndexOf(context, attributes);
   if (const std::string semantic = BuiltinOf(context, attributes); !semantic.empty())
     into.semantic = semantic;
 }

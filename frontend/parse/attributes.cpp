@@ -69,8 +69,9 @@ constexpr StatementAttribute kOfStatements[] = {
 
 // The names of the attributes in the order of VulkanAttribute.
 constexpr std::string_view kVulkanNames[] = {
-    "vk::location",       "vk::builtin",     "vk::binding",      "vk::push_constant",
-    "vk::offset",         "vk::constant_id", "vk::image_format", "vk::input_attachment_index",
+    "vk::location",       "vk::index",         "vk::builtin",
+    "vk::binding",        "vk::push_constant", "vk::offset",
+    "vk::constant_id",    "vk::image_format",  "vk::input_attachment_index",
     "vk::counter_binding"};
 
 }  // namespace
@@ -86,6 +87,7 @@ bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner) {
   using enum AttributeOwner;
   switch (attribute) {
     case VulkanAttribute::kLocation:
+    case VulkanAttribute::kIndex:
     case VulkanAttribute::kBuiltin:
       return owner == kFunction || owner == kParameter || owner == kField;
     case VulkanAttribute::kBinding:

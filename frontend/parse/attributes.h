@@ -36,6 +36,7 @@ enum class AttributeOwner : std::uint8_t {
 // docs/SPIR-V.rst.
 enum class VulkanAttribute : std::uint8_t {
   kLocation,  // the location of an input or output
+  kIndex,     // which of the two colors of a render target that are blended an output is
   kBuiltin,   // an input or output that only Vulkan has
   kBinding,   // the number and the set of a buffer or a resource
   kPushConstant,

@@ -344,7 +344,7 @@ class MainBuilder {
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
     const bool is_input = &list == &program_.inputs;
     const auto& [semantic, given, assumed, span, interpolation, centroid, sample, location,
-                 precise] = leaf.cursor;
+                 blend_index, precise] = leaf.cursor;
     std::string name(is_input ? "in" : stage_.prefix);
     name += '_';
     name += ToUpper(semantic.name);
@@ -359,7 +359,10 @@ class MainBuilder {
     std::uint32_t place = 0;
     // Only the inputs are read of a shader that another stage's must match.
     const bool is_matched = is_input || !program_.is_interface_only;
-    if (builtin == Builtin::kNone && !is_input && !stage_.has_stage_after && is_matched)
+    const bool is_target = builtin == Builtin::kNone && !is_input && !stage_.has_stage_after;
+    if (blend_index && !is_target)
+      diagnostics_.Report(leaf.span, diag::AttributeWithoutEffect, "vk::index");
+    if (is_target && is_matched)
       place = TargetNumber(leaf);
     else if (builtin == Builtin::kNone)
       place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
@@ -367,6 +370,7 @@ class MainBuilder {
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                     sample, semantic.has_index, is_matched && location,
                     leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
+    if (is_target) list.back().blend_index = blend_index.value_or(0);
     return id;
   }
 
@@ -374,7 +378,8 @@ class MainBuilder {
   std::uint32_t TargetNumber(const Carrier& leaf) {
     const std::uint32_t number = leaf.cursor.location.value_or(leaf.cursor.semantic.index);
     const auto known = std::ranges::find_if(program_.outputs, [&](const IoVar& output) {
-      return output.builtin == Builtin::kNone && output.location == number;
+      return output.builtin == Builtin::kNone && output.location == number &&
+             output.blend_index == leaf.cursor.blend_index.value_or(0);
     });
     if (known != program_.outputs.end())
       diagnostics_.Report(leaf.span, diag::LocationTwice, number, leaf.name, known->path);

@@ -23,7 +23,8 @@ struct EntryParameter {
   bool sample = false;
   bool row_major = false;  // whether the matrices in it are row_major
   bool precise = false;
-  std::optional<std::uint32_t> location;  // [[vk::location(..)]]
+  std::optional<std::uint32_t> location;     // [[vk::location(..)]]
+  std::optional<std::uint32_t> blend_index;  // [[vk::index(..)]]
   bool is_uniform = false;
   VarId uniform_var;  // the member of $Params that a `uniform` parameter became
   VarId

@@ -469,6 +469,7 @@ void WrittenWalk::CheckOutput(const Assign& node) {
   const WrittenComponents& written = state_[place->first];
   output->is_unwritten = (written.may & place->mask) == 0;
   if ((written.may & written.must & place->mask) == place->mask) return;
+  output->may_be_unwritten = true;
   ReportOutput(program_, *output, written, place->mask, shared_.diagnostics);
 }
 

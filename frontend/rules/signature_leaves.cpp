@@ -111,6 +111,7 @@ void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& c
   }
   own.centroid &= !own.sample && own.interpolation != Interpolation::kNoInterpolation;
   if (!own.location) own.location = cursor.location;
+  if (!own.blend_index) own.blend_index = cursor.blend_index;
   if (cursor.given) Override(own, cursor, piece.name);
   Collect(piece, own);
   if (cursor.given) cursor.semantic = own.semantic;

@@ -34,7 +34,7 @@ struct Cursor {
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
-  std::optional<std::uint32_t> location;
+  std::optional<std::uint32_t> location, blend_index;
   bool precise = false;
 };
 
@@ -49,6 +49,7 @@ Cursor CursorOf(const Declared& declared) {
           declared.centroid,
           declared.sample,
           declared.location,
+          declared.blend_index,
           declared.precise};
 }
 

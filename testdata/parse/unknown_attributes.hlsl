@@ -4,9 +4,9 @@
 // CHECK: unknown_attributes.hlsl:[[#@LINE+1]]:2: warning: unknown attribute `removeUnusedInputs` is ignored [-Wattribute-unknown]
 [removeUnusedInputs] float4 unused(float4 v) { return v; }
 [removeUnusedInputs] float4 again(float4 v) { return v; }
-// CHECK: :[[#@LINE+1]]:3: warning: attribute `vk::index` has no effect; clipc does not translate it [-Wattribute-without-effect]
-[[vk::index(3)]] Texture2D<float4> t;
-[[vk::index(4)]] SamplerState s;
+// CHECK: :[[#@LINE+1]]:3: warning: attribute `vk::ext_reference` has no effect; clipc does not translate it [-Wattribute-without-effect]
+[[vk::ext_reference]] Texture2D<float4> t;
+[[vk::ext_reference]] SamplerState s;
 // CHECK: :[[#@LINE+2]]:3: warning: unknown attribute `ns::thing` is ignored
 // CHECK: :[[#@LINE+1]]:14: warning: unknown attribute `other` is ignored
 [[ns::thing, other(1)]] struct S { float4 a; };

@@ -24,7 +24,7 @@ float4 position(float4 p : POSITION) : COLOR { return p; }
 // PLANES: [[#@LINE-1]]:1: error: `clipplanes` is used under profile `ps_5_0`; it needs a vertex shader profile of 4.0 or later [clip-planes-profile]
 
 struct Dual {
-  [[vk::location(0)]] float4 a : SV_Target0;
+  [[vk::location(0), vk::index(1)]] float4 a : SV_Target0;
   [[vk::location(0), vk::index(1)]] float4 b : SV_Target1;
 };
 Dual dual() { return (Dual)0; }
