@@ -65,8 +65,8 @@ struct Inputs {
   };
   struct Texture {
     struct Level {
-      // The size as glTexImage3D needs it: six layers for each cube of an array, and the number of
-      // samples, whose texels come one after another.
+      // The size as glTexImage3D needs it: six layers for each cube of an array; of multisampled
+      // ones the layers for each sample, whose texels come one after another.
       std::array<std::uint32_t, 3> size{1, 1, 1};
       Words words;  // four for each texel, one where `compares` is set
     };

@@ -23,7 +23,8 @@ const ObjectInfo& FormOf(ObjectKind kind) {
 }
 
 GLenum TargetOf(const ObjectInfo& form) {
-  if (form.is_multisampled) return GL_TEXTURE_2D_MULTISAMPLE;
+  if (form.is_multisampled)
+    return form.is_array ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_MULTISAMPLE;
   constexpr GLenum kTargets[][2] = {{GL_TEXTURE_1D, GL_TEXTURE_1D_ARRAY},
                                     {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY},
                                     {GL_TEXTURE_3D, GL_NONE},
@@ -35,6 +36,12 @@ GLenum TargetOf(const ObjectInfo& form) {
 Size SizeOf(const ObjectInfo& form, Size size, std::size_t level) {
   for (int i = 0; i < form.axes; ++i) size[i] = std::max(size[i] >> level, 1u);
   return size;
+}
+
+// The images of a level that lie one after another: an array has all of its elements for each
+// sample.
+std::uint32_t ImagesOf(const ObjectInfo& form, const Size& size) {
+  return size[2] * (form.is_multisampled && form.is_array ? kSamples : 1);
 }
 
 // The ways in which all calls of the shader together read a texture.
@@ -82,7 +89,7 @@ class Maker {
                             : 3 + 2 * values_.Below(6);  // odd: 0.5 is not a border
     }
     if (form_.is_array) texture.size[form_.axes] = 3 + values_.Below(3);
-    if (form_.is_multisampled) texture.size[form_.axes] = kSamples;
+    if (form_.is_multisampled && !form_.is_array) texture.size[form_.axes] = kSamples;
     texture.is_constant = uses_.constant;
     const auto constant = Texel();
     const std::uint32_t largest =
@@ -91,7 +98,7 @@ class Maker {
     for (std::size_t level = 0; largest >> level >= smallest; ++level) {
       const Size size = SizeOf(form_, texture.size, level);
       const std::size_t face = std::size_t{size[0]} * size[1];
-      std::vector<Texel4> texels(face * size[2]);
+      std::vector<Texel4> texels(face * ImagesOf(form_, size));
       for (std::size_t i = 0; i < texels.size(); ++i) {
         const std::size_t first = uses_.sampled ? FirstLike(i, size) : i;
         texels[i] = uses_.constant ? constant : first < i ? texels[first] : Texel();
@@ -309,7 +316,7 @@ class Reader {
   }
 
   bool Load(std::span<std::uint64_t> result) const {
-    // The last argument is the level, or the sample of a texture that has no other levels.
+    // After the place is the level, or the sample of a texture that has no other levels.
     const std::size_t axes = form_.axes, sizes = axes + (form_.is_array || form_.is_multisampled);
     const std::uint64_t level = form_.is_multisampled ? 0 : request_.arguments[sizes];
     if (level >= texture_.levels.size()) return false;
@@ -321,6 +328,11 @@ class Reader {
       if (at >= size[i]) return false;  // a negative one is large
       index += at * stride;
       stride *= size[i];
+    }
+    if (form_.is_multisampled && form_.is_array) {
+      const std::uint32_t sample = UintOf(request_.arguments[sizes]);
+      if (sample >= kSamples) return false;
+      index += sample * stride;
     }
     return Copy(&texture_.levels[level][4 * index], result);
   }
@@ -347,6 +359,7 @@ Inputs::Texture Uploaded(const ObjectInfo& form, const Texture& texture, Scalar 
   upload.target = TargetOf(form), upload.kind = KindOfTexels(kind), upload.compares = compares;
   for (std::size_t level = 0; level < texture.levels.size(); ++level) {
     Size size = SizeOf(form, texture.size, level);
+    size[2] = ImagesOf(form, size);
     if (form.is_cube && form.is_array) size[2] *= 6;
     Words words = texture.levels[level];
     if (compares) {  // one word for each texel
@@ -398,8 +411,6 @@ Textures MakeTextures(const Program& program, const RandomOptions& options, Rand
   Textures textures;
   for (const Resource& resource : program.resources) {
     const ObjectKind kind = ObjectTypeOf(program, resource.var).object;
-    if (InfoOf(kind).is_multisampled && InfoOf(kind).is_array)
-      throw DrawError("the shader reads a multisampled array, which no test draws with");
     Uses& found = uses[resource.var.index];
     found.constant = found.constant || (found.sampled && options.constant_textures);
     if (!IsTexture(kind) && !IsCombinedSampler(kind) &&

@@ -24,14 +24,15 @@ namespace clipc::draw {
 // texels are equal; likewise with RandomOptions::constant_textures, which tests less but leaves no
 // result undefined.
 struct Texture {
-  // The size of level 0 as GetDimensions returns it, elements of an array or samples last.
+  // The size of level 0 as GetDimensions returns it, elements of an array or samples last; a
+  // multisampled array has kSamples besides.
   std::array<std::uint32_t, 3> size{1, 1, 1};
   std::vector<Words> levels;  // four words a texel; along x, then y, then z
   bool is_constant = false;
 };
 using Textures = std::map<std::uint32_t, std::vector<Texture>>;  // by VarId
 
-// Makes the textures that `program` declares. Throws DrawError for multisampled arrays.
+// Makes the textures that `program` declares.
 Textures MakeTextures(const ir::Program& program, const RandomOptions& options,
                       RandomValues& values);
 

@@ -44,16 +44,21 @@ GLint IntegerOf(GLenum name) {
 
 }  // namespace
 
-void UploadSamples(GLenum internal, GLenum components, GLenum type, WordKind kind,
+void UploadSamples(GLenum target, GLenum internal, GLenum components, GLenum type, WordKind kind,
                    const Inputs::Texture::Level& level) {
   const auto width = static_cast<GLsizei>(level.size[0]),
-             height = static_cast<GLsizei>(level.size[1]),
-             samples = static_cast<GLsizei>(level.size[2]);
-  if (epoxy_is_desktop_gl())
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, internal, width, height, GL_TRUE);
+             height = static_cast<GLsizei>(level.size[1]), samples = static_cast<GLsizei>(kSamples),
+             layers = static_cast<GLsizei>(level.size[2]) / samples;
+  const bool is_array = target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
+             is_desktop = epoxy_is_desktop_gl();
+  if (is_array)
+    (is_desktop ? glTexImage3DMultisample : glTexStorage3DMultisample)(
+        target, samples, internal, width, height, layers, GL_TRUE);
   else
-    glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, internal, width, height, GL_TRUE);
-  const auto target = static_cast<GLuint>(IntegerOf(GL_TEXTURE_BINDING_2D_MULTISAMPLE));
+    (is_desktop ? glTexImage2DMultisample : glTexStorage2DMultisample)(target, samples, internal,
+                                                                       width, height, GL_TRUE);
+  const auto texture = static_cast<GLuint>(IntegerOf(
+      is_array ? GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_BINDING_2D_MULTISAMPLE));
   const auto framebuffer = static_cast<GLuint>(IntegerOf(GL_DRAW_FRAMEBUFFER_BINDING));
   const auto program = static_cast<GLuint>(IntegerOf(GL_CURRENT_PROGRAM));
   const auto arrays = static_cast<GLuint>(IntegerOf(GL_VERTEX_ARRAY_BINDING));
@@ -65,12 +70,10 @@ void UploadSamples(GLenum internal, GLenum components, GLenum type, WordKind kin
   glBindTexture(GL_TEXTURE_2D, plain);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), width, samples * height, 0,
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), width, samples * layers * height, 0,
                components, type, level.words.data());
   glGenFramebuffers(1, &drawn);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, target,
-                         0);
   glGenVertexArrays(1, &none);
   glBindVertexArray(none);
   glViewport(0, 0, width, height);
@@ -78,9 +81,13 @@ void UploadSamples(GLenum internal, GLenum components, GLenum type, WordKind kin
   glUseProgram(copy);
   glUniform1i(glGetUniformLocation(copy, "samples"), IntegerOf(GL_ACTIVE_TEXTURE) - GL_TEXTURE0);
   glEnable(GL_SAMPLE_MASK);
-  for (GLsizei sample = 0; sample < samples; ++sample) {
-    glUniform1i(glGetUniformLocation(copy, "first_row"), sample * height);
-    glSampleMaski(0, 1u << sample);
+  for (GLsizei image = 0; image < samples * layers; ++image) {
+    if (is_array)
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0, image % layers);
+    else
+      glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, texture, 0);
+    glUniform1i(glGetUniformLocation(copy, "first_row"), image * height);
+    glSampleMaski(0, 1u << image / layers);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   glSampleMaski(0, ~0u);

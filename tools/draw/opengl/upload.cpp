@@ -57,8 +57,9 @@ GLuint UploadTexture(const Inputs::Texture& texture,
     glTexBuffer(GL_TEXTURE_BUFFER, format.internal, new_buffer(texture.levels.at(0).words));
     return id;
   }
-  if (texture.target == GL_TEXTURE_2D_MULTISAMPLE) {
-    UploadSamples(format.internal, format.components, format.type, texture.kind,
+  if (texture.target == GL_TEXTURE_2D_MULTISAMPLE ||
+      texture.target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY) {
+    UploadSamples(texture.target, format.internal, format.components, format.type, texture.kind,
                   texture.levels.at(0));
     return id;
   }

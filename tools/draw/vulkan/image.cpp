@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "tools/draw/vulkan/samples.h"
+
 namespace clipc::draw::vulkan {
 namespace {
 
@@ -38,9 +40,10 @@ std::uint32_t LayersOf(const Form& form, const Inputs::Texture::Level& level) {
   return form.axes < 3 ? form.faces * level.size[form.axes] : 1;
 }
 
-// An image in memory of its own, and the view of all of it.
+}  // namespace
+
 Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view,
-               vk::ImageAspectFlagBits aspect = vk::ImageAspectFlagBits::eColor) {
+               vk::ImageAspectFlagBits aspect) {
   Image made;
   made.image = vk::raii::Image(device.get(), info);
   made.memory = device.Allocate(made.image.getMemoryRequirements());
@@ -50,8 +53,6 @@ Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageV
       device.get(), vk::ImageViewCreateInfo({}, *made.image, view, info.format, {}, all));
   return made;
 }
-
-}  // namespace
 
 void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
                 const vk::ImageSubresourceRange& all, vk::ImageLayout from, vk::ImageLayout to) {
@@ -70,6 +71,9 @@ vk::Format FormatOf(const Inputs::Texture& texture) {
 }
 
 Image UploadImage(const Device& device, const Inputs::Texture& texture) {
+  if (texture.target == GL_TEXTURE_2D_MULTISAMPLE ||
+      texture.target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
+    return UploadSamples(device, texture);
   const Form form = FormOf(texture.target);
   const std::uint32_t levels = texture.levels.size();
   const std::uint32_t layers = LayersOf(form, texture.levels.at(0));

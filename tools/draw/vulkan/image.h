@@ -13,6 +13,9 @@ struct Image {
   vk::raii::ImageView view{nullptr};
 };
 Image UploadImage(const Device& device, const Inputs::Texture& texture);
+// An image in memory of its own, and the view of all of it.
+Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view,
+               vk::ImageAspectFlagBits aspect = vk::ImageAspectFlagBits::eColor);
 
 // An image that can be drawn to.
 Image MakeTarget(const Device& device, vk::Extent2D size,
