@@ -226,7 +226,13 @@ class MainBuilder {
   ExprId PixelPosition(VarId input, const Carrier& leaf, SystemValue::Form form) {
     const std::uint32_t count = program_.types[leaf.type].Components();
     ExprId value = builder_.Ref(input);
-    if (!leaf.cursor.sample) center_reads_.push_back(value);
+    if (leaf.cursor.sample)
+      value = BySample(value, leaf);
+    else
+      center_reads_.push_back(value);
+    if (leaf.cursor.centroid)
+      diagnostics_.Report(leaf.span, diag::QualifierWithoutEffect, "centroid",
+                          "the position, which GLSL has at the pixel's center");
     if (count < 4) value = builder_.SwizzledRun(value, 0, count);
     if (form == SystemValue::Form::kCorner) {
       const TypeId type = builder_.TypeOf(value);
@@ -238,6 +244,23 @@ class MainBuilder {
       value = builder_.BinaryOf(BinaryOp::kSub, value, offset);
     }
     return Fit(value, leaf.type);
+  }
+
+  // The position of the sample: GLSL has it where the shader runs for each, which reading the
+  // sample's number asks for. There are at most 32 samples, so that 0 is added.
+  ExprId BySample(ExprId position, const Carrier& leaf) {
+    constexpr auto kNumber = Builtin::kSampleIndex;
+    auto number = std::ranges::find(program_.inputs, kNumber, &IoVar::builtin);
+    if (number == program_.inputs.end()) {
+      AddIo(program_.inputs, leaf, TypeOf(kNumber), kNumber);
+      number = program_.inputs.end() - 1;
+      number->semantic = "SV_SampleIndex", number->index = 0;
+    }
+    const ExprId zero =
+        builder_.BinaryOf(BinaryOp::kShiftRight, builder_.Ref(number->var), builder_.Uint(5));
+    const TypeId type = builder_.TypeOf(position);
+    return builder_.BinaryOf(BinaryOp::kAdd, position,
+                             builder_.SplatTo(type, builder_.ConvertTo(Scalar::kFloat, zero)));
   }
 
   // Direct3D's position is the center of the pixel also where the shader runs for each sample

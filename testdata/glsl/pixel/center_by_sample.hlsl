@@ -12,3 +12,15 @@ float4 samples(sample float4 place : SV_Position, sample float4 color : COLOR) :
   // SAMPLE-NOT: floor
   return place + color;
 }
+
+// The word alone makes the shader run for each sample: reading gl_SampleID does so in GLSL.
+// RUN: %clipc -T ps_5_0 -E alone %s --validate -o - | FileCheck --check-prefix=ALONE %s
+// RUN: %clipc -T ps_5_0 -E alone %s --target=vulkan --validate -o - | FileCheck --check-prefix=ALONE %s
+float4 alone(sample float4 place : SV_Position) : SV_Target {
+  // ALONE: + float(uint(gl_SampleID) >> 5u);
+  return place.xyxy;
+}
+
+// RUN: %clipc -T ps_5_0 -E centroids %s -o - 2>&1 | FileCheck --check-prefix=CENTROID %s
+// CENTROID: [[#@LINE+1]]:42: warning: `centroid` has no effect on the position, which GLSL has at the pixel's center [-Wqualifier-without-effect]
+float4 centroids(centroid float4 place : SV_Position) : SV_Target { return place; }
