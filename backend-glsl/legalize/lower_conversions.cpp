@@ -141,19 +141,16 @@ class ConversionLowering {
     return body.b.Add(type, Conditional{is_great, Number(body, type, kTwoTo32 - 1), whole});
   }
 
-  // Returns abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0.
+  // Returns x < 2^31 ? int(max(-2^31, x)) : x > 0 ? 2^31 - 1 : 0, the last for NaN.
   ExprId Int(HelperBody& body, TypeId type) {
     Builder& b = body.b;
-    const ExprId size =
-        b.IntrinsicOf(Intrinsic::kAbs, program_.vars[body.parameters[0]].type, {body[0]});
-    const ExprId limit = Limit(body, kTwoTo31);
-    const ExprId is_small = b.BinaryOf(BinaryOp::kLess, size, limit);
-    const ExprId whole = Converted(body, type, body[0]);
-    const ExprId low = b.Add(type, Conditional{Compare(body, BinaryOp::kLess, 0),
-                                               Number(body, type, -kTwoTo31), b.ZeroOf(type)});
-    const ExprId great = b.Add(type, Conditional{Compare(body, BinaryOp::kGreater, 0),
-                                                 Number(body, type, kTwoTo31 - 1), low});
-    return b.Add(type, Conditional{is_small, whole, great});
+    const ExprId is_below = Compare(body, BinaryOp::kLess, kTwoTo31);
+    const ExprId least = b.IntrinsicOf(Intrinsic::kMax, program_.vars[body.parameters[0]].type,
+                                       {Limit(body, -kTwoTo31), body[0]});
+    const ExprId whole = Converted(body, type, least);
+    const ExprId rest = b.Add(type, Conditional{Compare(body, BinaryOp::kGreater, 0),
+                                                Number(body, type, kTwoTo31 - 1), b.ZeroOf(type)});
+    return b.Add(type, Conditional{is_below, whole, rest});
   }
 
   ExprId Converted(HelperBody& body, TypeId type, ExprId value) {

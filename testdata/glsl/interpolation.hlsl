@@ -23,7 +23,7 @@ void main(float4 p : POSITION, out float4 position : SV_Position, out linear flo
 // CHECK-NEXT: layout(location = 7) flat out double vs_H0;  // h : H0
 // CHECK-EMPTY:
 // CHECK-NEXT: int to_int(float x) {
-// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT:     return x < 2147483648.0 ? int(max(-2147483648.0, x)) : x > 0.0 ? 2147483647 : 0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {

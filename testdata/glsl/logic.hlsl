@@ -42,7 +42,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: int to_int(float x) {
-// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT:     return x < 2147483648.0 ? int(max(-2147483648.0, x)) : x > 0.0 ? 2147483647 : 0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: ivec4 to_int(vec4 a) {
@@ -99,7 +99,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-NEXT: }
 // GL120-EMPTY:
 // GL120-NEXT: int to_int(float x) {
-// GL120-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? -2147483647 - 1 : 0;
+// GL120-NEXT:     return x < 2147483648.0 ? int(max(-2147483648.0, x)) : x > 0.0 ? 2147483647 : 0;
 // GL120-NEXT: }
 // GL120-EMPTY:
 // GL120-NEXT: ivec4 to_int(vec4 a) {

@@ -21,7 +21,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: int to_int(float x) {
-// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT:     return x < 2147483648.0 ? int(max(-2147483648.0, x)) : x > 0.0 ? 2147483647 : 0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float f(float x) {

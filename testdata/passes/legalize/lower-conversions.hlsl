@@ -57,7 +57,7 @@ float4 main(float4 p : POSITION, float2 i : INDEX) : SV_Position {
 // CHECK-NEXT:   vs_SV_POSITION0 = ((((((((((sum + splat<float4>(convert<float>(any))) + splat<float4>(convert<float>(positive.x))) + convert<float4>(packed)) + convert<float4>(between.xyxy)) + splat<float4>(convert<float>(far))) + splat<float4>(convert<float>(near))) + splat<float4>(convert<float>(below))) + splat<float4>(convert<float>(unknown))) + splat<float4>(convert<float>(byte))) + splat<float4>(convert<float>(kFits))) + splat<float4>(convert<float>(kTooLarge))
 // CHECK-NEXT: }
 // CHECK-NEXT: helper int to_int(float x) {
-// CHECK-NEXT:   return (abs(x) < 2147483648.0) ? convert<int>(x) : ((x > 0.0) ? 2147483647 : ((x < 0.0) ? -2147483648 : zero<int>))
+// CHECK-NEXT:   return (x < 2147483648.0) ? convert<int>(max(-2147483648.0, x)) : ((x > 0.0) ? 2147483647 : zero<int>)
 // CHECK-NEXT: }
 // CHECK-NEXT: helper uint2 to_uint(float2 a) {
 // CHECK-NEXT:   return uint2(to_uint.1(a.x), to_uint.1(a.y))
