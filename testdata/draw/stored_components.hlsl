@@ -54,6 +54,6 @@ float4 vs(float4 p : POSITION, uint i : SV_VertexID, out float4 sum : SUM) : SV_
 }
 
 float4 ps(float4 p : SV_Position, float4 value : VALUE) : SV_Target {
-  const uint i = uint(p.x) % 8 + uint(p.y) % 8 * 8;
+  const uint i = uint(p.x) % 16 + uint(p.y) % 4 * 16;
   return Store(value, i, i % 3);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ir/scalar.h"
+#include "tools/draw/images.h"
 #include "tools/draw/memory.h"
 #include "tools/draw/textures.h"
 
@@ -64,33 +65,6 @@ Buffer ByteAddress(RandomValues& values) {
 }
 
 bool IsBuffer(ObjectKind kind) { return kind == ObjectKind::kBuffer || IsStorageBuffer(kind); }
-
-void RefuseImages(const Program& program) {
-  for (const Resource& resource : program.resources) {
-    if (!IsImage(ObjectTypeOf(program, resource.var).object)) continue;
-    throw DrawError("the shader uses the image `" + program.vars[resource.var].name +
-                    "`, which no test draws with");
-  }
-}
-
-// The value of an element after an atomic operation on its old value.
-std::uint32_t Combined(ObjectOp op, Scalar kind, std::uint32_t old,
-                       std::span<const std::uint64_t> values) {
-  const std::uint32_t value = UintOf(values.back());
-  const bool is_less = BaseOf(kind) == Scalar::kInt
-                           ? static_cast<std::int32_t>(value) < static_cast<std::int32_t>(old)
-                           : value < old;
-  switch (op) {
-    case ObjectOp::kAtomicAdd: return old + value;
-    case ObjectOp::kAtomicAnd: return old & value;
-    case ObjectOp::kAtomicOr: return old | value;
-    case ObjectOp::kAtomicXor: return old ^ value;
-    case ObjectOp::kAtomicMin: return is_less ? value : old;
-    case ObjectOp::kAtomicMax: return is_less ? old : value;
-    case ObjectOp::kAtomicCompareExchange: return old == UintOf(values.front()) ? value : old;
-    default: return value;
-  }
-}
 
 // An access to a buffer, which carries out a request and puts the answer into `result`.
 class Access {
@@ -209,15 +183,34 @@ class Access {
 
 }  // namespace
 
+std::uint32_t Combined(ObjectOp op, Scalar kind, std::uint32_t old,
+                       std::span<const std::uint64_t> values) {
+  const std::uint32_t value = UintOf(values.back());
+  const bool is_less = BaseOf(kind) == Scalar::kInt
+                           ? static_cast<std::int32_t>(value) < static_cast<std::int32_t>(old)
+                           : value < old;
+  switch (op) {
+    case ObjectOp::kAtomicAdd: return old + value;
+    case ObjectOp::kAtomicAnd: return old & value;
+    case ObjectOp::kAtomicOr: return old | value;
+    case ObjectOp::kAtomicXor: return old ^ value;
+    case ObjectOp::kAtomicMin: return is_less ? value : old;
+    case ObjectOp::kAtomicMax: return is_less ? old : value;
+    case ObjectOp::kAtomicCompareExchange: return old == UintOf(values.front()) ? value : old;
+    default: return value;
+  }
+}
+
 Buffers MakeBuffers(const Program& program, RandomValues& values) {
-  RefuseImages(program);
   Buffers buffers;
   for (const Resource& resource : program.resources) {
     const Type& type = ObjectTypeOf(program, resource.var);
-    if (!IsBuffer(type.object)) continue;
+    const bool is_image = IsImage(type.object);
+    if (!IsBuffer(type.object) && !is_image) continue;
     for (std::size_t i = 0; i < ElementIndices(program, resource.var).size(); ++i) {
       buffers[resource.var.index].push_back(
-          IsByteAddress(type.object) ? ByteAddress(values)
+          is_image                     ? MakeImage(program, resource.var, values)
+          : IsByteAddress(type.object) ? ByteAddress(values)
           : IsStructured(type.object)
               ? Structured(program, type, program.vars[resource.var].row_major, values)
               : Typed(ElementKind(program, resource.var), values));
@@ -232,8 +225,10 @@ void UseBuffer(const Program& program, Buffers& buffers, const ObjectRequest& re
   std::vector<Buffer>& elements = buffers.at(request.object.index);
   Buffer nothing;
   const bool exists = request.object_element < elements.size();
-  Access(program, exists ? elements[request.object_element] : nothing, request, undefined, result)
-      .Do();
+  Buffer& element = exists ? elements[request.object_element] : nothing;
+  if (IsImage(ObjectTypeOf(program, request.object).object))
+    return UseImage(program, element, request, undefined, result);
+  Access(program, element, request, undefined, result).Do();
 }
 
 void GiveBuffers(const Program& program, const GlslInfo& info, const Buffers& buffers,
@@ -248,6 +243,12 @@ void GiveBuffers(const Program& program, const GlslInfo& info, const Buffers& bu
       if (IsStorageBuffer(type.object)) {
         inputs.storage.push_back({object.name + indices[i],
                                   object.binding.value() + static_cast<std::uint32_t>(i), bytes});
+        continue;
+      }
+      if (IsImage(type.object)) {
+        const auto resource = std::ranges::find(program.resources, object.texture, &Resource::var);
+        inputs.textures.push_back(UploadedImage(program, *resource, bytes));
+        inputs.textures.back().name = object.name + indices[i];
         continue;
       }
       Inputs::Texture upload;

@@ -12,7 +12,7 @@
 #include "tools/draw/inputs.h"
 #include "tools/draw/random_values.h"
 
-// Buffers with random elements: Buffer<T>, StructuredBuffer<T> and ByteAddressBuffer.
+// Buffers with random elements: Buffer<T>, StructuredBuffer<T> and ByteAddressBuffer; and images.
 namespace clipc::draw {
 
 // The bytes that the application uploads. A Buffer<T> has four words for each element.
@@ -20,7 +20,11 @@ using Buffer = Bytes;
 // The buffers of a shader by VarId: the elements of an array of buffers, or the only one.
 using Buffers = std::map<std::uint32_t, std::vector<Buffer>>;
 
-// Makes the buffers that `program` declares. Throws DrawError when the shader uses an image.
+// The value of an element after an atomic operation on its old value.
+std::uint32_t Combined(ir::ObjectOp op, ir::Scalar kind, std::uint32_t old,
+                       std::span<const std::uint64_t> values);
+
+// Makes the buffers and images that `program` declares.
 Buffers MakeBuffers(const ir::Program& program, RandomValues& values);
 
 // Answers a request for one of `buffers`, which a store or an atomic operation changes. Outside of

@@ -68,12 +68,14 @@ struct Inputs {
       // The size as glTexImage3D needs it: six layers for each cube of an array; of multisampled
       // ones the layers for each sample, whose texels come one after another.
       std::array<std::uint32_t, 3> size{1, 1, 1};
-      Words words;  // four for each texel, one where `compares` is set
+      Words words;  // `components` for each texel, one where `compares` is set
     };
     std::string name;   // of the sampler variable; "maps[1]" for an element of an array
     GLenum target = 0;  // GL_TEXTURE_BUFFER: the words of the only level are the buffer
     WordKind kind = WordKind::kFloat;
     bool compares = false;  // a depth texture: a reference passes that is less or equal
+    bool is_image = false;  // what shaders can write: it has one level
+    int components = 4;     // of a texel; 1, 2 or 4 of an image
     std::vector<Level> levels;
   };
   struct Storage {

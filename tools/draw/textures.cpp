@@ -22,16 +22,6 @@ const ObjectInfo& FormOf(ObjectKind kind) {
   return InfoOf(kind == ObjectKind::kSampler ? ObjectKind::kTexture2D : kind);
 }
 
-GLenum TargetOf(const ObjectInfo& form) {
-  if (form.is_multisampled)
-    return form.is_array ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_MULTISAMPLE;
-  constexpr GLenum kTargets[][2] = {{GL_TEXTURE_1D, GL_TEXTURE_1D_ARRAY},
-                                    {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY},
-                                    {GL_TEXTURE_3D, GL_NONE},
-                                    {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_ARRAY}};
-  return kTargets[form.is_cube ? 3 : form.axes - 1][form.is_array];
-}
-
 // The axes become half with every level; the elements of an array do not.
 Size SizeOf(const ObjectInfo& form, Size size, std::size_t level) {
   for (int i = 0; i < form.axes; ++i) size[i] = std::max(size[i] >> level, 1u);
@@ -372,6 +362,16 @@ Inputs::Texture Uploaded(const ObjectInfo& form, const Texture& texture, Scalar 
 }
 
 }  // namespace
+
+GLenum TargetOf(const ObjectInfo& form) {
+  if (form.is_multisampled)
+    return form.is_array ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_MULTISAMPLE;
+  constexpr GLenum kTargets[][2] = {{GL_TEXTURE_1D, GL_TEXTURE_1D_ARRAY},
+                                    {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY},
+                                    {GL_TEXTURE_3D, GL_NONE},
+                                    {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_ARRAY}};
+  return kTargets[form.is_cube ? 3 : form.axes - 1][form.is_array];
+}
 
 WordKind KindOfTexels(Scalar kind) {
   return kind == Scalar::kInt    ? WordKind::kInt

@@ -54,6 +54,8 @@ void GiveTextures(const ir::Program& program, const GlslInfo& info, const Textur
 const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var);
 // The kind of the components of the object's elements; kFloat where the object has no elements.
 ir::Scalar ElementKind(const ir::Program& program, ir::VarId var);
+// OpenGL's target of textures of this form.
+GLenum TargetOf(const ir::ObjectInfo& form);
 // The kind of the words that texels of that type have.
 WordKind KindOfTexels(ir::Scalar kind);
 // "[1][0]" for each element of an array of objects, in the order of the evaluator's numbers; "" for

@@ -225,7 +225,13 @@ void GlProgram::BindSampler(const Active& active, const Inputs& inputs) {
     textures_.push_back(UploadTexture(texture, [&](const Words& words) {
       return NewBuffer(GL_TEXTURE_BUFFER, words.data(), 4 * words.size());
     }));
-    glUniform1iv(active.location + i, 1, &unit);
+    if (texture.is_image) {
+      GLint image_unit = 0;  // that of its binding: OpenGL ES sets no other
+      glGetUniformiv(program_, active.location + i, &image_unit);
+      BindImage(texture, textures_.back(), static_cast<GLuint>(image_unit));
+    } else {
+      glUniform1iv(active.location + i, 1, &unit);
+    }
   }
 }
 

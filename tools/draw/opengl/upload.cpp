@@ -11,6 +11,15 @@ struct Format {
 };
 
 Format FormatOf(const Inputs::Texture& texture) {
+  if (texture.components < 4) {
+    constexpr GLenum kInternal[][2] = {
+        {GL_R32F, GL_RG32F}, {GL_R32I, GL_RG32I}, {GL_R32UI, GL_RG32UI}};
+    constexpr GLenum kComponents[][2] = {{GL_RED, GL_RG}, {GL_RED_INTEGER, GL_RG_INTEGER}};
+    const auto kind = static_cast<std::size_t>(texture.kind);
+    const auto last = static_cast<std::size_t>(texture.components - 1);
+    constexpr GLenum kTypes[] = {GL_FLOAT, GL_INT, GL_UNSIGNED_INT};
+    return {kInternal[kind][last], kComponents[kind == 0 ? 0 : 1][last], kTypes[kind]};
+  }
   if (texture.compares) return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
   switch (texture.kind) {
     case WordKind::kInt: return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
@@ -45,7 +54,30 @@ void UploadLevel(GLenum target, const Format& format, GLint number,
   }
 }
 
+// Makes the only level of an image, whose size cannot change: OpenGL ES accepts no others.
+void UploadImage(GLenum target, const Format& format, const Inputs::Texture::Level& level) {
+  const auto [width, height, depth] = level.size;
+  const std::uint32_t* words = level.words.data();
+  switch (target) {
+    case GL_TEXTURE_1D:
+      glTexStorage1D(target, 1, format.internal, width);
+      return glTexSubImage1D(target, 0, 0, width, format.components, format.type, words);
+    case GL_TEXTURE_1D_ARRAY:
+    case GL_TEXTURE_2D:
+      glTexStorage2D(target, 1, format.internal, width, height);
+      return glTexSubImage2D(target, 0, 0, 0, width, height, format.components, format.type, words);
+    default:
+      glTexStorage3D(target, 1, format.internal, width, height, depth);
+      return glTexSubImage3D(target, 0, 0, 0, 0, width, height, depth, format.components,
+                             format.type, words);
+  }
+}
+
 }  // namespace
+
+void BindImage(const Inputs::Texture& texture, GLuint id, GLuint unit) {
+  glBindImageTexture(unit, id, 0, GL_TRUE, 0, GL_READ_WRITE, FormatOf(texture).internal);
+}
 
 GLuint UploadTexture(const Inputs::Texture& texture,
                      const std::function<GLuint(const Words& words)>& new_buffer) {
@@ -55,6 +87,10 @@ GLuint UploadTexture(const Inputs::Texture& texture,
   const Format format = FormatOf(texture);
   if (texture.target == GL_TEXTURE_BUFFER) {
     glTexBuffer(GL_TEXTURE_BUFFER, format.internal, new_buffer(texture.levels.at(0).words));
+    return id;
+  }
+  if (texture.is_image) {
+    UploadImage(texture.target, format, texture.levels.at(0));
     return id;
   }
   if (texture.target == GL_TEXTURE_2D_MULTISAMPLE ||

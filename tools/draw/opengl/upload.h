@@ -11,5 +11,7 @@ namespace clipc::draw {
 // `new_buffer` makes the buffer that a GL_TEXTURE_BUFFER reads.
 GLuint UploadTexture(const Inputs::Texture& texture,
                      const std::function<GLuint(const Words& words)>& new_buffer);
+// Binds an image, which UploadTexture made, to a unit of images.
+void BindImage(const Inputs::Texture& texture, GLuint id, GLuint unit);
 
 }  // namespace clipc::draw

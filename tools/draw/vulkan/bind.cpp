@@ -53,9 +53,13 @@ class Binder {
       } else if (IsStorageBuffer(kind)) {
         Add(object, i, DescriptorKind::kStorage).bytes = Find(inputs_.storage, name).bytes;
       } else {
-        const DescriptorKind how = kind == ObjectKind::kBuffer ? DescriptorKind::kTexels
-                                   : IsSampler(kind)           ? DescriptorKind::kTextureWithSampler
-                                                               : DescriptorKind::kTexture;
+        const bool is_image = IsImage(kind);
+        const bool is_buffer = InfoOf(kind).category == ObjectCategory::kTypedBuffer;
+        const DescriptorKind how = is_image && is_buffer         ? DescriptorKind::kImageTexels
+                                   : is_image                    ? DescriptorKind::kImage
+                                   : kind == ObjectKind::kBuffer ? DescriptorKind::kTexels
+                                   : IsSampler(kind) ? DescriptorKind::kTextureWithSampler
+                                                     : DescriptorKind::kTexture;
         Add(object, i, how).texture = Find(inputs_.textures, name);
       }
     }

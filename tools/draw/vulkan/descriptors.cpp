@@ -6,9 +6,9 @@
 namespace clipc::draw::vulkan {
 vk::DescriptorType TypeOf(DescriptorKind kind) {
   using enum vk::DescriptorType;
-  constexpr vk::DescriptorType kTypes[] = {eUniformBuffer,        eStorageBuffer,
-                                           eSampledImage,         eSampler,
-                                           eCombinedImageSampler, eUniformTexelBuffer};
+  constexpr vk::DescriptorType kTypes[] = {
+      eUniformBuffer,        eStorageBuffer,      eSampledImage, eSampler,
+      eCombinedImageSampler, eUniformTexelBuffer, eStorageImage, eStorageTexelBuffer};
   return kTypes[static_cast<int>(kind)];
 }
 
@@ -92,21 +92,27 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
       buffer.buffer = *buffers_.emplace_back(device_.NewBuffer(usage, given.bytes)).buffer;
       break;
     }
-    case DescriptorKind::kTexels: {
-      const Buffer& made = buffers_.emplace_back(device_.NewBuffer(
-          vk::BufferUsageFlagBits::eUniformTexelBuffer, BytesOf(given.texture.levels.at(0).words)));
+    case DescriptorKind::kTexels:
+    case DescriptorKind::kImageTexels: {
+      const auto usage = given.kind == DescriptorKind::kTexels
+                             ? vk::BufferUsageFlagBits::eUniformTexelBuffer
+                             : vk::BufferUsageFlagBits::eStorageTexelBuffer;
+      const Buffer& made = buffers_.emplace_back(
+          device_.NewBuffer(usage, BytesOf(given.texture.levels.at(0).words)));
       texels_.emplace_back(
           device_.get(),
           vk::BufferViewCreateInfo({}, *made.buffer, FormatOf(given.texture), 0, VK_WHOLE_SIZE));
       texels = *texels_.back();
       break;
     }
+    case DescriptorKind::kImage: image.imageLayout = vk::ImageLayout::eGeneral; [[fallthrough]];
     case DescriptorKind::kTexture:
     case DescriptorKind::kSampler:
     case DescriptorKind::kTextureWithSampler:
       if (given.kind != DescriptorKind::kSampler)
         image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
-      if (given.kind != DescriptorKind::kTexture)
+      if (given.kind == DescriptorKind::kSampler ||
+          given.kind == DescriptorKind::kTextureWithSampler)
         image.sampler = *samplers_.emplace_back(MakeSampler(device_, given.compares));
       break;
   }

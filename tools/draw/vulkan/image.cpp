@@ -66,8 +66,11 @@ void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
 
 vk::Format FormatOf(const Inputs::Texture& texture) {
   using enum vk::Format;
-  constexpr vk::Format kFormats[] = {eR32G32B32A32Sfloat, eR32G32B32A32Sint, eR32G32B32A32Uint};
-  return kFormats[static_cast<int>(texture.kind)];
+  constexpr vk::Format kFormats[][3] = {
+      {eR32Sfloat, eR32Sint, eR32Uint},
+      {eR32G32Sfloat, eR32G32Sint, eR32G32Uint},
+      {eR32G32B32A32Sfloat, eR32G32B32A32Sint, eR32G32B32A32Uint}};
+  return kFormats[texture.components / 2][static_cast<int>(texture.kind)];
 }
 
 Image UploadImage(const Device& device, const Inputs::Texture& texture) {
@@ -79,13 +82,14 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   const std::uint32_t layers = LayersOf(form, texture.levels.at(0));
   const bool is_cube =
       form.view == vk::ImageViewType::eCube || form.view == vk::ImageViewType::eCubeArray;
-  Image made =
-      NewImage(device,
-               {is_cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(),
-                form.type, FormatOf(texture), ExtentOf(form, texture.levels[0]), levels, layers,
-                vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst},
-               form.view);
+  Image made = NewImage(
+      device,
+      {is_cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(), form.type,
+       FormatOf(texture), ExtentOf(form, texture.levels[0]), levels, layers,
+       vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+       (texture.is_image ? vk::ImageUsageFlagBits::eStorage : vk::ImageUsageFlagBits::eSampled) |
+           vk::ImageUsageFlagBits::eTransferDst},
+      form.view);
 
   Bytes bytes;
   std::vector<vk::BufferImageCopy> copies;
@@ -102,8 +106,9 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
                vk::ImageLayout::eTransferDstOptimal);
     commands.copyBufferToImage(*staging.buffer, *made.image, vk::ImageLayout::eTransferDstOptimal,
                                copies);
-    Transition(commands, made, all, vk::ImageLayout::eTransferDstOptimal,
-               vk::ImageLayout::eShaderReadOnlyOptimal);
+    Transition(
+        commands, made, all, vk::ImageLayout::eTransferDstOptimal,
+        texture.is_image ? vk::ImageLayout::eGeneral : vk::ImageLayout::eShaderReadOnlyOptimal);
   });
   return made;
 }

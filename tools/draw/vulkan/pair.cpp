@@ -31,7 +31,9 @@ void AddBinding(const Reads::Binding& read, DrawCall& call) {
     case DescriptorKind::kTextureWithSampler: descriptor.texture = PairTexture(seed); return;
     case DescriptorKind::kSampler: return;
     case DescriptorKind::kStorage:
-    case DescriptorKind::kTexels: break;
+    case DescriptorKind::kTexels:
+    case DescriptorKind::kImage:
+    case DescriptorKind::kImageTexels: break;
   }
   throw DrawError("`" + read.name + "` is a buffer, which no pair is drawn with");
 }

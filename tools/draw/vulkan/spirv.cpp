@@ -108,7 +108,8 @@ Reads ReflectReads(const Compiler& compiler) {
       if (kind == DescriptorKind::kUniforms)
         binding.bytes = compiler.get_declared_struct_size(compiler.get_type(resource.base_type_id));
       if (type.basetype != SPIRType::Struct && type.image.dim == spv::DimBuffer)
-        binding.kind = DescriptorKind::kTexels;
+        binding.kind =
+            kind == DescriptorKind::kImage ? DescriptorKind::kImageTexels : DescriptorKind::kTexels;
     }
   };
   add(resources.uniform_buffers, DescriptorKind::kUniforms);
@@ -116,7 +117,7 @@ Reads ReflectReads(const Compiler& compiler) {
   add(resources.sampled_images, DescriptorKind::kTextureWithSampler);
   add(resources.separate_images, DescriptorKind::kTexture);
   add(resources.separate_samplers, DescriptorKind::kSampler);
-  add(resources.storage_images, DescriptorKind::kTexture);
+  add(resources.storage_images, DescriptorKind::kImage);
   for (const Resource& resource : resources.stage_inputs) {
     const SPIRType& type = compiler.get_type(resource.type_id);
     reads.attributes.push_back(

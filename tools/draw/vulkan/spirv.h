@@ -40,7 +40,16 @@ Stage StageOf(const Spirv& spirv);
 // The name of the shader's entry point.
 std::string EntryPointOf(const Spirv& spirv);
 
-enum class DescriptorKind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };
+enum class DescriptorKind {
+  kUniforms,
+  kStorage,
+  kTexture,
+  kSampler,
+  kTextureWithSampler,
+  kTexels,
+  kImage,
+  kImageTexels,
+};
 
 // The variables that the shader reads.
 struct Reads {
