@@ -39,7 +39,8 @@ class TargetCheck : ExpressionCheck {
                         target.Has(Feature::kUniformBlocks) && blocks != BlockStyle::kFlat,
                         diagnostics),
         blocks_(blocks),
-        reached_(Reach(program)) {}
+        reached_(Reach(program)),
+        images_(UsesOfImages(program, reached_, target)) {}
 
   void Run() {
     for (const IoVar& input : program_.inputs) Input(input);
@@ -208,7 +209,7 @@ class TargetCheck : ExpressionCheck {
       return Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
     if (info.category == ObjectCategory::kTypedBuffer)
       Check(NeedOf(ObjectKind::kBuffer), var.span, var.name);
-    const std::string problem = ImageProblem(program_, reached_, target_, resource);
+    const std::string problem = ImageProblem(program_, images_, target_, resource);
     if (!problem.empty())
       Lack(Feature::kImageFormats, var.span, diag::TargetImageFormat, var.name, problem);
   }
@@ -354,6 +355,7 @@ class TargetCheck : ExpressionCheck {
 
   const BlockStyle blocks_;
   const Reached reached_;
+  const std::vector<ImageUse> images_;
   const bool looks_at_expressions_ = MayReport();
 };
 

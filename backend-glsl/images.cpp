@@ -19,23 +19,6 @@ constexpr std::string_view kReadWrite[] = {"r32f", "r32i", "r32ui"};
 constexpr std::string_view kOneWay[] = {"rgba32f", "rgba16f", "rgba8",    "rgba8_snorm", "rgba32i",
                                         "rgba16i", "rgba8i",  "rgba32ui", "rgba16ui",    "rgba8ui"};
 
-struct Use {
-  bool reads = false, writes = false;
-};
-
-Use UseOf(const Program& program, const Reached& reached, VarId image) {
-  Use use;
-  for (const FunctionId function : reached.functions) {
-    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
-      const auto* call = As<ObjectCall>(program, expr);
-      if (!call || RootOf(program, program.expr_lists[call->arguments][0]) != image) return;
-      use.reads |= call->op == ObjectOp::kImageLoad || IsAtomic(call->op);
-      use.writes |= WritesObject(call->op);
-    });
-  }
-  return use;
-}
-
 bool IsIn(std::span<const std::string_view> formats, std::string_view format) {
   return std::ranges::find(formats, format) != formats.end();
 }
@@ -58,20 +41,41 @@ std::string ImageFormat(const Program& program, const Resource& resource) {
                                             : "f");
 }
 
-std::string_view ImageAccess(const Program& program, const Reached& reached, const Target& target,
-                             const Resource& resource) {
-  if (target.Has(Feature::kImageFormats) || IsIn(kReadWrite, ImageFormat(program, resource)))
-    return "";
-  return UseOf(program, reached, resource.var).writes ? "writeonly " : "readonly ";
+std::vector<ImageUse> UsesOfImages(const Program& program, const Reached& reached,
+                                   const Target& target) {
+  std::vector<ImageUse> uses;
+  const bool has_images = std::ranges::any_of(program.resources, [&](const Resource& resource) {
+    const TypeId object = program.types.Innermost(program.vars[resource.var].type);
+    return IsImage(program.types[object].object);
+  });
+  if (!has_images || target.Has(Feature::kImageFormats)) return uses;
+  uses.resize(program.vars.size());
+  for (const FunctionId function : reached.functions) {
+    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
+      const auto* call = As<ObjectCall>(program, expr);
+      const VarId object = call ? RootOf(program, program.expr_lists[call->arguments][0]) : VarId{};
+      if (!object) return;
+      uses[object.index].reads |= call->op == ObjectOp::kImageLoad || IsAtomic(call->op);
+      uses[object.index].writes |= WritesObject(call->op);
+    });
+  }
+  return uses;
 }
 
-std::string ImageProblem(const Program& program, const Reached& reached, const Target& target,
-                         const Resource& resource) {
+std::string_view ImageAccess(const Program& program, std::span<const ImageUse> uses,
+                             const Target& target, const Resource& resource) {
+  if (target.Has(Feature::kImageFormats) || IsIn(kReadWrite, ImageFormat(program, resource)))
+    return "";
+  return uses[resource.var.index].writes ? "writeonly " : "readonly ";
+}
+
+std::string ImageProblem(const Program& program, std::span<const ImageUse> uses,
+                         const Target& target, const Resource& resource) {
   if (target.Has(Feature::kImageFormats)) return "";
   const std::string format = ImageFormat(program, resource);
   if (IsIn(kReadWrite, format)) return "";
   if (!IsIn(kOneWay, format)) return fmt::format("has the format `{}`", format);
-  const Use use = UseOf(program, reached, resource.var);
+  const ImageUse use = uses[resource.var.index];
   if (!use.reads || !use.writes) return "";
   return fmt::format("is read and written with the format `{}`, not one component of 32 bits",
                      format);

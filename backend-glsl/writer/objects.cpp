@@ -189,7 +189,7 @@ class ObjectWriter {
       context_.Require(Feature::kTextureBuffers);
     Append(text_, LayoutText({place, ImageFormat(context_.program, resource)}),
            context_[resource.var].coherent ? "coherent " : "",
-           ImageAccess(context_.program, context_.reached, context_.target, resource),
+           ImageAccess(context_.program, images_used_, context_.target, resource),
            context_.target.IsEs() ? "uniform highp " : "uniform ", PrefixOf(context_, type),
            "image", Dimension(type.object), " ", info.name, Dimensions(context_, resource.var),
            ";  // ", RegisterText(resource.reg), "\n");
@@ -218,6 +218,8 @@ class ObjectWriter {
       .end = context_.target.TextureUnits(),
       .base = InfoOf(context_.program.stage).draws_pixels ? context_.target.PixelBase() : 0};
   Bindings buffers_, images_;
+  const std::vector<ImageUse> images_used_ =
+      UsesOfImages(context_.program, context_.reached, context_.target);
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ OBJECTS = """Texture2D t; Texture2DMS<float4> ms; Texture2DArray<float4> layers;
 SamplerComparisonState shadow; sampler2D old;
 RWStructuredBuffer<uint> counted : register(u1); RWStructuredBuffer<uint> down : register(u2);
 AppendStructuredBuffer<float3> added : register(u3); ConsumeStructuredBuffer<float4> taken : register(u4);
+struct Row { float4 v; float4x4 m; }; RWStructuredBuffer<Row> rows : register(u7);
 RWByteAddressBuffer bytes : register(u5); RWTexture2D<float4> image : register(u6);
 """
 
@@ -55,6 +56,10 @@ CONSTRUCTS = {
     "decrement": ("r += down.DecrementCounter();", ""),
     "atomics": ("bytes.InterlockedAdd(4 * {i}, n, m); r += m;", ""),
     "stores": ("bytes.Store2({i} * 8, asuint(r.xy)); image[int2({i}, 0)] = r;", ""),
+    "stores-of-components": (
+        "rows[{i}].v.xz = r.xy; rows[{i}].v[n] = r.x; rows[{i}].m._m00_m11 += r.zw;",
+        "",
+    ),
     "store-of-part": ("image[int2({i}, 0)].xz = r.xy;", ""),
     "vertices": ("r += GetAttributeAtVertex(flat, {i} % 3);", ""),
     "centroids": ("r.xy += EvaluateAttributeCentroid(uv) * {i};", ""),
