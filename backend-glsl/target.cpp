@@ -226,10 +226,13 @@ Support Target::Of(Feature feature) const {
     return {true, "GL_EXT_fragment_shader_barycentric"};
   if (feature == Feature::kSampleCount && IsVulkan()) return {};
   if (api_ == Api::kWebGL && version_ >= 300) {
-    // Browsers have two of the extensions of ES 3.00, WEBGL_clip_cull_distance and OVR_multiview2.
+    // Of the extensions of ES 3.00, browsers have WEBGL_clip_cull_distance, OVR_multiview2 and
+    // WEBGL_blend_func_extended.
     if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)
       return {true, "GL_ANGLE_clip_cull_distance"};
-    if (feature == Feature::kPerSample) return {};
+    constexpr Feature kNoBrowserHas[] = {Feature::kPerSample, Feature::kSampleVariables,
+                                         Feature::kSampleCount, Feature::kInterpolants};
+    if (std::ranges::find(kNoBrowserHas, feature) != std::end(kNoBrowserHas)) return {};
   }
   // Vulkan's GLSL has what OpenGL 4.6 has, where both have it.
   const FeatureRow& row = kFeatures[static_cast<std::size_t>(feature)];

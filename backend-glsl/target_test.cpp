@@ -50,6 +50,9 @@ TEST(TargetTest, VersionGates) {
   EXPECT_EQ(Of("webgl2").Of(Feature::kClipDistance).extension, "GL_ANGLE_clip_cull_distance");
   EXPECT_FALSE(Of("webgl2").Has(Feature::kPerSample)) << "no extension of WebGL 2";
   EXPECT_FALSE(Of("webgl2").Has(Feature::kOutputBlocks)) << "nor this";
+  EXPECT_FALSE(Of("webgl2").Has(Feature::kSampleVariables)) << "nor gl_SampleID";
+  EXPECT_TRUE(Of("essl300").Has(Feature::kSampleVariables));
+  EXPECT_FALSE(Of("webgl2").Has(Feature::kInterpolants));
   EXPECT_TRUE(Of("glsl130").Has(Feature::kClipVertex));
   for (const Feature feature :
        {Feature::kFreeLoops, Feature::kFreeIndices, Feature::kArrayValues, Feature::kFullMatrices,

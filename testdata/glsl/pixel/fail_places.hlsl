@@ -5,6 +5,7 @@
 // RUN: not %clipc -T ps_6_4 --target=vulkan -E vertices %s -o - 2>&1 | FileCheck %s --check-prefix=VERTICES
 // RUN: not %clipc -T ps_6_4 --target=glsl430 -E vertex %s -o - 2>&1 | FileCheck %s --check-prefix=VERTEX
 // RUN: not %clipc -T ps_6_4 --target=essl320 -E inner %s -o - 2>&1 | FileCheck %s --check-prefix=INNER
+// RUN: not %clipc -T ps_6_4 --target=webgl2 -E samples %s -o - 2>&1 | FileCheck %s --check-prefix=WEB
 float4 main(float4 a : A, float3 weights : SV_Barycentrics, uint s : SV_SampleIndex) : SV_Target {
   return EvaluateAttributeCentroid(a) + weights.x + s;
 }
@@ -36,3 +37,8 @@ float4 vertices(nointerpolation float4 a : A, float4 b : B) : SV_Target {
 float4 vertex(nointerpolation float4 a : A) : SV_Target { return GetAttributeAtVertex(a, 0); }
 // VERTEX: error: `GetAttributeAtVertex` reads an input at another place of the pixel; target `glsl430` has no function for that [target-interpolant]
 // VERTEX: note: target `glsl450` can
+
+// No browser has OES_sample_variables.
+// WEB: error: `SV_SampleIndex` is an input or output that target `webgl2` lacks [target-pixel-value]
+// WEB: note: target `glsl400` can
+float4 samples(uint number : SV_SampleIndex) : SV_Target { return number; }
