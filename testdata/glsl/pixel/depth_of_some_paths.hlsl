@@ -1,4 +1,5 @@
-// A path that does not write the depth has the primitive's; GLSL leaves gl_FragDepth undefined there.
+// A path of main that does not write the depth has the primitive's; GLSL leaves gl_FragDepth undefined there. (One of a function of its own,
+// which an entry with several returns becomes, leaves it undefined as HLSL does.)
 // RUN: %clipc %s -T ps_5_0 -E some -w --validate -o - | FileCheck %s
 // RUN: %clipc %s -T ps_5_0 -E some -w --target=essl100 --validate -o - | FileCheck %s --check-prefix=OLD
 // RUN: %clipc %s -T ps_5_0 -E every --validate -o - | FileCheck %s --check-prefix=EVERY --implicit-check-not=gl_FragCoord.z
