@@ -317,11 +317,7 @@ class TargetCheck : ExpressionCheck {
     std::string_view why;
   };
   std::vector<RefusedLoop> FindLoops(StmtId body) {
-    // An array of rows is read by a function, whose parameter is not a constant.
-    bool has_indices = blocks_ == BlockStyle::kFlat;
-    for (const CbufferId id : program_.cbuffers.ids())
-      has_indices |= program_.cbuffers[id].declared && program_.cbuffers[id].declared->is_loose;
-    if (has_indices) loop_indices_.resize(program_.vars.size());
+    loop_indices_.resize(program_.vars.size());
     std::vector<RefusedLoop> refused;
     const CountedLoops loops(program_, body);
     ForEachStmt(program_, body, [&](StmtId stmt) {
@@ -329,7 +325,7 @@ class TargetCheck : ExpressionCheck {
       const std::string_view why = loops.WhyNot(stmt, loop);
       if (!why.empty())
         refused.push_back({program_.stmts[stmt].span, why});
-      else if (has_indices && loop.counter)
+      else if (loop.counter)
         loop_indices_[loop.counter.index] = 1;
     });
     return refused;

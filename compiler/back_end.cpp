@@ -64,13 +64,11 @@ LowerOptions OptionsOf(const Job& job, ir::VarId position_input, std::string& du
 }
 
 // Runs all passes, unless one stops them or the target cannot express the program.
-Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerOptions& options,
-                         bool is_alone) {
+Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerOptions& options) {
   const ClipDistances distances = ClipDistancesOf(typed);
   Lowered lowered = Lower(std::move(typed), options);
   if (!lowered.is_complete) return lowered;
   ReportLeftOut(distances, lowered.program, job.diagnostics);
-  if (is_alone) LoosenIndexedBlocks(lowered);
   CheckTarget(lowered, job.request.style.blocks, job.diagnostics);
   CheckBufferLayout(lowered.program, job.request.style.layout, job.diagnostics);
   if (!job.diagnostics.has_errors()) Legalize(lowered, options.passes);
@@ -100,8 +98,8 @@ Lowered LowerPixel(const PixelHalf& half, Lowering lowering, std::size_t planes,
     if (is_first && planes > 0) CheckDiscards(half.typed, half.job.diagnostics);
   }
   if (!is_first) options.passes.after_pass = {};
-  Lowered lowered = is_first ? LowerAndLegalize(half.job, half.typed, options, false)
-                             : LowerAgain(half.typed, options);
+  Lowered lowered =
+      is_first ? LowerAndLegalize(half.job, half.typed, options) : LowerAgain(half.typed, options);
   NameInputs(lowered.program, half.job.plan.write.names);
   return lowered;
 }
@@ -301,7 +299,7 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
   const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
   LowerOptions options = OptionsOf(job, position_input, result.dump);
   options.passes.drops_unneeded = half && typed.outputs.size() < outputs_written;
-  LoweredProgram lowered{LowerAndLegalize(job, std::move(typed), options, !half), std::move(pixel)};
+  LoweredProgram lowered{LowerAndLegalize(job, std::move(typed), options), std::move(pixel)};
   if (job.diagnostics.has_errors() || job.IsStopped()) return;
   if (!lowered.shader.is_complete) {
     if (job.request.debug.dump_after.empty()) result.dump = ir::Print(lowered.shader.program);

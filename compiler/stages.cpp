@@ -5,7 +5,6 @@
 
 #include "backend-glsl/check_target.h"
 #include "backend-glsl/legalize/legalize.h"
-#include "backend-glsl/loosen_blocks.h"
 #include "frontend/parse/parse.h"
 
 namespace clipc {
@@ -51,10 +50,6 @@ std::vector<std::string_view> LowerPasses() {
 
 void Legalize(Lowered& lowered, const ir::PassOptions& options) {
   lowered.is_complete = glsl::Legalize(lowered.program, lowered.target, options);
-}
-
-void LoosenIndexedBlocks(Lowered& lowered) {
-  glsl::LoosenIndexedBlocks(lowered.program, lowered.target);
 }
 
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics) {

@@ -60,11 +60,6 @@ Lowered Lower(ir::Program program, const LowerOptions& options);
 // `after_pass` know.
 std::vector<std::string_view> LowerPasses();
 
-// Makes uniform variables of buffers that the target could not index otherwise:
-// backend-glsl/loosen_blocks.h. For a shader alone, before CheckTarget: the shaders of a pair
-// declare a buffer alike.
-void LoosenIndexedBlocks(Lowered& lowered);
-
 // Reports the parts of the program that the target cannot express. Without errors, Write succeeds,
 // also for the same shader with fewer clip planes: LowerClipPlanes only adds to the shader.
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics);

@@ -253,7 +253,8 @@ class BlockWriter {
   }
 
   // Writes the function that reads the member at this offset, or one element of an array, from rows
-  // that begin at `begin`.
+  // that begin at `begin`. It is a macro where the target accepts only constants and the indices of
+  // loops as indices, which a parameter is not.
   void Accessor(VarId member, std::uint32_t offset, std::uint32_t begin, const Memory& memory,
                 bool is_buffer_array) {
     const Var& var = context_[member];
@@ -261,11 +262,19 @@ class BlockWriter {
     const bool is_array = type.kind == TypeKind::kArray;
     const TypeId result = is_array ? type.element : var.type;
     Address address{"", offset - begin};
+    const bool is_macro = is_array && InfoOf(context_.program.stage).draws_pixels &&
+                          !context_.Has(Feature::kFreeIndices);
     const std::string index = Fresh(context_, "i");
     if (is_array && !is_buffer_array) {
-      address.dynamic = Scaled(ArrayStride(context_.types, var.type, var.row_major) / kRow, index);
+      address.dynamic = Scaled(ArrayStride(context_.types, var.type, var.row_major) / kRow,
+                               is_macro ? Concat("(", index, ")") : index);
     }
     const std::string value = Load(context_, memory, result, var.row_major, address);
+    if (is_macro && context_.reached.Has(member)) {
+      context_.helpers += fmt::format("// offset {}\n#define {}({}) ({})\n\n", offset,
+                                      context_.NameOf(member), index, value);
+      return;
+    }
     Function(member, result, is_array ? "int " + index : "", offset, value);
   }
 

@@ -23,7 +23,7 @@ void LimitIterations(Context& context, const ast::Attr& unroll) {
   if (counted && rules::EndsWithin(program, *counted, *limit).value_or(false)) return;
   Builder at = context.At(unroll.span);
   const TypeId integer = program.types.Make(Scalar::kInt);
-  const VarId iterations = at.Local("turns", integer);
+  const VarId iterations = at.Local("iterations", integer);
   context.stmts.insert(context.stmts.end() - 1, at.Stmt(Declare{iterations, at.Int(0)}));
   const auto limited = [&](ExprId count, ExprId condition) {
     const ExprId may =

@@ -78,7 +78,6 @@ Shader CheckedShader::BuildFor(const std::string& target) const {
   shader.typed = state_->typed;
   Lowered lowered = Lower(shader.typed, lower_options);
   Diagnostics diagnostics;
-  LoosenIndexedBlocks(lowered);
   CheckTarget(lowered, {}, diagnostics);
   if (diagnostics.has_errors())
     throw NotForTarget("not for this target\n" +

@@ -5,7 +5,6 @@
 // RUN: not %clipc -T ps_5_0 -E planes %s -o - 2>&1 | FileCheck %s --check-prefix=PLANES
 // RUN: not %clipc -T ps_5_0 -E dual %s -o - 2>&1 | FileCheck %s --check-prefix=DUAL
 // RUN: not %clipc -T ps_5_0 -E indexed --target=essl100 %s -o - 2>&1 | FileCheck %s --check-prefix=INDEXED
-// RUN: not %clipc -T vs_5_0 -E vertex --pixel-entry=looped --pixel-output=%t.frag --target=essl100 %s -o %t.vert 2>&1 | FileCheck %s --check-prefix=LOOPED
 // RUN: not %clipc -T ps_5_0 -E good --lower=discard --plane-space=xyw1 --invariant --pixel-shader=%s %s -o - 2>&1 | FileCheck %s --check-prefix=OPTIONS
 cbuffer C { float4 plane; float4 colors[4]; };
 
@@ -31,16 +30,7 @@ Dual dual() { return (Dual)0; }
 // DUAL: error: location 0 of `dual.b` is that of `dual.a` too [location-twice]
 
 float4 indexed(float2 uv : UV) : SV_Target { return colors[int(uv.x)]; }
-// INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms, and with `--blocks=flat` those of loops [target-uniform-index]
-
-// A pair declares a buffer alike in both shaders; a pixel shader alone is loop_indices.hlsl.
-float4 vertex(float4 p : POSITION) : SV_Position { return p * colors[0]; }
-float4 looped() : SV_Target {
-  float4 sum = 0;
-  for (int i = 0; i < 4; ++i) sum += colors[i];
-  return sum;
-}
-// LOOPED: error: the index of `colors` is not constant; a fragment shader of target `essl100` accepts only constant indices of uniforms, and with `--blocks=flat` those of loops [target-uniform-index]
+// INDEXED: error: the index of `colors` is not constant; a fragment shader of target `essl100` indexes uniforms by constants and by the indices of loops only [target-uniform-index]
 
 float4 good() : SV_Target { return 0; }
 // OPTIONS-DAG: error: `--pixel-shader` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]
