@@ -27,7 +27,12 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     if (cbuffer.kind == ir::CbufferKind::kGlobals) globals_ = &cbuffer.reg;
   }
   for (const ir::Resource& resource : program.resources) {
-    if (reached.Has(resource.var)) all.push_back(&resource.reg);
+    if (!reached.Has(resource.var)) continue;
+    all.push_back(&resource.reg);
+    const ir::TypeId type = program.types.Innermost(program.vars[resource.var].type);
+    const ir::ObjectKind kind = program.types[type].object;
+    if (IsImage(kind)) kinds_.emplace(&resource.reg, kImages);
+    if (IsStorageBuffer(kind)) kinds_.emplace(&resource.reg, kStorageBlocks);
   }
   RenumberSpaces(all, other);
   const bool bound_by_option = target.bindings.globals.has_value();
@@ -124,8 +129,11 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
                               : far != renumbered_.end() ? far->second
                               : reg.space == 0           ? plain_set_
                                                          : reg.space;
+  const auto kind = kinds_.find(&reg);
+  const char kind_letter = kind == kinds_.end() ? reg.letter : kind->second;
   for (const BindingRule& rule : rules_ | std::views::reverse) {
-    if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||
+    if ((rule.letter != reg.letter && rule.letter != kind_letter) ||
+        rule.number.value_or(reg.number) != reg.number ||
         rule.space.value_or(reg.space) != reg.space)
       continue;
     return {rule.binding + (rule.number ? 0 : reg.number + pixel_base_),

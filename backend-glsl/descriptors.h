@@ -55,7 +55,8 @@ class Descriptors {
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;
-  std::vector<BindingRule> rules_;  // those of the target that are for this stage
+  std::vector<BindingRule> rules_;             // those of the target that are for this stage
+  std::map<const ir::Register*, char> kinds_;  // kImages, kStorageBlocks
   const std::uint32_t pixel_sets_, pixel_base_, plain_set_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;

@@ -133,6 +133,9 @@ struct Support {
   std::string_view extension = {};
 };
 
+// The letters of rules for kinds of GLSL's objects, of any register: RWTexture2D, RWBuffer and the
+// like; structured and byte address buffers, RW or not.
+inline constexpr char kImages = 'I', kStorageBlocks = 'B';
 // The binding in Vulkan of registers of one letter: of all, of those of one space, or of one
 // register.
 struct BindingRule {

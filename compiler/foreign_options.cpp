@@ -146,10 +146,12 @@ void SetLanguage(Reading& reading, const std::string& value) {
   if (!value.empty()) reading.command.inputs.push_back(value);
 }
 
-// Reads the bases of bindings of images and storage blocks, which are kinds of GLSL and not of
-// HLSL.
-void SetKindBase(Reading& reading, const std::string&) {
-  reading.kind_bases.push_back(reading.option);
+// Reads what is added to the bindings of images or storage blocks, which are kinds of GLSL and not
+// of HLSL.
+template <char kKind>
+void ShiftKind(Reading& reading, const std::string& value) {
+  reading.kind_shifts.push_back(reading.option);
+  Bind<AddKindShift<kKind>>(reading, value);
 }
 
 // Reads glslc's -std=450core, which is about GLSL that it reads.
@@ -200,9 +202,10 @@ constexpr Option kForeignOptions[] = {
     {"-fsampler-binding-base", kNumbers, Bind<AddKindShift<'s'>>, nullptr, kKindShift},
     {"-ftexture-binding-base", kNumbers, Bind<AddKindShift<'t'>>, nullptr, kKindShift},
     {"-fuav-binding-base", kNumbers, Bind<AddKindShift<'u'>>, nullptr, kKindShift},
-    {"--shift-image-binding --sib --shift-ssbo-binding --sbb -fimage-binding-base "
-     "-fssbo-binding-base",
-     kNumbers, SetKindBase},
+    {"--shift-image-binding --sib -fimage-binding-base", kNumbers, ShiftKind<glsl::kImages>,
+     nullptr, kKindShift},
+    {"--shift-ssbo-binding --sbb -fssbo-binding-base", kNumbers, ShiftKind<glsl::kStorageBlocks>,
+     nullptr, kKindShift},
     {"--resource-set-binding --rsb -fresource-set-binding", kRegisters, Bind<AddRegisters>, nullptr,
      kRegisterSets},
     {"--auto-sampled-textures -fauto-combined-image-sampler", kFlag, Set<&Reading::joins_samplers>},
@@ -325,6 +328,11 @@ constexpr Option kForeignOptions[] = {
     {"-opt-", kJoined, Refuse, nullptr, "clipc leaves optimisation to the driver"},
     {"-output -Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
     {"-fspv-print-all", kFlag, Refuse, nullptr, "`--dump-after` prints the program after a pass"},
+    {"-fspv-use-vulkan-memory-model", kFlag, Refuse, nullptr,
+     "the memory model is GLSL450, where `globallycoherent` is `coherent`; for the other one run "
+     "`clipc --target=hlsl` before dxc"},
+    {"-fspv-enable-maximal-reconvergence", kFlag, Refuse, nullptr,
+     "glslang writes no such mode; run `clipc --target=hlsl` before dxc"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
     {"-fvk-bind-resource-heap -fvk-bind-sampler-heap -fvk-bind-counter-heap", kTwo, Refuse, nullptr,
      "GLSL has no objects without a declaration; declare arrays of them with registers"},

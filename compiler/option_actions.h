@@ -62,6 +62,12 @@ void Choose(Reading& reading, const std::string& value) {
       fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
 }
 
+// The option and its value as the user wrote them, in one argument or in several.
+inline std::string AsWritten(const Reading& reading, const std::string& value) {
+  const bool is_one = reading.argument.size() > reading.option.size();
+  return is_one ? reading.argument : reading.argument + " " + value;
+}
+
 // Reads a number from kLeast to kMost.
 template <auto kMember, unsigned kLeast, unsigned kMost>
 void SetNumber(Reading& reading, const std::string& value) {
@@ -70,7 +76,7 @@ void SetNumber(Reading& reading, const std::string& value) {
     MemberOf(reading, kMember) = number;
     return;
   }
-  reading.error = fmt::format("`{}{}`: it must be a number from {} to {}", reading.option, value,
+  reading.error = fmt::format("`{}`: it must be a number from {} to {}", AsWritten(reading, value),
                               kLeast, kMost);
 }
 
@@ -95,7 +101,7 @@ template <bool (*kRead)(glsl::BindingRules&, std::string_view), bool kIsForVulka
 void Bind(Reading& reading, const std::string& value) {
   if (kIsForVulkan) reading.vulkan_option = reading.option;
   if (!kRead(reading.bindings, value))
-    reading.error = fmt::format("`{} {}`: it takes {}", reading.option, value, reading.advice);
+    reading.error = fmt::format("`{}`: it takes {}", AsWritten(reading, value), reading.advice);
 }
 
 // Reads -E. The last one is the entry of GLSL; HLSL may have several.

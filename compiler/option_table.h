@@ -28,9 +28,9 @@ struct Reading {
   std::optional<bool> validate;        // --validate or --no-validate; none: neither
   std::optional<glsl::Target> target;  // none: the user names none
   glsl::BindingRules bindings;
-  bool joins_samplers = false;          // glslang's --auto-sampled-textures
-  bool maps_registers = false;          // glslang's --hlsl-iomap
-  std::vector<std::string> kind_bases;  // options for the bindings of images and storage blocks
+  bool joins_samplers = false;           // glslang's --auto-sampled-textures
+  bool maps_registers = false;           // glslang's --hlsl-iomap
+  std::vector<std::string> kind_shifts;  // options for the bindings of images and storage blocks
   bool writes_spirv = false, spirv_for_vulkan = true;
   std::string source_entry;          // glslang's --source-entrypoint
   bool names_profile = false;        // -T

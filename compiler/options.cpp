@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -228,14 +229,15 @@ void FinishStage(Reading& reading) {
 // Settles the options about bindings that depend on each other.
 void FinishBindings(Reading& reading) {
   glsl::BindingRules& bindings = reading.bindings;
-  for (const std::string& option : reading.kind_bases) {
-    if (reading.maps_registers) {
+  const auto is_of_kind = [](const glsl::BindingRule& rule) {
+    return rule.letter == glsl::kImages || rule.letter == glsl::kStorageBlocks;
+  };
+  // The kind of an object decides before its register, as in glslang, and never with --hlsl-iomap.
+  std::ranges::stable_partition(bindings.rules, std::not_fn(is_of_kind));
+  if (reading.maps_registers) {
+    std::erase_if(bindings.rules, is_of_kind);
+    for (const std::string& option : reading.kind_shifts)
       reading.without_effect.push_back({option, "under --hlsl-iomap the registers decide"});
-    } else {
-      reading.unknown.emplace_back(option,
-                                   "clipc shifts by register: `--shift-texture-binding` moves t, "
-                                   "`--shift-uav-binding` u");
-    }
   }
   if (reading.joins_samplers) JoinSamplers(bindings);
 }

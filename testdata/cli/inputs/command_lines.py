@@ -28,6 +28,9 @@ float4 unclipped(float4 p : POSITION) : SV_Position { return p; }
 float4 pixel(float4 p : SV_Position) : SV_Target { return p; }
 Texture2D image : register(t0);
 SamplerState linear_sampler : register(s0);
+StructuredBuffer<float4> rows : register(t1);
+RWTexture2D<float4> drawn : register(u0);
+float4 stored() : SV_Target { return drawn[uint2(0, 0)] = rows[0]; }
 float4 textured(float2 uv : TEXCOORD0) : SV_Target { return image.Sample(linear_sampler, uv); }
 """,
     "p.frag.hlsl": "float4 main(float2 uv : TEXCOORD0) : SV_Target { return uv.xyxy; }",
