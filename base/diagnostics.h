@@ -140,6 +140,9 @@ class Diagnostics {
     return Add(where, kind.id, fmt::format(kind.format, args...));
   }
 
+  // Adds a message of other Diagnostics as it is, whatever the options and the limits are.
+  void Add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
+
   // Reports what `other` has, in its order.
   void Append(const Diagnostics& other);
 

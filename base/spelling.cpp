@@ -24,6 +24,13 @@ bool EqualIgnoringCase(std::string_view a, std::string_view b) {
                     [](char x, char y) { return ToLower(x) == ToLower(y); });
 }
 
+std::string WithCount(std::uint64_t count, std::string_view what) {
+  std::string text = std::to_string(count) + " ";
+  text += what;
+  if (count != 1) text += 's';
+  return text;
+}
+
 int EditDistance(std::string_view a, std::string_view b, int limit) {
   if (std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size())) > limit) return limit + 1;
   const auto same = [&](std::size_t i, std::size_t j) { return ToLower(a[i]) == ToLower(b[j]); };

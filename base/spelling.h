@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@ constexpr char ToLower(char c) {
 std::string ToLower(std::string_view text);
 std::string ToUpper(std::string_view text);
 bool EqualIgnoringCase(std::string_view a, std::string_view b);
+
+// "1 element", "2 elements".
+std::string WithCount(std::uint64_t count, std::string_view what);
 
 // The number of letters to insert, delete, replace or swap with their neighbour that turn one name
 // into the other (optimal string alignment), without regard to case. Returns `limit + 1` if the

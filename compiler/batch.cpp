@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/path.h"
+#include "base/spelling.h"
 #include "base/system.h"
 #include "compiler/batch_errors.h"
 #include "compiler/batch_index.h"
@@ -399,8 +400,8 @@ void Batch::Summarise() {
       for (const auto& [kind, file] : entry.files) files.insert(file);
     }
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begin_;
-    printer_.Say(
-        fmt::format("{} compiled, {} files, {:.1f} s", jobs_.size(), files.size(), lasted.count()));
+    printer_.Say(fmt::format("{} compiled, {}, {:.1f} s", jobs_.size(),
+                             WithCount(files.size(), "file"), lasted.count()));
   }
   if (failed_ == 0) return;
   printer_.Say(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "frontend/rules/position_input.h"
 #include "passes/outputs.h"
 
@@ -45,7 +46,7 @@ ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& r
   if (planes.empty()) return {};
   if (request.lowering == Lowering::kNone) {
     diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesIgnored,
-                       planes.size(), planes.size() == 1 ? "" : "s");
+                       WithCount(planes.size(), "clip plane"));
   }
   if (request.lowering == Lowering::kNearPlane && planes.size() > 1) {
     diagnostics.Report(planes[1].span, diag::ClipPlanesForNearPlane, planes.size());

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "compiler/back_end.h"
+#include "compiler/collect_messages.h"
 #include "compiler/dump_tokens.h"
 #include "compiler/job.h"
 #include "compiler/known_texts.h"
@@ -176,36 +177,9 @@ CompileResult Run(const Job& job, const Job* pixel) {
   return result;
 }
 
-bool IsSame(const Message& a, const Message& b) {
-  return a.name == b.name && a.text == b.text && a.place.file == b.place.file &&
-         a.place.line == b.place.line && a.place.column == b.place.column;
-}
-
-// Adds the messages of a job to the result. What both shaders of a pair have in common is said
-// once, of the first.
-void AddMessages(const Job& job, CompileResult& result) {
-  const std::vector<Message> others = result.messages;
-  Diagnostics shown;
-  for (const Diagnostic& diagnostic : job.diagnostics.all()) {
-    Message message = ToMessage(diagnostic, job.source);
-    const bool is_known =
-        std::ranges::any_of(others, [&](const Message& other) { return IsSame(message, other); });
-    if (is_known) continue;
-    result.messages.push_back(std::move(message));
-    if (!others.empty())
-      shown.Report(diagnostic.span, diag::PlainNote, diagnostic.message) = diagnostic;
-  }
-  const OutputOptions& outputs = job.request.outputs;
-  const Diagnostics& said = others.empty() ? job.diagnostics : shown;
-  if (outputs.text && !said.all().empty())
-    result.text += job.source.RenderText(said, outputs.colour);
-  if (job.diagnostics.has_errors() && result.ok()) result.status = Status::kErrors;
-}
-
 // Adds the messages to the result of Run. After errors, the outputs are removed.
 CompileResult Deliver(CompileResult result, const Job& job, const Job* pixel) {
-  AddMessages(job, result);
-  if (pixel) AddMessages(*pixel, result);
+  CollectMessages(job, pixel, result);
   if (result.ok()) return result;
   result.shaders = {};
   result.variants.clear();

@@ -220,7 +220,7 @@ struct CompileResult {
   std::string listing;       // with `shaders`, on request: see OutputOptions::source_lines
   std::string preprocessed;  // HLSL, on request
   std::string dump;
-  std::vector<Message> messages;  // in the order of discovery
+  std::vector<Message> messages;  // in the order of the text: CollectMessages
   std::string text;               // the messages with their source lines, as a terminal shows them
   std::vector<std::string> dependencies;  // files read, each once, in the order first entered
   std::vector<Include> includes;          // every entry into an include file, in order

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/spelling.h"
 #include "base/system.h"
 #include "compiler/driver.h"
 #include "compiler/output_files.h"
@@ -16,11 +17,6 @@ namespace clipc {
 namespace {
 
 void PrintError(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
-// "1 error", "2 errors"; empty for 0.
-std::string Counted(std::size_t count, std::string_view what) {
-  return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 // The error of a run, as one whole text.
 std::string ErrorText(std::string_view what, MessageFormat format) {
@@ -94,9 +90,9 @@ std::string MessagePrinter::WriteFile(const std::vector<std::string>& read) cons
 
 int MessagePrinter::End(int code, const std::vector<std::string>& read) {
   if (format_ == MessageFormat::kText && file_.empty() && system::ErrorsAreOnTerminal()) {
-    std::string counts = Counted(error_count_, "error");
+    std::string counts = error_count_ ? WithCount(error_count_, "error") : "";
     if (error_count_ && warning_count_) counts += " and ";
-    counts += Counted(warning_count_, "warning");
+    if (warning_count_) counts += WithCount(warning_count_, "warning");
     if (!counts.empty()) Print(counts + " generated.\n");
   }
   if (!IsLines()) Print(Document());

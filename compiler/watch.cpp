@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/path.h"
+#include "base/spelling.h"
 #include "base/system.h"
 #include "compiler/batch.h"
 #include "compiler/show_messages.h"
@@ -155,8 +156,8 @@ int Watcher::Watch() {
     for (const Stamps& stamps : units_) {
       for (const auto& [path, stamp] : stamps) files.insert(path);
     }
-    printer.Say(
-        fmt::format("{}; watching {} files", code_ == 0 ? "compiled" : "failed", files.size()));
+    printer.Say(fmt::format("{}; watching {}", code_ == 0 ? "compiled" : "failed",
+                            WithCount(files.size(), "file")));
     do {
       if (system::WaitForInterrupt(kPoll)) return code_;
       due = Changed();

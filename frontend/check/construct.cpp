@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/value.h"
@@ -119,7 +120,8 @@ ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, S
     return ConvertExplicit(context.program, arguments[0], type, context);
   }
   if (given != needed) {
-    return context.Fail(span, diag::WrongComponentCount, context.TypeName(type), needed, given);
+    return context.Fail(span, diag::WrongComponentCount, context.TypeName(type),
+                        WithCount(needed, "component"), given);
   }
   for (ExprId& argument : arguments) {
     argument = Implicit(context, argument,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "base/spelling.h"
 #include "frontend/check/assign.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
@@ -126,7 +127,8 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   }
   if (!context.options.entry_call.empty() && arguments.size() != uniforms)
     context.Report(decl.name_span, diag::EntryArguments, context.options.entry_call,
-                   arguments.size(), context[decl.name], uniforms);
+                   WithCount(arguments.size(), "argument"), context[decl.name],
+                   WithCount(uniforms, "`uniform` parameter"));
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/index.h"
 
+#include "base/spelling.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/member.h"
@@ -64,7 +65,7 @@ bool CheckBounds(Context& context, ExprId base, ExprId index) {
   const auto value = EvaluateInteger(context.program, index);
   if (!value || (*value >= 0 && *value < bound)) return true;
   context.Report(context[index].span, diag::IndexOutOfBounds, *value, context.TypeName(base),
-                 bound);
+                 WithCount(bound, "element"));
   return false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/expr.h"
@@ -219,8 +220,8 @@ std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, Ty
   if (!total) return std::nullopt;
   const std::uint64_t each = std::max<std::uint64_t>(ComponentsOf(context, element), 1);
   if (*total == 0 || *total % each != 0 || *total / each > ~std::uint32_t{0}) {
-    context.Report(context[init].span, diag::InitialiserNotWhole, *total, context.TypeName(element),
-                   each);
+    context.Report(context[init].span, diag::InitialiserNotWhole, WithCount(*total, "component"),
+                   context.TypeName(element), each);
     return std::nullopt;
   }
   return static_cast<std::uint32_t>(*total / each);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
 #include "frontend/check/function.h"
 #include "frontend/check/struct.h"
 
@@ -98,11 +99,11 @@ void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overload
     return arguments.size() >= context[id].required &&
            arguments.size() <= context[id].parameters.size;
   });
-  Diagnostic& report =
-      count_fits || overloads.empty()
-          ? context.Report(span, diag::NoMatchingFunction, context[name],
-                           ArgumentTypes(context, arguments))
-          : context.Report(span, diag::WrongArgumentCount, context[name], arguments.size());
+  Diagnostic& report = count_fits || overloads.empty()
+                           ? context.Report(span, diag::NoMatchingFunction, context[name],
+                                            ArgumentTypes(context, arguments))
+                           : context.Report(span, diag::WrongArgumentCount, context[name],
+                                            WithCount(arguments.size(), "argument"));
   for (std::size_t i = 0; i < overloads.size() && i < kMaxNotes; ++i) {
     report.Note(DeclOf(context, context[overloads[i]]).name_span, diag::Candidate,
                 SignatureText(context, context[overloads[i]]));

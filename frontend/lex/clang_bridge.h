@@ -42,6 +42,7 @@ struct ClangText {
 
 Span SpanAt(const clang::SourceLocation& where);
 Place Resolve(const ClangText& text, Span span);
+std::vector<std::uint32_t> PlaceInText(const ClangText& text, Span span);
 // Makes `line` the line of text that holds the beginning of `span`; it may already be that line.
 void FindLine(const ClangText& text, Span span, TextLine& line);
 std::optional<TextRange> InMainText(const ClangText& text, Span span);

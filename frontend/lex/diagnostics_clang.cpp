@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Conversion of places and messages: the diagnostics of Clang's preprocessor become clipc's, and
 // Clang's printer draws clipc's.
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -191,6 +192,22 @@ Place Resolve(const ClangText& text, Span span) {
   const clang::PresumedLoc end = text.sources.getPresumedLoc(range.getEnd());
   if (begin.isInvalid() || end.isInvalid()) return {};
   return {begin.getFilename(), begin.getLine(), begin.getColumn(), end.getLine(), end.getColumn()};
+}
+
+std::vector<std::uint32_t> PlaceInText(const ClangText& text, Span span) {
+  std::vector<std::uint32_t> place;
+  if (!span) return place;
+  clang::FileID outermost;
+  for (SourceLocation at = FileRange(text, span).getBegin(); at.isValid();
+       at = text.sources.getIncludeLoc(outermost)) {
+    const auto [file, offset] = text.sources.getDecomposedLoc(at);
+    place.push_back(offset + 1);
+    outermost = file;
+  }
+  // -include and -D come before the main file.
+  if (outermost != text.sources.getMainFileID()) place.push_back(0);
+  std::ranges::reverse(place);
+  return place;
 }
 
 void FindLine(const ClangText& text, Span span, TextLine& line) {

@@ -471,6 +471,9 @@ Source::Source(FrontendContext& context, SourceInput input)
 Source::~Source() = default;
 
 Place Source::Resolve(Span span) const { return clipc::Resolve(state_->Text(), span); }
+std::vector<std::uint32_t> Source::PlaceInText(Span span) const {
+  return clipc::PlaceInText(state_->Text(), span);
+}
 std::string Source::RenderText(const Diagnostics& diagnostics, bool colour) const {
   return clipc::RenderText(state_->Text(), diagnostics, colour);
 }

@@ -124,6 +124,9 @@ class Source {
 
   // Returns the place of `span`, an empty one if the span is empty.
   Place Resolve(Span span) const;
+  // Where the preprocessor reads the beginning of `span`, as numbers that compare as the places do:
+  // in the main file, then in the includes around it, from outside. Empty if the span is.
+  std::vector<std::uint32_t> PlaceInText(Span span) const;
   // The diagnostics as Clang prints its own: include stack, message, source line, caret as wide as
   // the span, fix-its, macro backtrace. Notes follow their diagnostic. `colour` adds the escape
   // sequences of a terminal.

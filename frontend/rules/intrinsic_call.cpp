@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/spelling.h"
 #include "frontend/rules/reread.h"
 #include "ir/access.h"
 
@@ -11,8 +12,8 @@ namespace clipc::rules {
 namespace {
 
 std::string CountText(std::size_t least, std::size_t most) {
-  if (least == most) return std::to_string(least);
-  return std::to_string(least) + (most == least + 1 ? " or " : " to ") + std::to_string(most);
+  const std::string range = least == most ? "" : most == least + 1 ? " or " : " to ";
+  return (range.empty() ? "" : std::to_string(least) + range) + WithCount(most, "argument");
 }
 
 // The variable at the root of a path that may be assigned to; otherwise none. No component may be

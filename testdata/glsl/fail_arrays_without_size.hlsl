@@ -2,15 +2,15 @@
 // RUN: not %clipc -T vs_5_1 --target=glsl450 %s -o - 2>&1 | FileCheck %s
 // RUN: %clipc -T vs_5_1 --target=vulkan --validate %s -o %t.vert
 // AUTOUPDATE
+// CHECK: fail_arrays_without_size.hlsl:[[#@LINE+3]]:11: error: `maps` is an array without a size; target `glsl450` has no such arrays, `vulkan` has [target-array-without-size]
+// CHECK-NEXT:     [[#@LINE+2]] | Texture2D maps[] : register(t0, space1);
+// CHECK-NEXT:       |           ^~~~
 Texture2D maps[] : register(t0, space1);
 Texture2D few[4];
 struct Material { float4 color; };
-// CHECK: fail_arrays_without_size.hlsl:[[#@LINE+6]]:26: error: `materials` is an array without a size; target `glsl450` has no such arrays, `vulkan` has [target-array-without-size]
-// CHECK-NEXT:    [[#@LINE+5]] | ConstantBuffer<Material> materials[] : register(b0, space2);
+// CHECK-NEXT: fail_arrays_without_size.hlsl:[[#@LINE+3]]:26: error: `materials` is an array without a size; target `glsl450` has no such arrays, `vulkan` has [target-array-without-size]
+// CHECK-NEXT:    [[#@LINE+2]] | ConstantBuffer<Material> materials[] : register(b0, space2);
 // CHECK-NEXT:       |                          ^~~~~~~~~
-// CHECK-NEXT: fail_arrays_without_size.hlsl:[[#@LINE-6]]:11: error: `maps` is an array without a size; target `glsl450` has no such arrays, `vulkan` has [target-array-without-size]
-// CHECK-NEXT:     [[#@LINE-7]] | Texture2D maps[] : register(t0, space1);
-// CHECK-NEXT:       |           ^~~~
 ConstantBuffer<Material> materials[] : register(b0, space2);
 SamplerState state;
 

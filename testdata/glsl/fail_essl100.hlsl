@@ -10,6 +10,10 @@ float4 plane;
 // PLANES-NEXT: clipc: note: target `webgl2` can
 [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 #else
+// CHECK: fail_essl100.hlsl:[[#@LINE+4]]:19: error: `volume` is a three-dimensional texture; target `essl100` has none [target-texture3-d]
+// CHECK-NEXT:    [[#@LINE+3]] | Texture3D<float4> volume;
+// CHECK-NEXT:       |                   ^~~~~~
+// CHECK-NEXT: clipc: note: target `essl300` can
 Texture3D<float4> volume;
 Texture2D<float4> map;
 SamplerState s;
@@ -18,25 +22,21 @@ float4 many[300];
 
 struct Output {
   float4 position : SV_Position;
-  centroid float2 uv : TEXCOORD;
-};
-float4 Sum(float4 values[300]) { return values[0]; }
-
-// CHECK: fail_essl100.hlsl:[[#@LINE+15]]:50: error: the shader reads `SV_InstanceID`; target `essl100` has no such input; an attribute of the instance can have the number [target-instance-id]
-// CHECK-NEXT:    [[#@LINE+14]] | Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
-// CHECK-NEXT:       |                                                  ^~~~~~~~~~~~~
-// CHECK-NEXT: clipc: note: target `essl300` can
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-8]]:24: error: `TEXCOORD0` is interpolated at the centroid; target `essl100` cannot do that [target-centroid]
-// CHECK-NEXT:    [[#@LINE-9]] |   centroid float2 uv : TEXCOORD;
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+4]]:24: error: `TEXCOORD0` is interpolated at the centroid; target `essl100` cannot do that [target-centroid]
+// CHECK-NEXT:    [[#@LINE+3]] |   centroid float2 uv : TEXCOORD;
 // CHECK-NEXT:       |                        ^~~~~~~~
 // CHECK-NEXT: clipc: note: target `essl300` can
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-20]]:19: error: `volume` is a three-dimensional texture; target `essl100` has none [target-texture3-d]
-// CHECK-NEXT:    [[#@LINE-21]] | Texture3D<float4> volume;
+  centroid float2 uv : TEXCOORD;
+};
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:19: error: `values` has 300 elements; target `essl100` has no arrays of values but structs of at most 256 fields [target-long-array]
+// CHECK-NEXT:    [[#@LINE+2]] | float4 Sum(float4 values[300]) { return values[0]; }
 // CHECK-NEXT:       |                   ^~~~~~
+float4 Sum(float4 values[300]) { return values[0]; }
+
+// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+4]]:50: error: the shader reads `SV_InstanceID`; target `essl100` has no such input; an attribute of the instance can have the number [target-instance-id]
+// CHECK-NEXT:    [[#@LINE+3]] | Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
+// CHECK-NEXT:       |                                                  ^~~~~~~~~~~~~
 // CHECK-NEXT: clipc: note: target `essl300` can
-// CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-14]]:19: error: `values` has 300 elements; target `essl100` has no arrays of values but structs of at most 256 fields [target-long-array]
-// CHECK-NEXT:    [[#@LINE-15]] | float4 Sum(float4 values[300]) { return values[0]; }
-// CHECK-NEXT:       |                   ^~~~~~
 Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
   Output o;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+4]]:47: error: a texture is read at an offset; target `essl100` has no function for that [target-sample-offset]

@@ -3,34 +3,114 @@
 // RUN: not %clipc -T vs_5_1 --target=essl300 %s -o %t 2>&1 | FileCheck %s --check-prefix=ES300
 // RUN: not %clipc -T vs_5_1 --target=glsl330 %s -o %t 2>&1 | FileCheck %s --check-prefix=GL330
 // AUTOUPDATE
+// ES300: fail_features.hlsl:[[#@LINE+4]]:19: error: `line_map` is a one-dimensional texture; target `essl300` has none [target-texture1-d]
+// ES300-NEXT:     [[#@LINE+3]] | Texture1D<float4> line_map;
+// ES300-NEXT:       |                   ^~~~~~~~
+// ES300-NEXT: clipc: note: target `glsl120` can
 Texture1D<float4> line_map;
 Texture2D<float4> map;
+// GL120: fail_features.hlsl:[[#@LINE+4]]:17: error: `integers` holds integers; textures of target `glsl120` cannot [target-integer-texture]
+// GL120-NEXT:     [[#@LINE+3]] | Texture2D<int4> integers;
+// GL120-NEXT:       |                 ^~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
 Texture2D<int4> integers;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: `layers` is an array texture; target `glsl120` has none [target-texture-array]
+// GL120-NEXT:     [[#@LINE+3]] | Texture2DArray layers;
+// GL120-NEXT:       |                ^~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
 Texture2DArray layers;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:21: error: `samples` is a multisampled texture; target `glsl120` has none [target-multisample]
+// GL120-NEXT:    [[#@LINE+7]] | Texture2DMS<float4> samples;
+// GL120-NEXT:       |                     ^~~~~~~
+// GL120-NEXT: clipc: note: target `glsl150` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+4]]:21: error: `samples` is a multisampled texture; target `essl300` has none [target-multisample]
+// ES300-NEXT:    [[#@LINE+3]] | Texture2DMS<float4> samples;
+// ES300-NEXT:       |                     ^~~~~~~
+// ES300-NEXT: clipc: note: target `essl310` can
 Texture2DMS<float4> samples;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:18: error: `cubes` is an array of cube maps; target `glsl120` has none [target-cube-array]
+// GL120-NEXT:    [[#@LINE+7]] | TextureCubeArray cubes;
+// GL120-NEXT:       |                  ^~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+4]]:18: error: `cubes` is an array of cube maps; target `essl300` has none [target-cube-array]
+// ES300-NEXT:    [[#@LINE+3]] | TextureCubeArray cubes;
+// ES300-NEXT:       |                  ^~~~~
+// ES300-NEXT: clipc: note: target `essl310` can
 TextureCubeArray cubes;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:16: error: `typed` is a typed buffer; target `glsl120` has none [target-texture-buffer]
+// GL120-NEXT:    [[#@LINE+7]] | Buffer<float4> typed;
+// GL120-NEXT:       |                ^~~~~
+// GL120-NEXT: clipc: note: target `glsl140` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: `typed` is a typed buffer; target `essl300` has none [target-texture-buffer]
+// ES300-NEXT:    [[#@LINE+3]] | Buffer<float4> typed;
+// ES300-NEXT:       |                ^~~~~
+// ES300-NEXT: clipc: note: target `essl310` can
 Buffer<float4> typed;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:26: error: `structured` is a buffer of any layout; target `glsl120` has no storage buffers [target-storage-buffer]
+// GL120-NEXT:    [[#@LINE+11]] | StructuredBuffer<float4> structured;
+// GL120-NEXT:       |                          ^~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl430` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:26: error: `structured` is a buffer of any layout; target `essl300` has no storage buffers [target-storage-buffer]
+// ES300-NEXT:    [[#@LINE+7]] | StructuredBuffer<float4> structured;
+// ES300-NEXT:       |                          ^~~~~~~~~~
+// ES300-NEXT: clipc: note: target `essl310` can
+// GL330: fail_features.hlsl:[[#@LINE+4]]:26: error: `structured` is a buffer of any layout; target `glsl330` has no storage buffers [target-storage-buffer]
+// GL330-NEXT:    [[#@LINE+3]] | StructuredBuffer<float4> structured;
+// GL330-NEXT:       |                          ^~~~~~~~~~
+// GL330-NEXT: clipc: note: target `glsl430` can
 StructuredBuffer<float4> structured;
 SamplerState linear_clamp;
 SamplerComparisonState compare;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:11: error: `maps` is an array of arrays; target `glsl120` accepts textures in simple arrays only [target-object-arrays]
+// GL120-NEXT:    [[#@LINE+11]] | Texture2D maps[2][2];
+// GL120-NEXT:       |           ^~~~
+// GL120-NEXT: clipc: note: target `glsl430` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:11: error: `maps` is an array of arrays; target `essl300` accepts textures in simple arrays only [target-object-arrays]
+// ES300-NEXT:    [[#@LINE+7]] | Texture2D maps[2][2];
+// ES300-NEXT:       |           ^~~~
+// ES300-NEXT: clipc: note: target `essl310` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:11: error: `maps` is an array of arrays; target `glsl330` accepts textures in simple arrays only [target-object-arrays]
+// GL330-NEXT:    [[#@LINE+3]] | Texture2D maps[2][2];
+// GL330-NEXT:       |           ^~~~
+// GL330-NEXT: clipc: note: target `glsl430` can
 Texture2D maps[2][2];
 SamplerState samplers[2];
 uint mask;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:8: error: the shader computes in `double`; target `glsl120` has no such type [target-double]
+// GL120-NEXT:    [[#@LINE+7]] | double wide;
+// GL120-NEXT:       |        ^~~~
+// GL120-NEXT: clipc: note: target `glsl150` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+4]]:8: error: the shader computes in `double`; target `essl300` has no such type [target-double]
+// ES300-NEXT:    [[#@LINE+3]] | double wide;
+// ES300-NEXT:       |        ^~~~
+// ES300-NEXT: clipc: note: target `glsl150` can
 double wide;
 int choose;
 
 struct Result {
   float4 position : SV_Position;
-// ES300: fail_features.hlsl:[[#@LINE+8]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `essl300` cannot [target-layer]
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot [target-layer]
+// GL120-NEXT:    [[#@LINE+11]] |   uint layer : SV_RenderTargetArrayIndex;
+// GL120-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl410` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `essl300` cannot [target-layer]
 // ES300-NEXT:    [[#@LINE+7]] |   uint layer : SV_RenderTargetArrayIndex;
 // ES300-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
 // ES300-NEXT: clipc: note: target `glsl410` can
-// GL330: fail_features.hlsl:[[#@LINE+4]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl330` cannot [target-layer]
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl330` cannot [target-layer]
 // GL330-NEXT:    [[#@LINE+3]] |   uint layer : SV_RenderTargetArrayIndex;
 // GL330-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
 // GL330-NEXT: clipc: note: target `glsl410` can
   uint layer : SV_RenderTargetArrayIndex;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: `NUMBER0` is an integer output; outputs of target `glsl120` are floats [target-integer-varying]
+// GL120-NEXT:    [[#@LINE+3]] |   int number : NUMBER;
+// GL120-NEXT:       |                ^~~~~~
+// GL120-NEXT: clipc: note: target `glsl130` can
   int number : NUMBER;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl120` cannot be [target-double-varying]
+// GL120-NEXT:    [[#@LINE+11]] |   double precise_value : WIDE;
+// GL120-NEXT:       |                          ^~~~
+// GL120-NEXT: clipc: note: target `glsl410` can
 // ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `essl300` cannot be [target-double-varying]
 // ES300-NEXT:    [[#@LINE+7]] |   double precise_value : WIDE;
 // ES300-NEXT:       |                          ^~~~
@@ -40,124 +120,44 @@ struct Result {
 // GL330-NEXT:       |                          ^~~~
 // GL330-NEXT: clipc: note: target `glsl410` can
   double precise_value : WIDE;
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+32]]:27: error: `A0` is interpolated without perspective; target `essl300` cannot do that [target-no-perspective]
-// ES300-NEXT:    [[#@LINE+31]] |   noperspective float a : A;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:27: error: `A0` is interpolated without perspective; target `glsl120` cannot do that [target-no-perspective]
+// GL120-NEXT:    [[#@LINE+7]] |   noperspective float a : A;
+// GL120-NEXT:       |                           ^
+// GL120-NEXT: clipc: note: target `glsl130` can
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+4]]:27: error: `A0` is interpolated without perspective; target `essl300` cannot do that [target-no-perspective]
+// ES300-NEXT:    [[#@LINE+3]] |   noperspective float a : A;
 // ES300-NEXT:       |                           ^
 // ES300-NEXT: clipc: note: target `glsl130` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-28]]:8: error: the shader computes in `double`; target `essl300` has no such type [target-double]
-// ES300-NEXT:    [[#@LINE-29]] | double wide;
-// ES300-NEXT:       |        ^~~~
-// ES300-NEXT: clipc: note: target `glsl150` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-45]]:19: error: `line_map` is a one-dimensional texture; target `essl300` has none [target-texture1-d]
-// ES300-NEXT:     [[#@LINE-46]] | Texture1D<float4> line_map;
-// ES300-NEXT:       |                   ^~~~~~~~
-// ES300-NEXT: clipc: note: target `glsl120` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-45]]:21: error: `samples` is a multisampled texture; target `essl300` has none [target-multisample]
-// ES300-NEXT:    [[#@LINE-46]] | Texture2DMS<float4> samples;
-// ES300-NEXT:       |                     ^~~~~~~
-// ES300-NEXT: clipc: note: target `essl310` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-48]]:18: error: `cubes` is an array of cube maps; target `essl300` has none [target-cube-array]
-// ES300-NEXT:    [[#@LINE-49]] | TextureCubeArray cubes;
-// ES300-NEXT:       |                  ^~~~~
-// ES300-NEXT: clipc: note: target `essl310` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-51]]:16: error: `typed` is a typed buffer; target `essl300` has none [target-texture-buffer]
-// ES300-NEXT:    [[#@LINE-52]] | Buffer<float4> typed;
-// ES300-NEXT:       |                ^~~~~
-// ES300-NEXT: clipc: note: target `essl310` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-54]]:26: error: `structured` is a buffer of any layout; target `essl300` has no storage buffers [target-storage-buffer]
-// ES300-NEXT:    [[#@LINE-55]] | StructuredBuffer<float4> structured;
-// ES300-NEXT:       |                          ^~~~~~~~~~
-// ES300-NEXT: clipc: note: target `essl310` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE-55]]:11: error: `maps` is an array of arrays; target `essl300` accepts textures in simple arrays only [target-object-arrays]
-// ES300-NEXT:    [[#@LINE-56]] | Texture2D maps[2][2];
-// ES300-NEXT:       |           ^~~~
-// ES300-NEXT: clipc: note: target `essl310` can
   noperspective float a : A;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:29: error: `B0` is not interpolated; outputs of target `glsl120` always are [target-flat]
+// GL120-NEXT:    [[#@LINE+3]] |   nointerpolation float b : B;
+// GL120-NEXT:       |                             ^
+// GL120-NEXT: clipc: note: target `glsl130` can
   nointerpolation float b : B;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:20: error: `C0` is interpolated per sample; target `glsl120` cannot do that [target-per-sample]
+// GL120-NEXT:    [[#@LINE+7]] |   sample float c : C;
+// GL120-NEXT:       |                    ^
+// GL120-NEXT: clipc: note: target `glsl400` can
 // GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:20: error: `C0` is interpolated per sample; target `glsl330` cannot do that [target-per-sample]
 // GL330-NEXT:    [[#@LINE+3]] |   sample float c : C;
 // GL330-NEXT:       |                    ^
 // GL330-NEXT: clipc: note: target `glsl400` can
   sample float c : C;
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+12]]:16: error: the shader writes cull distances; target `glsl330` has no `gl_CullDistance` [target-cull-distance]
-// GL330-NEXT:    [[#@LINE+11]] |   float cull : SV_CullDistance;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+8]]:16: error: the shader writes cull distances; target `glsl120` has no `gl_CullDistance` [target-cull-distance]
+// GL120-NEXT:    [[#@LINE+7]] |   float cull : SV_CullDistance;
+// GL120-NEXT:       |                ^~~~~~~~~~~~~~~
+// GL120-NEXT: clipc: note: target `glsl450` can
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: the shader writes cull distances; target `glsl330` has no `gl_CullDistance` [target-cull-distance]
+// GL330-NEXT:    [[#@LINE+3]] |   float cull : SV_CullDistance;
 // GL330-NEXT:       |                ^~~~~~~~~~~~~~~
 // GL330-NEXT: clipc: note: target `glsl450` can
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-73]]:26: error: `structured` is a buffer of any layout; target `glsl330` has no storage buffers [target-storage-buffer]
-// GL330-NEXT:    [[#@LINE-74]] | StructuredBuffer<float4> structured;
-// GL330-NEXT:       |                          ^~~~~~~~~~
-// GL330-NEXT: clipc: note: target `glsl430` can
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-74]]:11: error: `maps` is an array of arrays; target `glsl330` accepts textures in simple arrays only [target-object-arrays]
-// GL330-NEXT:    [[#@LINE-75]] | Texture2D maps[2][2];
-// GL330-NEXT:       |           ^~~~
-// GL330-NEXT: clipc: note: target `glsl430` can
   float cull : SV_CullDistance;
 };
 
-// GL120: fail_features.hlsl:[[#@LINE+64]]:48: error: the shader reads `SV_VertexID`; target `glsl120` has no such input [target-vertex-id]
-// GL120-NEXT:   [[#@LINE+63]] | Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+4]]:48: error: the shader reads `SV_VertexID`; target `glsl120` has no such input [target-vertex-id]
+// GL120-NEXT:   [[#@LINE+3]] | Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
 // GL120-NEXT:       |                                                ^~~~~~~~~~~
 // GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-69]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot [target-layer]
-// GL120-NEXT:    [[#@LINE-70]] |   uint layer : SV_RenderTargetArrayIndex;
-// GL120-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
-// GL120-NEXT: clipc: note: target `glsl410` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-72]]:16: error: `NUMBER0` is an integer output; outputs of target `glsl120` are floats [target-integer-varying]
-// GL120-NEXT:    [[#@LINE-73]] |   int number : NUMBER;
-// GL120-NEXT:       |                ^~~~~~
-// GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-67]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl120` cannot be [target-double-varying]
-// GL120-NEXT:    [[#@LINE-68]] |   double precise_value : WIDE;
-// GL120-NEXT:       |                          ^~~~
-// GL120-NEXT: clipc: note: target `glsl410` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-38]]:27: error: `A0` is interpolated without perspective; target `glsl120` cannot do that [target-no-perspective]
-// GL120-NEXT:    [[#@LINE-39]] |   noperspective float a : A;
-// GL120-NEXT:       |                           ^
-// GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-41]]:29: error: `B0` is not interpolated; outputs of target `glsl120` always are [target-flat]
-// GL120-NEXT:    [[#@LINE-42]] |   nointerpolation float b : B;
-// GL120-NEXT:       |                             ^
-// GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-40]]:20: error: `C0` is interpolated per sample; target `glsl120` cannot do that [target-per-sample]
-// GL120-NEXT:    [[#@LINE-41]] |   sample float c : C;
-// GL120-NEXT:       |                    ^
-// GL120-NEXT: clipc: note: target `glsl400` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-31]]:16: error: the shader writes cull distances; target `glsl120` has no `gl_CullDistance` [target-cull-distance]
-// GL120-NEXT:    [[#@LINE-32]] |   float cull : SV_CullDistance;
-// GL120-NEXT:       |                ^~~~~~~~~~~~~~~
-// GL120-NEXT: clipc: note: target `glsl450` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-110]]:8: error: the shader computes in `double`; target `glsl120` has no such type [target-double]
-// GL120-NEXT:    [[#@LINE-111]] | double wide;
-// GL120-NEXT:       |        ^~~~
-// GL120-NEXT: clipc: note: target `glsl150` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-125]]:17: error: `integers` holds integers; textures of target `glsl120` cannot [target-integer-texture]
-// GL120-NEXT:     [[#@LINE-126]] | Texture2D<int4> integers;
-// GL120-NEXT:       |                 ^~~~~~~~
-// GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-128]]:16: error: `layers` is an array texture; target `glsl120` has none [target-texture-array]
-// GL120-NEXT:     [[#@LINE-129]] | Texture2DArray layers;
-// GL120-NEXT:       |                ^~~~~~
-// GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-131]]:21: error: `samples` is a multisampled texture; target `glsl120` has none [target-multisample]
-// GL120-NEXT:    [[#@LINE-132]] | Texture2DMS<float4> samples;
-// GL120-NEXT:       |                     ^~~~~~~
-// GL120-NEXT: clipc: note: target `glsl150` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-134]]:18: error: `cubes` is an array of cube maps; target `glsl120` has none [target-cube-array]
-// GL120-NEXT:    [[#@LINE-135]] | TextureCubeArray cubes;
-// GL120-NEXT:       |                  ^~~~~
-// GL120-NEXT: clipc: note: target `glsl130` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-137]]:16: error: `typed` is a typed buffer; target `glsl120` has none [target-texture-buffer]
-// GL120-NEXT:    [[#@LINE-138]] | Buffer<float4> typed;
-// GL120-NEXT:       |                ^~~~~
-// GL120-NEXT: clipc: note: target `glsl140` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-140]]:26: error: `structured` is a buffer of any layout; target `glsl120` has no storage buffers [target-storage-buffer]
-// GL120-NEXT:    [[#@LINE-141]] | StructuredBuffer<float4> structured;
-// GL120-NEXT:       |                          ^~~~~~~~~~
-// GL120-NEXT: clipc: note: target `glsl430` can
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-141]]:11: error: `maps` is an array of arrays; target `glsl120` accepts textures in simple arrays only [target-object-arrays]
-// GL120-NEXT:    [[#@LINE-142]] | Texture2D maps[2][2];
-// GL120-NEXT:       |           ^~~~
-// GL120-NEXT: clipc: note: target `glsl430` can
 Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
   Result r = (Result)0;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:20: warning: target `glsl120` has no `uint`; `int` replaces it, and values from 2147483648 on are negative [-Wtarget-uint-as-int]

@@ -7,29 +7,29 @@ SamplerState smooth;
 struct Maps {
   Texture2D color;
 };
+// CHECK: fail_object_choice.hlsl:[[#@LINE+3]]:44: error: `maps.color` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
+// CHECK-NEXT:    [[#@LINE+2]] | float4 Read(Maps maps, float2 uv) { return maps.color.SampleLevel(smooth, uv, 0); }
+// CHECK-NEXT:       |                                            ^~~~~~~~~~
 float4 Read(Maps maps, float2 uv) { return maps.color.SampleLevel(smooth, uv, 0); }
 Texture2D Choose(bool first) {
   if (first) return wood;
+// CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE+3]]:3: error: `Choose()` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
+// CHECK-NEXT:    [[#@LINE+2]] |   return stone;
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~
   return stone;
 }
 
 float4 main(float2 uv : TEXCOORD, bool first : FIRST) : SV_Position {
   Texture2D map;
   if (first) map = wood;
-// CHECK: fail_object_choice.hlsl:[[#@LINE+3]]:8: error: `map` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
+// CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE+3]]:8: error: `map` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
 // CHECK-NEXT:    [[#@LINE+2]] |   else map = stone;
 // CHECK-NEXT:       |        ^~~~~~~~~~~
   else map = stone;
   Texture2D changed = wood;
-// CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE+9]]:31: error: `changed` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
-// CHECK-NEXT:    [[#@LINE+8]] |   for (int i = 0; i < 2; ++i) changed = stone;
+// CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE+3]]:31: error: `changed` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
+// CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < 2; ++i) changed = stone;
 // CHECK-NEXT:       |                               ^~~~~~~~~~~~~~~
-// CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE-17]]:44: error: `maps.color` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
-// CHECK-NEXT:    [[#@LINE-18]] | float4 Read(Maps maps, float2 uv) { return maps.color.SampleLevel(smooth, uv, 0); }
-// CHECK-NEXT:       |                                            ^~~~~~~~~~
-// CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE-17]]:3: error: `Choose()` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
-// CHECK-NEXT:    [[#@LINE-18]] |   return stone;
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~
   for (int i = 0; i < 2; ++i) changed = stone;
   Maps empty;
   Maps both[2];

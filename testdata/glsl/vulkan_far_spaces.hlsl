@@ -2,6 +2,7 @@
 // lists it. What the user fixes by [[vk::binding]] or by options for bindings is an error: check/registers/fail_vulkan.hlsl.
 // RUN: %clipc -T vs_5_1 --target=vulkan --validate %s -o %t.vert --reflect=%t.json 2>&1 | FileCheck %s --check-prefix=WARNING --implicit-check-not=warning
 // RUN: FileCheck %s --input-file %t.vert
+// WARNING: [[#@LINE+1]]:11: warning: `maps` is in space 100; the highest set is 62,
 Texture2D maps[] : register(t0, space100);
 SamplerState taps : register(s0, space100);
 // WARNING: [[#@LINE+1]]:9: warning: `frame` is in space 4294967040; the highest set is 62, so its set is the first that no other space has, as `--reflect` lists; {{.*}} names one [-Wtarget-set-renumbered]
@@ -9,7 +10,6 @@ cbuffer frame : register(b3, space4294967040) { float4 scale; };
 Texture2D plain : register(t0);
 Texture2D near : register(t0, space2);
 float4 main(uint i : I) : SV_Position {
-  // WARNING: [[#@LINE-7]]:11: warning: `maps` is in space 100; the highest set is 62,
   return maps[i].SampleLevel(taps, scale.xy, 0) + plain.Load(int3(0, 0, 0)) + near.Load(int3(0, 0, 0));
 }
 // CHECK-DAG: layout(std140, set = 3, binding = 3) uniform frame {  // b3, space4294967040

@@ -301,6 +301,6 @@ int main(int argc, char** argv) {
   clipc::bench::BenchRewrite();
   clipc::bench::BenchEffect(argv[1], folder);
   clipc::bench::BenchBatchValidation();
-  std::printf("\n%d limits missed\n", clipc::bench::g_missed);
+  std::printf("\nlimits missed: %d\n", clipc::bench::g_missed);
   return clipc::bench::g_missed != 0;
 }

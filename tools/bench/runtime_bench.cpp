@@ -190,6 +190,6 @@ int main() {
   std::printf("| what | measured | limit | |\n|---|---|---|---|\n");
   clipc::bench::BenchPlanner();
   for (const std::uint32_t plane_count : {1U, 3U, 6U}) clipc::bench::BenchBinder(plane_count);
-  std::printf("\n%d limits missed\n", clipc::bench::g_missed);
+  std::printf("\nlimits missed: %d\n", clipc::bench::g_missed);
   return clipc::bench::g_missed != 0;
 }

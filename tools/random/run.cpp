@@ -52,7 +52,7 @@ class Runner {
         MakeProgram(choices, options_.features);
         One(choices.drawn(), std::to_string(options_.seed + i));
         if (isatty(STDERR_FILENO) != 0) {
-          std::fprintf(stderr, "\r%llu programs, %llu failures ",
+          std::fprintf(stderr, "\rprograms: %llu, failures: %llu ",
                        static_cast<unsigned long long>(programs_),
                        static_cast<unsigned long long>(failures_));
         }
@@ -112,7 +112,7 @@ class Runner {
 
   void Summarise() const {
     const double passed = std::chrono::duration<double>(Clock::now() - begin_).count();
-    std::printf("%llu programs from seed %llu in %.0f s: %llu failures\n",
+    std::printf("programs: %llu, from seed %llu in %.0f s; failures: %llu\n",
                 static_cast<unsigned long long>(programs_),
                 static_cast<unsigned long long>(options_.seed), passed,
                 static_cast<unsigned long long>(failures_));

@@ -5,7 +5,7 @@ float4 main(float4 p : POSITION) : SV_Position {
   float a[2] = { 1, 2 };
   // CHECK: [[#@LINE+1]]:15: error: cannot convert `S` to `float4` [cannot-convert, X3017]
   p += float4(s, 1);
-  // CHECK: [[#@LINE+1]]:8: error: `float4` is made of 4 components; 3 are given [wrong-component-count, X3014]
+  // CHECK: [[#@LINE+1]]:8: error: `float4` is made of 4 components; 3 given [wrong-component-count, X3014]
   p += float4(a, 1);
   return p;
 }

@@ -3,6 +3,7 @@ struct S { float4 x; SamplerState s; };
 cbuffer C { float4 color; float4x4 m; float list[3]; };
 static const float kOne = 1;
 Texture2D one, two;
+// CHECK: error: `name` is a string; a shader computes with numbers only [string-used, X3020]
 string name = "x";
 void nothing() {}
 float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
@@ -43,7 +44,7 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   float4 wider = v.xyz;
   // CHECK: [[#@LINE+1]]:19: error: cannot cast `float3` to `float4` [cannot-cast, X3017]
   float4 widest = (float4)v.xyz;
-  // CHECK: [[#@LINE+1]]:3: error: `float4` is made of 4 components; 3 are given [wrong-component-count, X3014]
+  // CHECK: [[#@LINE+1]]:3: error: `float4` is made of 4 components; 3 given [wrong-component-count, X3014]
   float4(1, 2, 3);
   // CHECK: [[#@LINE+1]]:3: error: `S` has no constructor [not-constructible, X3037]
   S(1, 2);
@@ -51,7 +52,6 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   v.x > 0 ? v : s;
   // CHECK: [[#@LINE+1]]:9: error: cannot convert `Texture2D<float4>` to `SamplerState` [cannot-convert, X3017]
   s.s = one;
-  // CHECK: error: `name` is a string; a shader computes with numbers only [string-used, X3020]
   name;
   // CHECK: [[#@LINE+1]]:13: error: cannot convert `void` to `float` [cannot-convert, X3017]
   float f = nothing();

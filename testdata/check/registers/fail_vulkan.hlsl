@@ -20,8 +20,8 @@ float4 partial([[vk::location(1)]] float4 a : A, float4 b : B) : SV_Position { r
 // TWICE: error: location 2 of `b` is that of `a[1]` too [location-twice]
 float4 twice([[vk::location(1)]] float4 a[2] : A, [[vk::location(2)]] float4 b : B) : SV_Position { return a[0] + b; }
 
-// ARGUMENTS: error: `vk::location` takes a location from 0 to 4094 [vulkan-argument]
 // ARGUMENTS: error: `vk::binding` takes a binding and a set from 0 to 65534 [vulkan-argument]
+// ARGUMENTS: error: `vk::location` takes a location from 0 to 4094 [vulkan-argument]
 [[vk::binding(1, 2, 3)]] cbuffer Wrong { float4 wrong; };
 float4 arguments([[vk::location(-1)]] float4 a : A) : SV_Position { return a + wrong; }
 

@@ -8,7 +8,9 @@ struct Part {
 };
 struct Out {
   float4 position : SV_Position;
+  // CHECK: [[#@LINE+1]]:18: warning: the output `color` is never written; the next stage reads what is undefined [-Woutput-not-written]
   float4 color : COLOR;
+  // CHECK: [[#@LINE+1]]:15: warning: the output `uv` is not written completely; the next stage reads what is undefined [-Woutput-not-written]
   float4 uv : UV;
 };
 // Nothing writes y before z is, and a swizzle that has been written in part is written.
@@ -60,5 +62,3 @@ Out main(float4 p : POSITION, int n : N) {
   o.uv.x += unwritten.b[1];
   return o;
 }
-// CHECK: :11:18: warning: the output `color` is never written; the next stage reads what is undefined [-Woutput-not-written]
-// CHECK: :12:15: warning: the output `uv` is not written completely; the next stage reads what is undefined [-Woutput-not-written]

@@ -18,7 +18,7 @@ float4 ps(float4 color : COLOR) : SV_Target {
   added[0] = color;
   // CHECK: [[#@LINE+1]]:9: error: `RWByteAddressBuffer` has no method `IncrementCounter` [method-unknown, X3018]
   bytes.IncrementCounter();
-  // CHECK: [[#@LINE+1]]:9: error: `Append` takes 1 arguments; 2 given [intrinsic-argument-count, X3013]
+  // CHECK: [[#@LINE+1]]:9: error: `Append` takes 1 argument; 2 given [intrinsic-argument-count, X3013]
   added.Append(color, color);
   return color;
 }

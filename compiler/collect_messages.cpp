@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/collect_messages.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "compiler/message.h"
+
+namespace clipc {
+namespace {
+
+struct Found {
+  const Job* job;
+  const Diagnostic* diagnostic;
+  std::vector<std::uint32_t> place;  // Source::PlaceInText
+};
+
+std::vector<Found> InOrder(const Job& job) {
+  std::vector<Found> found;
+  for (const Diagnostic& diagnostic : job.diagnostics.all()) {
+    Found next{&job, &diagnostic, job.source.PlaceInText(diagnostic.span)};
+    if (next.place.empty() && !found.empty()) next.place = found.back().place;
+    found.push_back(std::move(next));
+  }
+  std::ranges::stable_sort(found, {}, &Found::place);
+  return found;
+}
+
+Message MessageOf(const Found& found) { return ToMessage(*found.diagnostic, found.job->source); }
+
+bool IsSame(const Message& a, const Message& b) {
+  return a.name == b.name && a.text == b.text && a.place.file == b.place.file &&
+         a.place.line == b.place.line && a.place.column == b.place.column;
+}
+
+// Adds the messages of the pixel shader that the other shader does not have.
+void AddPixel(const Job& pixel, std::vector<Found>& found) {
+  std::vector<Message> others;
+  std::ranges::transform(found, std::back_inserter(others), MessageOf);
+  const bool is_mixed =
+      !found.empty() && found[0].job->source.MainText() == pixel.source.MainText();
+  const auto first = static_cast<std::ptrdiff_t>(found.size());
+  for (Found& message : InOrder(pixel)) {
+    const Message text = MessageOf(message);
+    if (std::ranges::none_of(others, [&](const Message& other) { return IsSame(text, other); }))
+      found.push_back(std::move(message));
+  }
+  if (is_mixed) std::ranges::inplace_merge(found, found.begin() + first, {}, &Found::place);
+}
+
+}  // namespace
+
+void CollectMessages(const Job& job, const Job* pixel, CompileResult& result) {
+  std::vector<Found> found = InOrder(job);
+  if (pixel) AddPixel(*pixel, found);
+  for (auto at = found.begin(); at != found.end();) {
+    const Job& same = *at->job;
+    Diagnostics shown;
+    for (; at != found.end() && at->job == &same; ++at) {
+      shown.Add(*at->diagnostic);
+      result.messages.push_back(MessageOf(*at));
+    }
+    if (job.request.outputs.text)
+      result.text += same.source.RenderText(shown, job.request.outputs.colour);
+  }
+  const bool has_errors =
+      job.diagnostics.has_errors() || (pixel && pixel->diagnostics.has_errors());
+  if (has_errors && result.ok()) result.status = Status::kErrors;
+}
+
+}  // namespace clipc
