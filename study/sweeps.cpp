@@ -48,7 +48,7 @@ class Sweeps {
       const Matrix p = config.camera.Projection();
       config.view_plane = PlaneThroughPoint(
           {0.4, 0.5, 0.77}, {-offset / p.m[0][0] * 30, -0.7 * offset / p.m[1][1] * 30, 30});
-      Add("tile, half pictures off the axis", offset, config);
+      Add("tile, half images off the axis", offset, config);
     }
   }
 

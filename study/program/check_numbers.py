@@ -74,12 +74,12 @@ def code(names):
 
 
 def situations():
-    speed = {(r["setting"], r["way"], r["planes"]): r for r in read("speed")}
+    speed = {(r["workload"], r["way"], r["planes"]): r for r in read("speed")}
     edges = {(r["sweep"], r["parameter"], r["method"]): r["p99_px"] for r in read("edges")}
     lost = lambda point: lambda method: short(float(edges[(*point, method)]))
     usual = lambda method: short(p99(method))
     world, mesh, sun = map(lost, POINTS)
-    cost = lambda way: f"{float(speed['picture', way, '6']['paired_ratio']):.2f}"
+    cost = lambda way: f"{float(speed['image', way, '6']['paired_ratio']):.2f}"
     rows = [
         ["vertices around their own origin", "`object`", usual("object"), usual("clip")],
         [
@@ -136,14 +136,14 @@ def flicker():
 
 
 def costs():
-    rows = {(r["setting"], r["way"], r["planes"]): r for r in read("speed")}
+    rows = {(r["workload"], r["way"], r["planes"]): r for r in read("speed")}
     cell = lambda r: (
         "-"
         if r is None
         else f"{float(r['paired_ratio']):.2f} ({float(r['paired_low']):.2f} to {float(r['paired_high']):.2f})"
     )
     ways = ("object", "xyw1", "clip", "cpu", "discard-world")
-    columns = [("picture", "1"), ("picture", "3"), ("picture", "6"), ("cut", "1"), ("cut", "6")]
+    columns = [("image", "1"), ("image", "3"), ("image", "6"), ("cut", "1"), ("cut", "6")]
     head = ["way", "1 plane", "3", "6", "1, cutting", "6, cutting"]
     return table(
         head, [[f"`{way}`"] + [cell(rows.get((s, way, p))) for s, p in columns] for way in ways]

@@ -36,7 +36,7 @@ for row in edges:
         and row["sweep"]
         not in (
             "mesh offset / depth",
-            "tile, half pictures off the axis",
+            "tile, half images off the axis",
             "ground, seen from 1 to",
         )
     ):
@@ -124,16 +124,16 @@ expect(
 # xyw1 and object cost at most 5 % more a frame than the default, by the upper end of their interval of 95 %.
 if "--costs" in sys.argv:
     paired, high = (
-        {(r["setting"], r["way"], r["planes"]): float(r[column]) for r in speed}
+        {(r["workload"], r["way"], r["planes"]): float(r[column]) for r in speed}
         for column in ("paired_ratio", "paired_high")
     )
-    for setting in ("picture", "vertices"):
+    for workload in ("image", "vertices"):
         for way in ("xyw1", "object"):
             for planes in "136":
-                more = high[setting, way, planes] / paired[setting, "clip", planes]
+                more = high[workload, way, planes] / paired[workload, "clip", planes]
                 expect(
                     more <= 1.05,
-                    f"{way} with {planes} planes may cost {more:.3f} times what clip does, setting {setting}",
+                    f"{way} with {planes} planes may cost {more:.3f} times what clip does, workload {workload}",
                 )
 
 # No other way is as accurate and cheaper, by more than the costs are known to, where planes cut little.
@@ -158,14 +158,14 @@ if "--costs" in sys.argv:
             )
             if other["applies"] != "1" or float(other["p99_px"]) > float(row["p99_px"]):
                 continue
-            for setting in ("picture", "vertices"):
-                less = paired[setting, name, "1"] / paired[setting, row["method"], "1"]
+            for workload in ("image", "vertices"):
+                less = paired[workload, name, "1"] / paired[workload, row["method"], "1"]
                 expect(
                     less > 0.98,
-                    f"{name} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}",
+                    f"{name} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, workload {workload}",
                 )
 
-    costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
+    costs = {(r["workload"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
     expect(
         costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half"
     )
@@ -173,7 +173,7 @@ if "--costs" in sys.argv:
 
 for row in read("scene-costs.csv"):
     expect(
-        row["same_picture"] == ("0" if row["planes"] == "none" else "1"),
+        row["same_image"] == ("0" if row["planes"] == "none" else "1"),
         f"{row['scene']} with {row['planes']} planes: the image",
     )
 expect(

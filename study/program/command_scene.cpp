@@ -95,11 +95,16 @@ std::string Cell(const OrderedJson& value) {
   return text.find(' ') == text.npos ? text : "\"" + text + "\"";
 }
 
+// "1 plane", "2 planes".
+std::string Counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 void Print(const OrderedJson& image) {
-  std::printf("%s, camera %s: %d planes, %zu objects, tolerance %g pixels\n",
-              Cell(image["scene"]).c_str(), Cell(image["camera"]).c_str(),
-              image["planes"].get<int>(), image["objects"].size(),
-              image["tolerance"].get<double>());
+  std::printf("%s, camera %s: %s, %s, tolerance %g pixels\n", Cell(image["scene"]).c_str(),
+              Cell(image["camera"]).c_str(),
+              Counted(image["planes"].get<std::size_t>(), "plane").c_str(),
+              Counted(image["objects"].size(), "object").c_str(), image["tolerance"].get<double>());
   std::printf("%-20s %-14s %-28s %-16s %12s %6s %13s\n", "object", "drawn", "planes needed",
               "method", "off, pixels", "meets", "cost, times 1");
   for (const OrderedJson& object : image["objects"]) {
@@ -179,11 +184,13 @@ int RunScene(const std::vector<std::string>& arguments) {
     Print(images.back());
   }
   for (const auto& [way, planes] : variants) {
-    std::printf("build: %s with 0 to %d planes\n", way.c_str(), planes);
+    std::printf("build: %s with up to %s\n", way.c_str(),
+                Counted(static_cast<std::size_t>(planes), "plane").c_str());
   }
   if (failures > 0) {
-    std::printf("the tolerance is not met %d times: see `meets`, `refused` and method `none`\n",
-                failures);
+    std::printf(
+        "%s without a method that keeps the tolerance: see `meets`, `refused` and method `none`\n",
+        Counted(static_cast<std::size_t>(failures), "object").c_str());
   }
   if (!variants_path.empty()) WriteFile(variants_path, VariantList(scene, variants));
   if (!json_path.empty()) WriteFile(json_path, images.dump(2) + "\n");

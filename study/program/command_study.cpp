@@ -148,15 +148,15 @@ class Study {
     }
   }
 
-  // Measures the costs and writes them. Returns those in the rows "picture".
+  // Measures the costs and writes them. Returns those in the rows "image".
   CostTable Speed(const std::string& name, const char* what) {
-    Csv csv(Path(name), {"setting", "way", "planes", "median_ms", "least_ms", "ratio",
+    Csv csv(Path(name), {"workload", "way", "planes", "median_ms", "least_ms", "ratio",
                          "paired_ratio", "paired_low", "paired_high"});
     Progress progress(what);
     const std::vector<Cost> costs =
         MeasureSpeed(options_.quick ? 3 : 25, options_.quick ? 40 : 100, std::ref(progress));
     for (const Cost& cost : costs) {
-      csv.Row(cost.setting, cost.way, cost.planes, cost.median_ms, cost.least_ms, cost.ratio,
+      csv.Row(cost.workload, cost.way, cost.planes, cost.median_ms, cost.least_ms, cost.ratio,
               cost.paired_ratio, cost.paired_low, cost.paired_high);
     }
     return TableOf(costs);
@@ -193,7 +193,7 @@ class Study {
   // Measures frames of the scenes with no planes, all planes, and the planes that are needed.
   void SceneCosts() {
     Csv csv(Path("scene-costs.csv"),
-            {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_picture"});
+            {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_image"});
     SceneDrawer drawer(1280, 720);
     for (const Scene& scene : BuiltInScenes()) {
       const std::vector<std::uint8_t> all = drawer.Draw(scene, Planes::kAll).rgba;

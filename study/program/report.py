@@ -113,10 +113,10 @@ class Charts:
         self.parts.append(text)
 
 
-def cost_of(speed, way, planes=1, setting="picture"):
+def cost_of(speed, way, planes=1, workload="image"):
     """To the frames just before and after: other work of the machine slows both alike."""
-    at = (setting, way, str(planes))
-    rows = (r for r in speed if (r["setting"], r["way"], r["planes"]) == at)
+    at = (workload, way, str(planes))
+    rows = (r for r in speed if (r["workload"], r["way"], r["planes"]) == at)
     return next((number(r["paired_ratio"]) for r in rows), None)
 
 
@@ -282,12 +282,12 @@ def pixel_chart(charts, pixels):
 
 
 def cost_chart(charts, speed):
-    settings = ["picture", "vertices", "cut"]
+    workloads = ["image", "vertices", "cut"]
     figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.2))
-    for axis, setting in zip(axes, settings):
-        ways = [w for w in PLAIN if cost_of(speed, w, 1, setting) is not None]
+    for axis, workload in zip(axes, workloads):
+        ways = [w for w in PLAIN if cost_of(speed, w, 1, workload) is not None]
         for offset, planes in enumerate((1, 3, 6)):
-            bars = [(i, cost_of(speed, w, planes, setting)) for i, w in enumerate(ways)]
+            bars = [(i, cost_of(speed, w, planes, workload)) for i, w in enumerate(ways)]
             bars = [(i, c) for i, c in bars if c is not None]
             axis.barh(
                 [i + 0.26 * (offset - 1) for i, _ in bars],
@@ -302,10 +302,10 @@ def cost_chart(charts, speed):
         axis.axvline(1, color="#555555", linewidth=0.8)
         axis.set_title(
             {
-                "picture": "1280x720, nothing cut",
+                "image": "1280x720, nothing cut",
                 "vertices": "64x64, nothing cut",
                 "cut": "1280x720, most cut away",
-            }[setting]
+            }[workload]
         )
         axis.set_xlabel("CPU time / that without planes")
     axes[0].legend(fontsize=7)
@@ -479,7 +479,7 @@ def main():
                     r["draws"],
                     r["planes_drawn"],
                     f"{number(r['least_ms']):.1f}",
-                    "yes" if r["same_picture"] == "1" else "no",
+                    "yes" if r["same_image"] == "1" else "no",
                 ]
                 for r in read(folder, "scene-costs.csv")
             ],

@@ -17,13 +17,13 @@
 namespace clipc::study {
 namespace {
 
-struct Setting {
+struct Workload {
   const char* name;
   int width, height;
   bool cuts;
 };
-constexpr Setting kSettings[] = {
-    {"picture", 1280, 720, false}, {"vertices", 64, 64, false}, {"cut", 1280, 720, true}};
+constexpr Workload kWorkloads[] = {
+    {"image", 1280, 720, false}, {"vertices", 64, 64, false}, {"cut", 1280, 720, true}};
 
 // The first `count` of six sides of a box around the object, in world space; far outside it, or, if
 // `cuts`, through it.
@@ -54,16 +54,16 @@ struct Entry {
   std::vector<double> shares;  // of the mean of the frames without planes before and after
 };
 
-std::vector<Entry> EntriesFor(const Setting& setting, const Setup& setup, const Mesh& mesh) {
+std::vector<Entry> EntriesFor(const Workload& workload, const Setup& setup, const Mesh& mesh) {
   std::vector<Entry> entries;
   for (const Way& way : kWays) {
     for (const int planes : {0, 1, 3, 6}) {
       if ((planes == 0) != (way.kind == WayKind::kNone) || planes > way.most_planes) continue;
-      const std::vector<Plane> world = Sides(setup, planes, setting.cuts);
+      const std::vector<Plane> world = Sides(setup, planes, workload.cuts);
       const auto constants = ConstantsOf(way.kind, setup, world);
       if (!constants) continue;
       Entry entry;
-      entry.cost.setting = setting.name, entry.cost.way = way.name, entry.cost.planes = planes;
+      entry.cost.workload = workload.name, entry.cost.way = way.name, entry.cost.planes = planes;
       entry.kind = way.kind;
       entry.call = MakeCall(way.kind, planes, false);
       entry.call->SetMesh(mesh);
@@ -127,14 +127,14 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail,
   std::vector<Cost> costs;
   Random random(8);
   int done = 0;
-  for (const Setting& setting : kSettings) {
-    Studio studio(setting.width, setting.height, false);
-    std::vector<Entry> entries = EntriesFor(setting, setup, mesh);
+  for (const Workload& workload : kWorkloads) {
+    Studio studio(workload.width, workload.height, false);
+    std::vector<Entry> entries = EntriesFor(workload, setup, mesh);
     for (int round = -1; round < rounds;
          ++round) {  // the first is thrown away: shaders are compiled in it
       Round(studio, mesh, entries, random, round >= 0);
       progress((done + static_cast<double>(round + 2) / (rounds + 1)) /
-               static_cast<double>(std::size(kSettings)));
+               static_cast<double>(std::size(kWorkloads)));
     }
     ++done;
     for (Entry& entry : entries) {
@@ -159,7 +159,7 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail,
 CostTable TableOf(const std::vector<Cost>& costs) {
   CostTable table;
   for (const Cost& cost : costs) {
-    if (cost.setting == "picture" && cost.planes > 0)
+    if (cost.workload == "image" && cost.planes > 0)
       table[{cost.way, cost.planes}] = cost.paired_ratio;
   }
   return table;
@@ -169,7 +169,7 @@ CostTable ReadCosts(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) ||
-      !line.starts_with("setting,way,planes,median_ms,least_ms,ratio,paired_ratio")) {
+      !line.starts_with("workload,way,planes,median_ms,least_ms,ratio,paired_ratio")) {
     throw harness::DrawError("`" + path + "` is not a speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
@@ -180,7 +180,7 @@ CostTable ReadCosts(const std::string& path) {
     if (cells.size() < 7)
       throw harness::DrawError("`" + path + "` has a row of less than seven cells");
     Cost& cost = costs.emplace_back();
-    cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
+    cost.workload = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
     cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
   }
   return TableOf(costs);

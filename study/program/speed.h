@@ -12,9 +12,9 @@ namespace clipc::study {
 // The cost of a way: CPU time of the process, whose threads draw for llvmpipe, relative to drawing
 // without planes.
 struct Cost {
-  // "picture": 1280x720; "vertices": 64x64, hardly a fragment; "cut": the image, most of it
+  // "image": 1280x720; "vertices": 64x64, hardly a fragment; "cut": the image, most of it
   // clipped.
-  std::string setting;
+  std::string workload;
   std::string way;
   int planes = 0;
   double median_ms = 0, least_ms = 0;
@@ -31,7 +31,7 @@ struct Cost {
 // context of the compatibility profile must be current.
 std::vector<Cost> MeasureSpeed(int rounds, int detail, const std::function<void(double)>& progress);
 
-// The paired ratios of the rows "picture".
+// The paired ratios of the rows "image".
 CostTable TableOf(const std::vector<Cost>& costs);
 // The paired ratios in a speed.csv that clipc-study wrote. Throws DrawError for another file.
 CostTable ReadCosts(const std::string& path);

@@ -380,9 +380,9 @@ def main():
     found = {"advised": 0, "meets": 0, "unseen": 0, "dearer": 0, "overlooked": 0, "problems": []}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        lines = ["setting,way,planes,median_ms,least_ms,ratio,paired_ratio"]
+        lines = ["workload,way,planes,median_ms,least_ms,ratio,paired_ratio"]
         lines += [
-            f"picture,{way},{planes},1,1,{cost},{cost}"
+            f"image,{way},{planes},1,1,{cost},{cost}"
             for way, cost in COSTS.items()
             for planes in (1, 3, 6)
         ]

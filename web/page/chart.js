@@ -12,7 +12,7 @@ export const WAYS = {
   'discard-object': { space: 'object', lower: 'discard' },
   discard: { space: 'clip', lower: 'discard' },
 };
-const SETTING = 'picture';
+const WORKLOAD = 'image';
 const HEIGHT = 300; // pixels, as style.css has it
 const LABEL = { height: 24, width: 130 };
 const ROOM = { left: 84, bottom: 46, top: 8 }; // for the axes
@@ -24,8 +24,8 @@ const rows = speed
   .split('\n')
   .slice(1)
   .map((line) => line.split(','))
-  .map(([setting, way, planes, , , , ratio]) => ({
-    setting,
+  .map(([workload, way, planes, , , , ratio]) => ({
+    workload,
     way,
     planes: Number(planes),
     ratio: Number(ratio),
@@ -34,7 +34,7 @@ const rows = speed
 /** A frame's time with so many planes, by the time without planes; null where the study has none. */
 export function costOf(way, planes) {
   const measured = rows.filter(
-    (row) => row.setting === SETTING && row.way === way && row.planes >= planes,
+    (row) => row.workload === WORKLOAD && row.way === way && row.planes >= planes,
   );
   return measured.length ? measured.reduce((a, b) => (a.planes < b.planes ? a : b)).ratio : null;
 }

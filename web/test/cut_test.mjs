@@ -237,7 +237,7 @@ await test('a point of the chart chooses its way, by the keyboard', async () => 
     .map((line) => line.split(','));
   const cost = Number(
     costs.find(
-      ([setting, way, planes]) => setting === 'picture' && way === 'object' && planes === '1',
+      ([workload, way, planes]) => workload === 'image' && way === 'object' && planes === '1',
     )[costs[0].indexOf('paired_ratio')],
   );
   assert.match(
