@@ -9,10 +9,11 @@ A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 - a block of `hlsl` is compiled, or after "where `NAME` is" it is the file of that name, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
 - a block of `c`, `cpp` or `cmake`, the N-th block of the page, is put into tools/checks/snippets/PAGE.N.LANGUAGE.in and compiled, or
   configured with an installed clipc;
-- a block of `json` is JSON; a manifest is compiled, and a reflection is that of the `hlsl` before it;
+- a block of `json` is JSON; a manifest is `shaders.json`, and a reflection is that of the `hlsl` before it;
 - a block of `js` is JavaScript, where there is node; the tests `web.*` run what it shows;
+- a block of `console`, and a table of options, show what is printed: transcripts.py;
 - a command, in a block that is indented or in backticks, is run if it calls clipc or glslangValidator; of other commands the program
-  exists, and so do the options and presets that it is given; each option of `clipc --help` is in one command at least;
+  exists, and so do the options and presets that it is given; what each option of `clipc --help` does is shown once at least;
 - a row of limits.md that names a constant has its value, the line in a row of pass.md that names a file is in that file, and each input
   in the table of pixel.md matches the output that the page names.
 
@@ -27,6 +28,8 @@ import shlex
 import shutil
 import subprocess
 import sys
+
+import transcripts
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SNIPPETS = ROOT / "tools/checks/snippets"
@@ -62,7 +65,7 @@ ELSEWHERE = {
 class Run:
     def __init__(self, build, scratch, compilers):
         self.build, self.scratch, self.compilers = build, scratch, compilers
-        self.problems, self.count, self.options = [], 0, set()
+        self.problems, self.count, self.shown = [], 0, set()
         shutil.rmtree(scratch, ignore_errors=True)
         self.installed = scratch / "installed"
         self.call(
@@ -87,6 +90,11 @@ class Run:
                 f"{what}: {shlex.join(map(str, command))}: {done.returncode}\n{done.stderr}{done.stdout}"
             )
         return done
+
+    def show(self, words):
+        """A page shows what a command with these words prints."""
+        self.count += 1
+        self.shown |= {"-W" if word.startswith("-W") else word.split("=")[0] for word in words}
 
     def folder(self, page):
         folder = self.scratch / page.relative_to(ROOT).with_suffix("")
@@ -198,8 +206,6 @@ def check_json(run, page, text, folder):
             run.problems.append(f"{page.name}: the reflection is another one")
         return
     (folder / "shaders.json").write_text(text)
-    if "shaders" in manifest:
-        run.call(["clipc", "--batch=shaders.json", "-o", "shaders"], folder, page.name)
 
 
 def check_elsewhere(run, page, words):
@@ -241,7 +247,6 @@ def check_command(run, page, line, folder):
             continue
         is_whole = not PLACEHOLDER.search(part) and any(WHOLE.search(word) for word in words)
         if words[0] in ("clipc", "glslangValidator") and is_whole:
-            run.options |= {word.split("=")[0] for word in words}
             # With --watch it would not end.
             run.call([word for word in words if word != "--watch"], folder, page.name)
         elif words[0] in OPTIONAL and is_whole and shutil.which(words[0], path=run.path):
@@ -327,11 +332,12 @@ def check_page(run, page):
                     folder,
                     f"{page.name}: block {number}",
                 )
-        elif language != "text":
+        elif language not in ("console", "text"):
             run.problems.append(f"{page.name}: block {number} of `{language}` has no rule")
     prose = FENCE.sub("", text)
     for line in INDENTED.findall(prose) + INLINE.findall(prose):
         check_command(run, page, line, folder)
+    transcripts.check_transcripts(run, page, folder)
     if page.name == "limits.md":
         check_limits(run, page)
     if page.name == "pass.md":
@@ -341,9 +347,12 @@ def check_page(run, page):
 
 
 def check_options(run):
-    help_text = run.call(["clipc", "--help"], run.scratch, "the options").stdout
-    for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", help_text)) - run.options):
-        run.problems.append(f"no page has a command with {option}")
+    text = run.call(["clipc", "--help"], run.scratch, "the options").stdout
+    long = re.findall(r"(?<![\w-])--[a-z][a-z-]+", text)
+    short = re.findall(r"^  (-[A-Za-z][\w-]*)", text, re.M)
+    for option in sorted({*long, *short}):
+        if option not in run.shown:
+            run.problems.append(f"no page shows what {option} does")
 
 
 def main():

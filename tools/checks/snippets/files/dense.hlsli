@@ -1,0 +1,1 @@
+#define DENSITY 2
