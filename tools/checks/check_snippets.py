@@ -33,7 +33,7 @@ import transcripts
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SNIPPETS = ROOT / "tools/checks/snippets"
-NAMED = re.compile(r"where `(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
+NAMED = re.compile(r"where\s`(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^    (\S.*)$", re.M)
 INLINE = re.compile(
