@@ -64,8 +64,8 @@ const fill = (id, values) => {
 
 const scene = new Scene();
 const views = [
-  { element: element('clipped'), caption: element('clipped-caption'), name: 'Clip distances' },
-  { element: element('discarded'), caption: element('discarded-caption'), name: 'Discard' },
+  { element: element('clipped'), caption: element('clipped-caption'), name: 'Clipped by clip distances' },
+  { element: element('discarded'), caption: element('discarded-caption'), name: 'Clipped by discard' },
 ];
 const lens = new Lens(element('lens'));
 const images = new Images(scene, views, lens, showScene, showNumbers);
@@ -182,9 +182,9 @@ function requests() {
   const isLeft = ['near-plane', 'none'].includes(lower);
   const left = viewChosen() === 'others' ? 'none' : isLeft ? lower : 'clip-distance';
   images.views[0].name = {
-    'near-plane': 'Near plane',
+    'near-plane': 'Clipped by the near plane',
     none: 'Without the plane',
-    'clip-distance': 'Clip distances',
+    'clip-distance': 'Clipped by clip distances',
   }[left];
   return [
     { target: element('target').value, lower, options, pixelEntry },

@@ -10,11 +10,11 @@ export const MOST_PLANES = 8;
 
 /** How a vertex gets from the mesh to the image, and what the page says of it. */
 export const CHAINS = {
-  steps: 'world, then view × projection',
+  steps: 'two matrices',
   one: 'one matrix',
-  float: 'one matrix, multiplied in float',
-  relative: 'camera-relative world',
-  baked: 'vertices baked into the world',
+  float: 'one matrix, in float',
+  relative: 'camera-relative',
+  baked: 'baked vertices',
 };
 
 const clamp = (x, low, high) => Math.min(high, Math.max(low, x));

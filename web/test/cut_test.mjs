@@ -252,7 +252,7 @@ await test('a point of the chart chooses its way, by the keyboard', async () => 
     ),
   );
   assert.equal(await value('lower'), 'near-plane');
-  assert.match(await text('clipped-caption'), /^Near plane/);
+  assert.match(await text('clipped-caption'), /^Clipped by the near plane/);
   await compiledAndMeasured(() => set('lower', 'clip-distance'));
 });
 
