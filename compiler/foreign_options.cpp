@@ -83,7 +83,7 @@ void SetOptimisation(Reading& reading, const std::string& value) {
 template <const auto& kValue>
 void RequireValue(Reading& reading, const std::string& value) {
   if (value != kValue)
-    reading.error = fmt::format("`{} {}`: clipc has `{}` only", reading.option, value, kValue);
+    reading.error = fmt::format("`{}`: clipc has `{}` only", AsWritten(reading, value), kValue);
 }
 
 // Reads the stage as glslang, glslc or Slang calls it.
@@ -94,8 +94,8 @@ void SetStage(Reading& reading, const std::string& value) {
     reading.stage = Stage::kPixel;
   } else {
     reading.error = fmt::format(
-        "`{} {}`: clipc compiles vertex and pixel shaders; use dxc or glslang for other ones",
-        reading.option, value);
+        "`{}`: clipc compiles vertex and pixel shaders; use dxc or glslang for other ones",
+        AsWritten(reading, value));
   }
 }
 
@@ -138,7 +138,7 @@ void SetSpirvForm(Reading& reading, const std::string& value) {
 void SetLanguage(Reading& reading, const std::string& value) {
   if (value == "hlsl") return;
   if (!value.empty() && value.find('.') == value.npos) {
-    reading.error = fmt::format("`{} {}`: clipc has `hlsl` only", reading.option, value);
+    reading.error = fmt::format("`{}`: clipc has `hlsl` only", AsWritten(reading, value));
     return;
   }
   reading.spirv_option = reading.option;

@@ -42,9 +42,8 @@ void SetShard(Reading& reading, const std::string& value) {
       ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
       command.shard <= command.shards)
     return;
-  reading.error =
-      fmt::format("`{} {}`: it needs a part and the number of parts, as `2/4`, or `merge`",
-                  reading.option, value);
+  reading.error = fmt::format("`{}`: it needs a part and the number of parts, as `2/4`, or `merge`",
+                              AsWritten(reading, value));
 }
 
 void SetProfile(Reading& reading, const std::string& value) {

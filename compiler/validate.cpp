@@ -113,6 +113,7 @@ std::string ListSpirv([[maybe_unused]] const std::vector<std::uint32_t>& words) 
 #if CLIPC_HAS_SPIRV
   std::ostringstream text;
   spv::Disassemble(text, words);
+  text << '\n';
   return text.str();
 #else
   return {};

@@ -64,8 +64,16 @@ const fill = (id, values) => {
 
 const scene = new Scene();
 const views = [
-  { element: element('clipped'), caption: element('clipped-caption'), name: 'Clipped by clip distances' },
-  { element: element('discarded'), caption: element('discarded-caption'), name: 'Clipped by discard' },
+  {
+    element: element('clipped'),
+    caption: element('clipped-caption'),
+    name: 'Clipped by clip distances',
+  },
+  {
+    element: element('discarded'),
+    caption: element('discarded-caption'),
+    name: 'Clipped by discard',
+  },
 ];
 const lens = new Lens(element('lens'));
 const images = new Images(scene, views, lens, showScene, showNumbers);
