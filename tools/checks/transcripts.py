@@ -15,6 +15,7 @@ import subprocess
 
 BLOCK = re.compile(r"^```console\n(.*?)^```$", re.M | re.S)
 TABLE = re.compile(r"^\| `([^`]+)` with \|.*\n\|[-|]+\n((?:\|.*\n)+)", re.M)
+FAILURE = re.compile(r"(?:: |\): |: \")error\b|\d+ of \d+ failed")  # in text, msvc's form or JSON
 CELL = re.compile(r"(?<!\\)\|")
 
 
@@ -54,7 +55,7 @@ def is_shown(shown, text):
 def check_block(run, page, block, folder):
     for command, shown in commands(block):
         code, text = printed(command, folder, run.path)
-        fails = re.search(r"(?:: |\): )error\b|\d+ of \d+ failed", shown) is not None
+        fails = re.search(FAILURE, shown) is not None
         if not is_shown(shown, text) or (code != 0) != fails:
             run.problems.append(
                 f"{page.name}: `{command}`, exit code {code}, prints\n{text[:2000]}"

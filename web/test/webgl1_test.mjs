@@ -248,4 +248,20 @@ console.log(
   `${count.shaders} shaders drawn by WebGL 1 as the desktop draws them, ${count.cut} of them cut by discard`,
 );
 assert.ok(count.shaders >= 30 && count.cut >= 15, 'too few shaders to show anything');
+
+// Browsers enforce what GLSL ES 1.00, appendix A, says of indices.
+const indices = fileURLToPath(
+  new URL('../../testdata/glsl/pixel/loop_indices.hlsl', import.meta.url),
+);
+const { stdout: fragment } = spawnSync(clipc, ['-T', 'ps_5_0', '--target=webgl1', indices], {
+  encoding: 'utf8',
+});
+const refused = await page.evaluate(`(() => {
+  const gl = new OffscreenCanvas(1, 1).getContext('webgl');
+  const shader = gl.createShader(gl.FRAGMENT_SHADER);
+  gl.shaderSource(shader, ${JSON.stringify(fragment)});
+  gl.compileShader(shader);
+  return gl.getShaderParameter(shader, gl.COMPILE_STATUS) ? '' : gl.getShaderInfoLog(shader);
+})()`);
+assert.equal(refused, '', fragment);
 await page.close();
