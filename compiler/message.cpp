@@ -11,6 +11,7 @@
 
 #include "base/path.h"
 #include "clip-table/vocabulary.h"
+#include "compiler/explain.h"
 
 namespace clipc {
 namespace {
@@ -172,6 +173,8 @@ std::string RenderSarif(const std::vector<Message>& messages) {
     if (is_new) {
       Json entry = {{"id", message.name}};
       if (!message.code.empty()) entry["shortDescription"] = {{"text", "fxc " + message.code}};
+      if (std::string help = Explain(message.name); !help.empty())
+        entry["help"] = {{"text", std::move(help)}};
       rules.push_back(std::move(entry));
     }
     results.push_back(SarifResult(message, rule->second));
