@@ -47,7 +47,7 @@ Globals WriteGlobals(Code& code) {
   return globals;
 }
 
-std::string Header(const Context& context) {
+std::string Header(const WriterContext& context) {
   std::string text = context.target.VersionLine() + "\n";
   for (const std::string& extension : context.extensions)
     Append(text, "#extension ", extension, " : require\n");

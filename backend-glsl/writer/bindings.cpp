@@ -57,7 +57,7 @@ std::string RegisterText(const ir::Register& reg) {
   return reg.letter + std::to_string(reg.number);
 }
 
-std::string Bind(const Context& context, GlslInfo::Binding& place,
+std::string Bind(const WriterContext& context, GlslInfo::Binding& place,
                  const ir::BlockDeclaration& declared) {
   if (context.target.IsVulkan()) place.set = declared.set;
   if (context.target.IsVulkan() || context.Has(Feature::kBindings))
@@ -67,7 +67,7 @@ std::string Bind(const Context& context, GlslInfo::Binding& place,
   return place.binding ? Concat(set, "binding = ", std::to_string(*place.binding)) : set;
 }
 
-std::string Bind(const Context& context, GlslInfo::Binding& place, const ir::Register& reg,
+std::string Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written) {
   std::string set;
   place.count = count;

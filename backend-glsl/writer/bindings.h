@@ -34,12 +34,12 @@ struct Bindings {
 // else the register's number or, where that is taken or too high, at the first free one. Returns
 // the qualifiers that say so, none where the target cannot say it or none is free.
 // `written` is the place that the other stage of a pair gave it; null if it is written here first.
-std::string Bind(const Context& context, GlslInfo::Binding& place, const ir::Register& reg,
+std::string Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written = nullptr);
 
 // Binds a block where another stage declares it; returns the qualifiers that say so, none if that
 // stage gives no place.
-std::string Bind(const Context& context, GlslInfo::Binding& place,
+std::string Bind(const WriterContext& context, GlslInfo::Binding& place,
                  const ir::BlockDeclaration& declared);
 
 }  // namespace clipc::glsl

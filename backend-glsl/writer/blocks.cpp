@@ -21,7 +21,7 @@ namespace {
 
 class BlockWriter {
  public:
-  BlockWriter(Context& context, CbufferId id, Bindings& bindings, UniformBlocks& blocks)
+  BlockWriter(WriterContext& context, CbufferId id, Bindings& bindings, UniformBlocks& blocks)
       : context_(context),
         bindings_(bindings),
         cbuffer_(context[id]),
@@ -286,7 +286,7 @@ class BlockWriter {
                     TypeName(context_, result), context_.NameOf(member), parameter, offset, value);
   }
 
-  Context& context_;
+  WriterContext& context_;
   Bindings& bindings_;
   const Cbuffer& cbuffer_;
   const BlockLayout& layout_;
@@ -298,7 +298,7 @@ class BlockWriter {
 
 }  // namespace
 
-UniformBlocks WriteBlocks(Context& context) {
+UniformBlocks WriteBlocks(WriterContext& context) {
   UniformBlocks blocks;
   blocks.text.reserve(1024);
   blocks.info.reserve(context.program.cbuffers.size());

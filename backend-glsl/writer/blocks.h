@@ -13,6 +13,6 @@ struct UniformBlocks {
   std::vector<GlslInfo::UniformBlock> info;  // of the reached ones, in order of declaration
 };
 // Declares all constant buffers that are reached, as uniform blocks or plain uniforms.
-UniformBlocks WriteBlocks(Context& context);
+UniformBlocks WriteBlocks(WriterContext& context);
 
 }  // namespace clipc::glsl

@@ -13,8 +13,8 @@
 namespace clipc::glsl {
 
 // The state that the subjects of expressions and statements share.
-struct Code : Context {
-  using Context::Context;
+struct Code : WriterContext {
+  using WriterContext::WriterContext;
 
   Constants constants{program, target};
   std::string* out = nullptr;  // the text that expressions and statements are appended to

@@ -26,7 +26,8 @@ std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached&
 
 }  // namespace
 
-Context::Context(const ir::Program& program, const Target& target, const WriteOptions& options)
+WriterContext::WriterContext(const ir::Program& program, const Target& target,
+                             const WriteOptions& options)
     : program(program),
       types(program.types),
       target(target),
@@ -36,7 +37,7 @@ Context::Context(const ir::Program& program, const Target& target, const WriteOp
       layouts(LayOutBlocks(program, reached, target, options)),
       used_structs(types.structs().size()) {}
 
-bool Context::IsWrittenAsUint(ir::VarId member) const {
+bool WriterContext::IsWrittenAsUint(ir::VarId member) const {
   const ir::Type& type = TypeOf(member);
   if (!type.IsNumeric() || type.scalar != ir::Scalar::kBool || type.kind == ir::TypeKind::kMatrix)
     return false;
@@ -48,13 +49,13 @@ bool Context::IsWrittenAsUint(ir::VarId member) const {
              : LayoutOf(member).has_uints && !IsByHand(member);
 }
 
-const GlslInfo::UniformBlock* Context::WrittenBlock(ir::CbufferId id) const {
+const GlslInfo::UniformBlock* WriterContext::WrittenBlock(ir::CbufferId id) const {
   return IsShared(id) && options.other->written
              ? options.other->written->BlockOf(options.other->cbuffers[id.index])
              : nullptr;
 }
 
-const GlslInfo::Object* Context::WrittenObject(ir::VarId texture, ir::VarId sampler) const {
+const GlslInfo::Object* WriterContext::WrittenObject(ir::VarId texture, ir::VarId sampler) const {
   if (!options.other || !options.other->written) return nullptr;
   const auto& alike = options.other->vars;
   const ir::VarId their_texture = texture ? alike[texture.index] : ir::VarId{};
@@ -66,7 +67,7 @@ const GlslInfo::Object* Context::WrittenObject(ir::VarId texture, ir::VarId samp
   return nullptr;
 }
 
-void Context::RequireType(const ir::Type& type) {
+void WriterContext::RequireType(const ir::Type& type) {
   if (!type.IsNumeric()) return;
   if (const Need* need = NeedOf(BaseOf(type.scalar))) Require(need->feature);
 }

@@ -44,8 +44,8 @@ struct Names {
 
 // The state that all subjects of the writer share. A subject is a header of free functions over it,
 // or over Code (code.h), which adds the state of expressions and statements.
-struct Context {
-  Context(const ir::Program& program, const Target& target, const WriteOptions& options);
+struct WriterContext {
+  WriterContext(const ir::Program& program, const Target& target, const WriteOptions& options);
 
   const ir::Program& program;
   const ir::TypeTable& types;  // of the program

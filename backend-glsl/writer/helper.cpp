@@ -9,14 +9,14 @@
 
 namespace clipc::glsl {
 
-std::string Fresh(Context& context, std::string_view wanted) {
+std::string Fresh(WriterContext& context, std::string_view wanted) {
   context.namer.OpenScope();
   std::string name = context.namer.Local(wanted);
   context.namer.CloseScope();
   return name;
 }
 
-std::string Helper(Context& context, std::string_view name, const std::string& key,
+std::string Helper(WriterContext& context, std::string_view name, const std::string& key,
                    const DefineHelper& define) {
   const auto [found, is_new] = context.helper_names.try_emplace(std::string(name));
   if (is_new) found->second = context.namer.Global(name, "helper");
@@ -29,7 +29,7 @@ std::string Helper(Context& context, std::string_view name, const std::string& k
   return glsl_name;
 }
 
-std::string SnippetName(Context& context, std::string_view name, const Shape& shape) {
+std::string SnippetName(WriterContext& context, std::string_view name, const Shape& shape) {
   const SnippetText* snippet = FindSnippet(name, shape);
   CLIPC_CHECK(snippet != nullptr);
   return Helper(context, name, TypeName(context, shape), [&](const std::string& function) {

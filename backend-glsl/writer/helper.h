@@ -12,14 +12,14 @@ namespace clipc::glsl {
 
 // A name for a parameter or local of a function that is being defined, unlike every name that the
 // function may mention.
-std::string Fresh(Context& context, std::string_view wanted);
+std::string Fresh(WriterContext& context, std::string_view wanted);
 
 // The GLSL name of helper `name`; defines it by define(GLSL name) when `key` is new for that name.
 using DefineHelper = std::function<std::string(const std::string& function)>;
-std::string Helper(Context& context, std::string_view name, const std::string& key,
+std::string Helper(WriterContext& context, std::string_view name, const std::string& key,
                    const DefineHelper& define);
 
 // The GLSL name of the snippet `name` (snippets.h) for a first argument of this shape.
-std::string SnippetName(Context& context, std::string_view name, const Shape& shape);
+std::string SnippetName(WriterContext& context, std::string_view name, const Shape& shape);
 
 }  // namespace clipc::glsl

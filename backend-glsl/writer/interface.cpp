@@ -25,7 +25,7 @@ constexpr std::uint32_t kViews = 2;
 
 // Whether the shader reads neither attributes nor objects, as that of a full-screen triangle: there
 // are no vertices in memory, of which a draw call could leave out the first.
-bool HasNoVertices(const Context& context) {
+bool HasNoVertices(const WriterContext& context) {
   const auto is_attribute = [&](const IoVar& input) {
     return input.builtin == Builtin::kNone && context.reached.Has(input.var);
   };
@@ -36,19 +36,19 @@ bool HasNoVertices(const Context& context) {
 }
 
 // Whether the draw calls' first vertex is a part of gl_VertexID, and nothing subtracts it.
-bool KeepsBaseVertex(const Context& context) {
+bool KeepsBaseVertex(const WriterContext& context) {
   if (context.target.IsVulkan()) return context.options.base_vertex_is_zero;
   return context.Has(Feature::kBaseVertexDraws) &&
          (context.options.base_vertex_is_zero || !context.Has(Feature::kDrawParameters) ||
           HasNoVertices(context));
 }
 
-bool KeepsBaseInstance(const Context& context) {
+bool KeepsBaseInstance(const WriterContext& context) {
   return context.target.IsVulkan() && context.options.base_instance_is_zero;
 }
 
 // The value of an input that is a built-in variable of GLSL.
-std::string BuiltinInput(const Context& context, Builtin builtin) {
+std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
   const bool is_vulkan = context.target.IsVulkan();
   const bool is_core = context.target.Of(Feature::kDrawParameters).extension.empty();
   const std::string suffix = is_core ? "" : "ARB";
@@ -94,7 +94,7 @@ std::string BuiltinInput(const Context& context, Builtin builtin) {
 }
 
 // Names the extensions that a built-in input needs, and declares what must be declared.
-void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
+void RequireBuiltin(WriterContext& context, const IoVar& input, Inputs& inputs) {
   if (const Need* need = NeedOf(input.builtin)) context.Require(need->feature);
   GlslInfo::Variable& info = inputs.info.back();
   const bool is_vulkan = context.target.IsVulkan();
@@ -128,7 +128,7 @@ void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
 
 // Whether the input is an integer in HLSL and a float attribute here. Attributes are floats in GLSL
 // 1.20; whole numbers up to 2^24 come through exactly.
-bool IsIntegerAsFloat(const Context& context, const IoVar& input) {
+bool IsIntegerAsFloat(const WriterContext& context, const IoVar& input) {
   return !context.Has(Feature::kInAndOut) && !context.ShapeAt(input.var).IsFloating() &&
          !InfoOf(context.program.stage).has_stage_before;
 }
@@ -136,7 +136,7 @@ bool IsIntegerAsFloat(const Context& context, const IoVar& input) {
 // Appends the declaration of an output, or of the matrix or array that it is a part of: "vec2 uv";
 // "mat3 tangents", whose first column the output is. An input of a stage with a stage before is
 // declared alike.
-void AppendVarying(Context& context, std::string& text, const IoVar& io, Shape shape,
+void AppendVarying(WriterContext& context, std::string& text, const IoVar& io, Shape shape,
                    std::string_view name) {
   if (!io.reader || io.reader->IsWhole()) return AppendDeclaration(context, text, shape, name);
   if (io.reader->columns > 1) {
@@ -148,7 +148,7 @@ void AppendVarying(Context& context, std::string& text, const IoVar& io, Shape s
 }
 
 // Whether the shader reads the input, or another row of the matrix that the input begins.
-bool IsDeclared(const Context& context, const IoVar& input) {
+bool IsDeclared(const WriterContext& context, const IoVar& input) {
   if (!input.reader || input.reader->IsWhole()) return context.reached.Has(input.var);
   return input.reader->element == 0 &&
          std::ranges::any_of(context.program.inputs, [&](const IoVar& other) {
@@ -157,7 +157,7 @@ bool IsDeclared(const Context& context, const IoVar& input) {
 }
 
 // Whether the shader reads the input at the primitive's vertices, so that it is an array of them.
-bool IsPerVertex(const Context& context, VarId input) {
+bool IsPerVertex(const WriterContext& context, VarId input) {
   const auto& inputs = context.reached.per_vertex;
   return std::ranges::find(inputs, input) != inputs.end();
 }
@@ -169,7 +169,7 @@ std::string AtVertex(std::string_view name, std::string_view vertex) {
 }
 
 // Declares an input that is an output of the stage before, in the same words.
-void WriteVaryingInput(Context& context, const IoVar& input, const std::string& name,
+void WriteVaryingInput(WriterContext& context, const IoVar& input, const std::string& name,
                        Inputs& inputs) {
   GlslInfo::Variable& info = inputs.info.back();
   const bool has_location = context.Has(Feature::kOutputLocations);
@@ -194,7 +194,7 @@ void WriteVaryingInput(Context& context, const IoVar& input, const std::string& 
   Append(inputs.text, ";", SemanticComment{input, name});
 }
 
-void WriteInput(Context& context, const IoVar& input, const std::string& attribute,
+void WriteInput(WriterContext& context, const IoVar& input, const std::string& attribute,
                 Inputs& inputs) {
   GlslInfo::Variable& info = inputs.info.emplace_back();
   info.is_used = context.reached.Has(input.var);
@@ -221,7 +221,7 @@ void WriteInput(Context& context, const IoVar& input, const std::string& attribu
 
 // Declares an output that is not built in at its location, or at `location` if that is higher.
 // Returns the location after it.
-std::uint32_t WriteVarying(Context& context, const IoVar& output, Outputs& outputs,
+std::uint32_t WriteVarying(WriterContext& context, const IoVar& output, Outputs& outputs,
                            std::uint32_t location) {
   GlslInfo::Variable& info = outputs.info.back();
   const Shape shape = context.ShapeAt(output.var);
@@ -247,7 +247,7 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, Outputs& outpu
 }
 
 // Declares an output to a render target; GLSL without `out` has gl_FragData in its place.
-void WriteTarget(Context& context, const IoVar& output, Outputs& outputs) {
+void WriteTarget(WriterContext& context, const IoVar& output, Outputs& outputs) {
   GlslInfo::Variable& info = outputs.info.back();
   if (!context.Has(Feature::kInAndOut)) {
     if (output.location > 0) context.Require(Feature::kSeveralTargets);
@@ -270,7 +270,7 @@ void WriteTarget(Context& context, const IoVar& output, Outputs& outputs) {
 // The elements of an output array that `main` assigns, one bit for each; all if it assigns the
 // whole array or an element whose index is not constant. The array is only the target of
 // statements, a promise of ir/verify.h.
-std::uint32_t WrittenElements(const Context& context, VarId array) {
+std::uint32_t WrittenElements(const WriterContext& context, VarId array) {
   const std::uint32_t count = context.TypeOf(array).count;
   const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;
   std::uint32_t mask = 0;
@@ -287,7 +287,7 @@ std::uint32_t WrittenElements(const Context& context, VarId array) {
 // Declares clip and cull distances anew, since they have no size of their own: as members of
 // gl_PerVertex where the interface between separate stages is built from it, otherwise as arrays
 // alone.
-void WritePerVertex(Context& context, Outputs& outputs) {
+void WritePerVertex(WriterContext& context, Outputs& outputs) {
   const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
   const bool has_block = is_vulkan || (!is_es && context.target.version() >= 410);
   const bool in_block = has_block && (is_vulkan || context.options.separable);
@@ -313,7 +313,7 @@ void WritePerVertex(Context& context, Outputs& outputs) {
 }
 
 // Writes the qualifiers of built-in outputs that are not declared anew.
-void QualifyBuiltins(Context& context, std::string& text) {
+void QualifyBuiltins(WriterContext& context, std::string& text) {
   for (const IoVar& output : context.program.outputs) {
     const bool is_less = output.builtin == Builtin::kDepthLessEqual;
     if ((is_less || output.builtin == Builtin::kDepthGreaterEqual) &&
@@ -332,7 +332,8 @@ void QualifyBuiltins(Context& context, std::string& text) {
 
 }  // namespace
 
-std::string InputText(const Context& context, const IoVar& input, const std::string& attribute) {
+std::string InputText(const WriterContext& context, const IoVar& input,
+                      const std::string& attribute) {
   const bool is_array = context.TypeOf(input.var).kind == TypeKind::kArray;
   if (is_array) return BuiltinInput(context, input.builtin);
   const Shape shape = context.ShapeAt(input.var);
@@ -348,14 +349,14 @@ std::string InputText(const Context& context, const IoVar& input, const std::str
   return IsIntegerAsFloat(context, input) ? converted(attribute) : attribute;
 }
 
-std::string AtVertex(const Context& context, VarId input, std::string_view vertex) {
+std::string AtVertex(const WriterContext& context, VarId input, std::string_view vertex) {
   const auto& inputs = context.program.inputs;
   const auto found = std::ranges::find(inputs, input, &IoVar::var);
   const auto number = static_cast<std::size_t>(found - inputs.begin());
   return AtVertex(context.names.attributes[number], vertex);
 }
 
-bool IsPixelPosition(const Context& context, VarId var) {
+bool IsPixelPosition(const WriterContext& context, VarId var) {
   return InfoOf(context.program.stage).draws_pixels && context[var].storage == Storage::kInput &&
          std::ranges::any_of(context.program.inputs, [&](const IoVar& input) {
            return input.var == var && input.builtin == Builtin::kPixelPosition;
@@ -393,7 +394,7 @@ bool IsIntOutput(Builtin builtin) {
   }
 }
 
-Inputs WriteInputs(Context& context) {
+Inputs WriteInputs(WriterContext& context) {
   const std::vector<IoVar>& wanted = context.program.inputs;
   Inputs inputs;
   inputs.text.reserve(512);
@@ -403,7 +404,7 @@ Inputs WriteInputs(Context& context) {
   return inputs;
 }
 
-Outputs WriteOutputs(Context& context) {
+Outputs WriteOutputs(WriterContext& context) {
   Outputs outputs;
   outputs.text.reserve(512);
   outputs.text += GroupsText(context);

@@ -25,7 +25,7 @@ std::string Sum(const std::string& dynamic, std::uint32_t constant) {
 // A reader of values from one array of words.
 class Loader {
  public:
-  Loader(Context& context, const Memory& memory) : context_(context), memory_(memory) {}
+  Loader(WriterContext& context, const Memory& memory) : context_(context), memory_(memory) {}
 
   std::string Load(TypeId id, bool row_major, const Address& address) {
     const Type& type = context_[id];
@@ -172,13 +172,13 @@ class Loader {
     return Called(name, {fields.empty() ? "0.0" : list}).text;
   }
 
-  Context& context_;
+  WriterContext& context_;
   const Memory& memory_;
 };
 
 }  // namespace
 
-std::string Load(Context& context, const Memory& memory, TypeId type, bool row_major,
+std::string Load(WriterContext& context, const Memory& memory, TypeId type, bool row_major,
                  const Address& address) {
   return Loader(context, memory).Load(type, row_major, address);
 }

@@ -22,7 +22,7 @@ struct Address {
 };
 
 // The text of the value of this type at the address.
-std::string Load(Context& context, const Memory& memory, ir::TypeId type, bool row_major,
+std::string Load(WriterContext& context, const Memory& memory, ir::TypeId type, bool row_major,
                  const Address& address);
 
 // The place "2 * i" of element `index` of an array whose elements are `stride` units apart.

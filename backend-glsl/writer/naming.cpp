@@ -54,10 +54,10 @@ std::vector<std::string> FieldNames(std::vector<std::string_view> wanted) {
   return names;
 }
 
-// The giver of names, which takes them from the Context's namer.
+// The giver of names, which takes them from the context's namer.
 class Naming {
  public:
-  explicit Naming(Context& context) : context_(context), namer_(context.namer) {
+  explicit Naming(WriterContext& context) : context_(context), namer_(context.namer) {
     const Program& program = context.program;
     names_.vars.resize(program.vars.size());
     is_given_.resize(program.vars.size());
@@ -294,7 +294,7 @@ class Naming {
     names_.fields[id.index] = FieldNames(std::move(wanted));
   }
 
-  const Context& context_;
+  const WriterContext& context_;
   Namer& namer_;
   Names names_;
   std::vector<bool> is_given_;  // by VarId: the other stage of a pair gave the name
@@ -313,10 +313,10 @@ std::string InterfaceName(const IoVar& output, const NameStyle& style) {
       {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
 }
 
-Names NameEverything(Context& context) { return Naming(context).Run(); }
+Names NameEverything(WriterContext& context) { return Naming(context).Run(); }
 
 // Overloads share a name as long as GLSL can tell them apart: half and float are the same there.
-std::vector<std::string> NameFunctions(Context& context) {
+std::vector<std::string> NameFunctions(WriterContext& context) {
   std::vector<std::string> names(context.program.functions.size());
   std::unordered_map<std::string_view, int> counts;
   for (const FunctionId id : context.reached.functions) ++counts[context[id].name];

@@ -31,12 +31,12 @@ std::string Dimension(ObjectKind kind) {
 }
 
 // The prefix of a sampler's or an image's type: "i" of isampler2D.
-std::string_view PrefixOf(const Context& context, const Type& object) {
+std::string_view PrefixOf(const WriterContext& context, const Type& object) {
   const Scalar kind = object.element ? BaseOf(context[object.element].scalar) : Scalar::kFloat;
   return kind == Scalar::kInt ? "i" : kind == Scalar::kUint ? "u" : "";
 }
 
-std::uint32_t CountOf(const Context& context, VarId var) {
+std::uint32_t CountOf(const WriterContext& context, VarId var) {
   std::uint64_t count = 1;
   for (const Type* type = &context.TypeOf(var); type->kind == TypeKind::kArray;
        type = &context[type->element]) {
@@ -53,7 +53,7 @@ std::span<const TextureUse> UsesOf(const std::vector<TextureUse>& uses, VarId te
 
 class ObjectWriter {
  public:
-  explicit ObjectWriter(Context& context) : context_(context) {}
+  explicit ObjectWriter(WriterContext& context) : context_(context) {}
 
   Objects Write() {
     const bool is_vulkan = context_.target.IsVulkan();
@@ -211,7 +211,7 @@ class ObjectWriter {
                          ObjectTypeOf(context_, resource.var).object});
   }
 
-  Context& context_;
+  WriterContext& context_;
   Objects objects_;
   std::string& text_ = objects_.text;
   Bindings textures_{
@@ -224,20 +224,20 @@ class ObjectWriter {
 
 }  // namespace
 
-const Type& ObjectTypeOf(const Context& context, VarId object) {
+const Type& ObjectTypeOf(const WriterContext& context, VarId object) {
   return context[context.types.Innermost(context[object].type)];
 }
 
-bool IsShadow(const Context& context, VarId sampler) {
+bool IsShadow(const WriterContext& context, VarId sampler) {
   return sampler && ObjectTypeOf(context, sampler).object == ObjectKind::kSamplerComparison;
 }
 
-std::string TextureType(const Context& context, VarId texture, std::string_view stem) {
+std::string TextureType(const WriterContext& context, VarId texture, std::string_view stem) {
   const Type& type = ObjectTypeOf(context, texture);
   return Concat(PrefixOf(context, type), stem, Dimension(type.object));
 }
 
-std::vector<TextureUse> FindTextureUses(Context& context) {
+std::vector<TextureUse> FindTextureUses(WriterContext& context) {
   std::vector<TextureUse> uses;
   if (context.program.resources.empty() || context.target.IsVulkan()) return uses;
   for (const FunctionId function : context.reached.functions) {
@@ -279,9 +279,9 @@ std::vector<TextureUse> FindTextureUses(Context& context) {
   return uses;
 }
 
-Objects WriteObjects(Context& context) { return ObjectWriter(context).Write(); }
+Objects WriteObjects(WriterContext& context) { return ObjectWriter(context).Write(); }
 
-const std::string& CombinedName(const Context& context, VarId texture, VarId sampler) {
+const std::string& CombinedName(const WriterContext& context, VarId texture, VarId sampler) {
   const TextureUse* found = nullptr;
   for (const TextureUse& use : UsesOf(context.texture_uses, texture)) {
     if (use.sampler == sampler) return use.name;

@@ -12,21 +12,21 @@
 namespace clipc::glsl {
 
 // The textures that are read and the samplers they are read with, with names for the pairs.
-std::vector<TextureUse> FindTextureUses(Context& context);
+std::vector<TextureUse> FindTextureUses(WriterContext& context);
 
 struct Objects {
   std::string text;                    // the declarations
   std::vector<GlslInfo::Object> info;  // in their order
 };
-Objects WriteObjects(Context& context);
+Objects WriteObjects(WriterContext& context);
 
 // The type of an object, or of the objects in an array.
-const ir::Type& ObjectTypeOf(const Context& context, ir::VarId object);
-bool IsShadow(const Context& context, ir::VarId sampler);
+const ir::Type& ObjectTypeOf(const WriterContext& context, ir::VarId object);
+bool IsShadow(const WriterContext& context, ir::VarId sampler);
 
 // The type of a texture with the stem "sampler": "isampler2DArray".
-std::string TextureType(const Context& context, ir::VarId texture, std::string_view stem);
+std::string TextureType(const WriterContext& context, ir::VarId texture, std::string_view stem);
 // The name of the one variable for a texture and its sampler, or for a texture alone.
-const std::string& CombinedName(const Context& context, ir::VarId texture, ir::VarId sampler);
+const std::string& CombinedName(const WriterContext& context, ir::VarId texture, ir::VarId sampler);
 
 }  // namespace clipc::glsl

@@ -16,14 +16,14 @@ namespace {
 bool IsFlat(Scalar scalar) { return scalar != Scalar::kFloat; }
 
 // The output that is the member, or its first element; null if the shader writes none.
-const IoVar* OutputOf(const Context& context, std::size_t group, std::size_t member) {
+const IoVar* OutputOf(const WriterContext& context, std::size_t group, std::size_t member) {
   const auto found = std::ranges::find_if(context.program.outputs, [&](const IoVar& output) {
     return output.reader && output.reader->group == group && output.reader->member == member;
   });
   return found == context.program.outputs.end() ? nullptr : &*found;
 }
 
-bool IsPrecise(const Context& context, std::size_t group, std::size_t member) {
+bool IsPrecise(const WriterContext& context, std::size_t group, std::size_t member) {
   return std::ranges::any_of(context.program.outputs, [&](const IoVar& output) {
     return output.reader && output.reader->group == group && output.reader->member == member &&
            context[output.var].precise;
@@ -31,7 +31,7 @@ bool IsPrecise(const Context& context, std::size_t group, std::size_t member) {
 }
 
 // The line "    flat uvec2 cell[2];  // CELL0" of a member; without the qualifiers in a struct.
-std::string MemberText(Context& context, std::size_t group, std::size_t number,
+std::string MemberText(WriterContext& context, std::size_t group, std::size_t number,
                        bool has_locations) {
   const OutputGroup& whole = context.program.output_groups[group];
   const OutputGroup::GroupMember& member = whole.members[number];
@@ -54,7 +54,7 @@ std::string MemberText(Context& context, std::size_t group, std::size_t number,
 
 // The qualifiers of a struct, whose members have none: those of its first member, and `flat` where
 // one of them must be.
-std::string StructInterpolation(Context& context, const OutputGroup& group) {
+std::string StructInterpolation(WriterContext& context, const OutputGroup& group) {
   const OutputGroup::GroupMember& first = group.members.front();
   Interpolated whole{first.scalar, first.interpolation, first.centroid, first.sample};
   for (const OutputGroup::GroupMember& member : group.members) {
@@ -63,7 +63,7 @@ std::string StructInterpolation(Context& context, const OutputGroup& group) {
   return InterpolationText(context, whole);
 }
 
-void WriteGroup(Context& context, std::size_t number, std::string& text) {
+void WriteGroup(WriterContext& context, std::size_t number, std::string& text) {
   const OutputGroup& group = context.program.output_groups[number];
   const auto is_placed = [](const OutputGroup::GroupMember& member) {
     return member.location.has_value();
@@ -101,7 +101,7 @@ void AppendPart(std::string& text, const SemanticComment& part) {
   Append(text, io.semantic, io.index, "\n");
 }
 
-std::string InterpolationText(Context& context, const Interpolated& output) {
+std::string InterpolationText(WriterContext& context, const Interpolated& output) {
   const bool is_flat =
       IsFlat(output.scalar) || output.interpolation == Interpolation::kNoInterpolation;
   const bool is_linear = !is_flat && output.interpolation == Interpolation::kNoPerspective;
@@ -111,7 +111,7 @@ std::string InterpolationText(Context& context, const Interpolated& output) {
                 output.sample ? "sample " : "");
 }
 
-std::string GroupsText(Context& context) {
+std::string GroupsText(WriterContext& context) {
   std::string text;
   for (std::size_t i = 0; i < context.program.output_groups.size(); ++i)
     WriteGroup(context, i, text);

@@ -33,9 +33,9 @@ struct Interpolated {
 };
 // The qualifiers "flat " or "noperspective centroid "; numbers that GLSL cannot interpolate are
 // flat.
-std::string InterpolationText(Context& context, const Interpolated& output);
+std::string InterpolationText(WriterContext& context, const Interpolated& output);
 
 // The declarations of Program::output_groups.
-std::string GroupsText(Context& context);
+std::string GroupsText(WriterContext& context);
 
 }  // namespace clipc::glsl

@@ -26,7 +26,7 @@ std::string Dimension(std::uint32_t count) {
 }
 
 // The name of the struct with these fields in place of an array: `name`, or one like it.
-std::string_view ArrayStruct(Context& context, const std::string& key, std::string_view name,
+std::string_view ArrayStruct(WriterContext& context, const std::string& key, std::string_view name,
                              std::string_view fields) {
   auto [found, is_new] = context.wrappers.try_emplace(key);
   if (is_new) {
@@ -37,7 +37,8 @@ std::string_view ArrayStruct(Context& context, const std::string& key, std::stri
 }
 
 // The struct vec4_array3 { vec4 e0, e1, e2; } in place of an array where arrays are not values.
-std::string_view StructOfFields(Context& context, std::string_view element, std::uint32_t count) {
+std::string_view StructOfFields(WriterContext& context, std::string_view element,
+                                std::uint32_t count) {
   const std::string fields =
       ListOf(count, [](std::uint32_t i) { return Concat("e", std::to_string(i)); });
   return ArrayStruct(context, Concat(element, Dimension(count)),
@@ -45,7 +46,7 @@ std::string_view StructOfFields(Context& context, std::string_view element, std:
                      Concat(element, " ", fields));
 }
 
-TypeParts PartsOf(Context& context, const Shape& shape) {
+TypeParts PartsOf(WriterContext& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;
   TypeParts parts{WordOf(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)), ""};
   if (is_array && !context.Has(Feature::kArrayValues))
@@ -55,10 +56,10 @@ TypeParts PartsOf(Context& context, const Shape& shape) {
   return parts;
 }
 
-TypeParts PartsOf(Context& context, TypeId id);
+TypeParts PartsOf(WriterContext& context, TypeId id);
 
 // The struct float_array3 { float e[3]; } in place of an array that is an element of another.
-std::string_view WrapperOf(Context& context, TypeId array) {
+std::string_view WrapperOf(WriterContext& context, TypeId array) {
   const TypeParts parts = PartsOf(context, array);
   const Type& type = context[array];
   const std::uint32_t count = type.kind == TypeKind::kArray ? type.count : type.rows;
@@ -67,7 +68,7 @@ std::string_view WrapperOf(Context& context, TypeId array) {
                      Concat(parts.base, " e", parts.dimensions));
 }
 
-void UseStruct(Context& context, StructId id) {
+void UseStruct(WriterContext& context, StructId id) {
   if (context.used_structs[id.index]) return;
   context.used_structs[id.index] = true;
   std::string text = Concat("struct ", context.names.structs[id.index], " {\n");
@@ -80,7 +81,7 @@ void UseStruct(Context& context, StructId id) {
   Append(context.structs, text, "};\n\n");
 }
 
-TypeParts PartsOf(Context& context, TypeId id) {
+TypeParts PartsOf(WriterContext& context, TypeId id) {
   const Type& type = context[id];
   if (type.IsNumeric()) {
     context.RequireType(type);
@@ -108,60 +109,61 @@ TypeParts PartsOf(Context& context, TypeId id) {
 
 }  // namespace
 
-std::string TypeName(Context& context, TypeId type) {
+std::string TypeName(WriterContext& context, TypeId type) {
   const TypeParts parts = PartsOf(context, type);
   return Concat(parts.base, parts.dimensions);
 }
 
-std::string TypeName(Context& context, const Shape& shape) {
+std::string TypeName(WriterContext& context, const Shape& shape) {
   const TypeParts parts = PartsOf(context, shape);
   return Concat(parts.base, parts.dimensions);
 }
 
-std::string Declaration(Context& context, TypeId type, std::string_view name) {
+std::string Declaration(WriterContext& context, TypeId type, std::string_view name) {
   const TypeParts parts = PartsOf(context, type);
   return Concat(parts.base, " ", name, parts.dimensions);
 }
 
-std::string Declaration(Context& context, const Shape& shape, std::string_view name) {
+std::string Declaration(WriterContext& context, const Shape& shape, std::string_view name) {
   const TypeParts parts = PartsOf(context, shape);
   return Concat(parts.base, " ", name, parts.dimensions);
 }
 
-void AppendDeclaration(Context& context, std::string& text, TypeId type, std::string_view name) {
+void AppendDeclaration(WriterContext& context, std::string& text, TypeId type,
+                       std::string_view name) {
   const TypeParts parts = PartsOf(context, type);
   Append(text, parts.base, " ", name, parts.dimensions);
 }
 
-void AppendDeclaration(Context& context, std::string& text, const Shape& shape,
+void AppendDeclaration(WriterContext& context, std::string& text, const Shape& shape,
                        std::string_view name) {
   const TypeParts parts = PartsOf(context, shape);
   Append(text, parts.base, " ", name, parts.dimensions);
 }
 
-std::string UniformDeclaration(Context& context, TypeId id, std::string_view name) {
+std::string UniformDeclaration(WriterContext& context, TypeId id, std::string_view name) {
   const Type& type = context[id];
   if (type.kind != TypeKind::kArray || context.Has(Feature::kArrayValues))
     return Declaration(context, id, name);
   return Declaration(context, type.element, name) + Dimension(type.count);
 }
 
-std::string Declarator(Context& context, TypeId type, std::string_view name) {
+std::string Declarator(WriterContext& context, TypeId type, std::string_view name) {
   return Concat(name, PartsOf(context, type).dimensions);
 }
 
-std::string_view PreciseText(Context& context, bool is_precise) {
+std::string_view PreciseText(WriterContext& context, bool is_precise) {
   if (!is_precise || !context.Has(Feature::kPrecise)) return "";
   context.Require(Feature::kPrecise);
   return "precise ";
 }
 
-std::string ParameterTypes(Context& context, FunctionId function) {
+std::string ParameterTypes(WriterContext& context, FunctionId function) {
   return ListOf(context[function].parameters,
                 [&](VarId parameter) { return TypeName(context, context[parameter].type); });
 }
 
-std::string Dimensions(const Context& context, VarId var) {
+std::string Dimensions(const WriterContext& context, VarId var) {
   std::string dimensions;
   for (const Type* type = &context.TypeOf(var); type->kind == TypeKind::kArray;
        type = &context[type->element]) {
@@ -170,31 +172,32 @@ std::string Dimensions(const Context& context, VarId var) {
   return dimensions;
 }
 
-bool HasFields(const Context& context, const Type& type) {
+bool HasFields(const WriterContext& context, const Type& type) {
   if (context.Has(Feature::kArrayValues)) return false;
   return type.kind == TypeKind::kArray ||
          (type.IsNumeric() && ShapeOf(type, context.target).kind == Shape::kRows);
 }
 
-std::string RowOf(const Context& context, const Shape& matrix, std::string_view text, int row) {
+std::string RowOf(const WriterContext& context, const Shape& matrix, std::string_view text,
+                  int row) {
   const bool has_fields = matrix.kind == Shape::kRows && !context.Has(Feature::kArrayValues);
   return Concat(text, has_fields ? ".e" : "[", std::to_string(row), has_fields ? "" : "]");
 }
 
-bool IsWrapped(const Context& context, TypeId array_element) {
+bool IsWrapped(const WriterContext& context, TypeId array_element) {
   if (context.Has(Feature::kArraysOfArrays) || !context.Has(Feature::kArrayValues)) return false;
   const Type& type = context[array_element];
   return type.kind == TypeKind::kArray ||
          (type.IsNumeric() && ShapeOf(type, context.target).kind == Shape::kRows);
 }
 
-std::string ElementText(Context& context, TypeId element, Text text) {
+std::string ElementText(WriterContext& context, TypeId element, Text text) {
   std::string value = std::move(text).At(Binding::kAssignment);
   if (!IsWrapped(context, element)) return value;
   return Called(WrapperOf(context, element), {value}).text;
 }
 
-std::string ZeroText(Context& context, const Shape& shape) {
+std::string ZeroText(WriterContext& context, const Shape& shape) {
   const std::string zero = LiteralText(0, shape.scalar, context.target).text;
   if (shape.IsScalar()) return zero;
   const bool is_array = shape.kind == Shape::kRows;
@@ -202,7 +205,7 @@ std::string ZeroText(Context& context, const Shape& shape) {
   return Called(TypeName(context, shape), {is_array ? ListOf(int{shape.rows}, row) : zero}).text;
 }
 
-std::string ZeroText(Context& context, TypeId id) {
+std::string ZeroText(WriterContext& context, TypeId id) {
   const Type& type = context[id];
   if (type.IsNumeric()) return ZeroText(context, ShapeOf(type, context.target));
   const std::string name = TypeName(context, id);
@@ -224,7 +227,7 @@ std::string ZeroText(Context& context, TypeId id) {
          "()";
 }
 
-std::string FilledArray(Context& context, TypeId id,
+std::string FilledArray(WriterContext& context, TypeId id,
                         const std::function<std::string(const std::string&)>& element) {
   if (!context.Has(Feature::kArrayValues)) {
     const auto value = [&](std::uint32_t i) { return element(std::to_string(i)); };

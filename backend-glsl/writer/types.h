@@ -15,45 +15,47 @@ namespace clipc::glsl {
 // Arrays of this many elements and more are filled by a loop, shorter ones by a constructor.
 inline constexpr std::uint32_t kLongArray = 17;
 
-std::string TypeName(Context& context, ir::TypeId type);
-std::string TypeName(Context& context, const Shape& shape);
+std::string TypeName(WriterContext& context, ir::TypeId type);
+std::string TypeName(WriterContext& context, const Shape& shape);
 
 // The declaration "float name[3]".
-std::string Declaration(Context& context, ir::TypeId type, std::string_view name);
-std::string Declaration(Context& context, const Shape& shape, std::string_view name);
-void AppendDeclaration(Context& context, std::string& text, ir::TypeId type, std::string_view name);
-void AppendDeclaration(Context& context, std::string& text, const Shape& shape,
+std::string Declaration(WriterContext& context, ir::TypeId type, std::string_view name);
+std::string Declaration(WriterContext& context, const Shape& shape, std::string_view name);
+void AppendDeclaration(WriterContext& context, std::string& text, ir::TypeId type,
+                       std::string_view name);
+void AppendDeclaration(WriterContext& context, std::string& text, const Shape& shape,
                        std::string_view name);
 // The declaration "float name[3]" of a uniform, which is an array wherever HLSL has one.
-std::string UniformDeclaration(Context& context, ir::TypeId type, std::string_view name);
+std::string UniformDeclaration(WriterContext& context, ir::TypeId type, std::string_view name);
 // The part "name[3]" of a declaration, after the type.
-std::string Declarator(Context& context, ir::TypeId type, std::string_view name);
+std::string Declarator(WriterContext& context, ir::TypeId type, std::string_view name);
 // The qualifier "precise " if `is_precise` and the target has the word; otherwise empty.
-std::string_view PreciseText(Context& context, bool is_precise);
+std::string_view PreciseText(WriterContext& context, bool is_precise);
 // The types of the parameters, which tell overloads apart: "vec3, float".
-std::string ParameterTypes(Context& context, ir::FunctionId function);
+std::string ParameterTypes(WriterContext& context, ir::FunctionId function);
 // The dimensions "[4][2]" of an array of blocks or objects; empty if the variable is not an array.
-std::string Dimensions(const Context& context, ir::VarId var);
+std::string Dimensions(const WriterContext& context, ir::VarId var);
 
 // The zero of a type: "vec3(0.0)".
-std::string ZeroText(Context& context, ir::TypeId type);
-std::string ZeroText(Context& context, const Shape& shape);
+std::string ZeroText(WriterContext& context, ir::TypeId type);
+std::string ZeroText(WriterContext& context, const Shape& shape);
 
 // Whether a struct with the fields e0, e1 and so on takes the place of the type, as it does where
 // arrays are not values: for arrays that are not uniforms, and for matrices in rows. The indices of
 // such a type are constant.
-bool HasFields(const Context& context, const ir::Type& type);
+bool HasFields(const WriterContext& context, const ir::Type& type);
 // The row "m[1]" or "m.e1" of a matrix.
-std::string RowOf(const Context& context, const Shape& matrix, std::string_view text, int row);
+std::string RowOf(const WriterContext& context, const Shape& matrix, std::string_view text,
+                  int row);
 
 // Whether the element of an array is a struct that has an inner array as its field `e`, as it is
 // where GLSL has no arrays of arrays.
-bool IsWrapped(const Context& context, ir::TypeId array_element);
+bool IsWrapped(const WriterContext& context, ir::TypeId array_element);
 // An element of an array as an argument of the array's constructor.
-std::string ElementText(Context& context, ir::TypeId element, Text text);
+std::string ElementText(WriterContext& context, ir::TypeId element, Text text);
 
 // The body of a function that returns an array of element(index variable).
-std::string FilledArray(Context& context, ir::TypeId array,
+std::string FilledArray(WriterContext& context, ir::TypeId array,
                         const std::function<std::string(const std::string&)>& element);
 
 }  // namespace clipc::glsl
