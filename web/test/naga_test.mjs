@@ -16,6 +16,7 @@ const REFUSED = {
   'distances_without_gaps.hlsl': /CullDistance/,
   'control_flow.hlsl': /fall-through/,
   'skinning.hlsl': /Function .* is invalid/,
+  'images.hlsl': /ImageBuffer/, // RWBuffer, which WGSL lacks
   'matrices.hlsl': /Index 3 is out of bounds/, // of a row_major matrix that is not square
   'matrix.hlsl': /cannot be used for user-defined entry point inputs or outputs/,
 };
