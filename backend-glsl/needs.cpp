@@ -65,6 +65,7 @@ constexpr Need kStorageBuffer = {Feature::kStorageBuffers, nullptr, &diag::Targe
 constexpr Row<ObjectKind> kObjects[] = {
     {ObjectKind::kTexture1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
     {ObjectKind::kSampler1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
+    {ObjectKind::kSampler2DShadow, {Feature::kShadowSamplers, nullptr, &diag::TargetShadowSampler}},
     // A Texture1DArray needs what a Texture1D needs, too.
     {ObjectKind::kTexture1DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
     {ObjectKind::kTexture3D, {Feature::kTexture3D, nullptr, &diag::TargetTexture3D}},

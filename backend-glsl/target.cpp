@@ -155,6 +155,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kDeterminant, {150}, {300}},
     {Feature::kFullMatrices, {120}, {300}},
     {Feature::kTextureFunctions, {130}, {300}},
+    {Feature::kShadowSamplers, {110}, {300}},
     {Feature::kTextureArrays, {130}, {300}},
     {Feature::kTextureStatus, {kNever, 450, "GL_ARB_sparse_texture2"}, {}},
     {Feature::kLevelClamps, {kNever, 450, "GL_ARB_sparse_texture_clamp"}, {}},

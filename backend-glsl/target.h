@@ -109,6 +109,7 @@ enum class Feature : std::uint8_t {
   kFullMatrices,  // mat4x3, transpose, outerProduct, matrices made of matrices
   // ---- textures
   kTextureFunctions,  // textureLod, texelFetch, textureSize; integer samplers
+  kShadowSamplers,    // sampler2DShadow
   kTextureArrays,
   kTextureStatus,       // sparseTextureARB and the like
   kLevelClamps,         // textureClampARB and the like

@@ -52,8 +52,9 @@ struct LanguageOptions {
   // The shader is one of an effect: it has a preshader, CheckOptions::has_preshader, and its text
   // is that of other shaders too, which a Compiler reads once.
   bool is_in_effect = false;
-  bool legacy_macro_expansion = false;  // read `##` as fxc from shader model 6 on too
-  bool byte_matrices_by_row = false;    // CheckOptions::byte_matrices_by_row
+  std::vector<std::string> shadow_samplers;  // CheckOptions::shadow_samplers
+  bool legacy_macro_expansion = false;       // read `##` as fxc from shader model 6 on too
+  bool byte_matrices_by_row = false;         // CheckOptions::byte_matrices_by_row
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
 };

@@ -46,6 +46,22 @@ void SetShard(Reading& reading, const std::string& value) {
                               AsWritten(reading, value));
 }
 
+// Adds names with commas between them to a list.
+template <auto kMember>
+void SetNames(Reading& reading, const std::string& value) {
+  std::size_t begin = 0;
+  while (begin <= value.size()) {
+    const std::size_t end = std::min(value.find(',', begin), value.size());
+    if (end == begin) {
+      reading.error = fmt::format("`{}`: it needs names with commas between them, as `a,b`",
+                                  AsWritten(reading, value));
+      return;
+    }
+    MemberOf(reading, kMember).push_back(value.substr(begin, end - begin));
+    begin = end + 1;
+  }
+}
+
 void SetProfile(Reading& reading, const std::string& value) {
   reading.names_profile = true;
   reading.command.request.language.profile = value;
@@ -168,10 +184,11 @@ constexpr Option kOwnOptions[] = {
     {"-include", kSeparate, Set<&IncludeOptions::forced>, "<FILE>", "include FILE first"},
     {"-HV", kJoinedOrSeparate, Choose<&LanguageOptions::version, kLanguageNames>, "<YEAR>",
      "2016, 2017, 2018 or 2021 (2021): from shader model 6 on"},
-    {"-Zpc", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>, "",
-     "matrices are column-major in memory (the default)"},
     {"-Zpr", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>, "",
-     "matrices are row-major in memory"},
+     "matrices are row-major in memory; -Zpc: column-major (the default)"},
+    {"-Zpc", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>},
+    {"--shadow-samplers", kEquals, SetNames<&LanguageOptions::shadow_samplers>, "<A>",
+     "A or A,B: samplers of Direct3D 9 whose tex2Dproj compares depths"},
     {"-Gis", kFlag, Set<&StyleOptions::precise>, "",
      "the outputs and what they depend on are `precise`"},
     {"-P", kOptional, SetPreprocess, "<FILE>", "write the preprocessed HLSL to FILE, and stop"},

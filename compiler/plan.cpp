@@ -62,6 +62,8 @@ CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagno
   options.packing = language.packing;
   options.byte_matrices_by_row = language.byte_matrices_by_row;
   options.position_name = language.position_name;
+  if (options.profile.stage && InfoOf(*options.profile.stage).draws_pixels)
+    options.shadow_samplers = language.shadow_samplers;
   return options;
 }
 

@@ -140,6 +140,13 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
          "--separable", "it is for targets `glsl410` to `glsl460`");
   const auto profile = ir::ParseProfile(request.language.profile);
   const bool has_planes = !profile || !profile->stage || InfoOf(*profile->stage).has_stage_after;
+  const bool has_pixel_shader =
+      !has_planes || request.link.is_pair || command.effect || !command.batch.empty();
+  if (!request.language.shadow_samplers.empty()) {
+    report(request.hlsl.wanted, "--shadow-samplers", "with --target=hlsl the text stays as it is");
+    report(!request.hlsl.wanted && !has_pixel_shader, "--shadow-samplers",
+           "this is not a pixel shader");
+  }
   report(!has_planes && !command.table.empty(), "--table", "only a vertex shader has clip planes");
   report(request.debug.changes_result() && !command.table.empty(), "--table",
          "a dump takes its place");

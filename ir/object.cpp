@@ -6,7 +6,14 @@
 namespace clipc::ir {
 namespace {
 
-enum Flag : unsigned { kWritable = 1, kArray = 2, kCube = 4, kMultisampled = 8, kOrdered = 16 };
+enum Flag : unsigned {
+  kWritable = 1,
+  kArray = 2,
+  kCube = 4,
+  kMultisampled = 8,
+  kOrdered = 16,
+  kCompares = 32
+};
 
 constexpr ObjectInfo MakeInfo(const char* name, ObjectCategory category, std::uint8_t axes = 0,
                               unsigned flags = 0) {
@@ -17,7 +24,8 @@ constexpr ObjectInfo MakeInfo(const char* name, ObjectCategory category, std::ui
           .is_ordered = (flags & kOrdered) != 0,
           .is_array = (flags & kArray) != 0,
           .is_cube = (flags & kCube) != 0,
-          .is_multisampled = (flags & kMultisampled) != 0};
+          .is_multisampled = (flags & kMultisampled) != 0,
+          .compares = (flags & kCompares) != 0};
 }
 
 bool IsOf(ObjectKind kind, ObjectCategory category) { return InfoOf(kind).category == category; }
@@ -29,6 +37,7 @@ const ObjectInfo& InfoOf(ObjectKind kind) {
   static constexpr ObjectInfo kInfos[] = {
 #define OBJECT(Enumerator, Spelling, Case, ...) MakeInfo(Spelling, __VA_ARGS__),
 #include "base/builtin_types.def"
+      MakeInfo("sampler2DShadow", kCombinedSampler, 2, kCompares),
       MakeInfo("object", kOther),
   };
   return kInfos[static_cast<std::size_t>(kind)];

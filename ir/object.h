@@ -3,12 +3,15 @@
 
 #include <cstdint>
 
-// The textures, samplers and buffers of HLSL: one row of base/builtin_types.def each.
+// The textures, samplers and buffers of HLSL: one row of base/builtin_types.def each, where HLSL
+// has a word for it.
 namespace clipc::ir {
 
 enum class ObjectKind : std::uint8_t {
 #define OBJECT(Enumerator, ...) k##Enumerator,
 #include "base/builtin_types.def"
+  kSampler2DShadow,  // a sampler2D whose texture Direct3D 9's driver compares, less or equal: HLSL
+                     // has no word for it, rules::CompareSamplers makes it
   kOther,  // an object that clipc lets no stage use (a stream, ...): it may only be declared
 };
 
@@ -34,6 +37,7 @@ struct ObjectInfo {
   bool is_array;
   bool is_cube;
   bool is_multisampled;
+  bool compares;  // a sampler that compares the texture with a reference
 };
 const ObjectInfo& InfoOf(ObjectKind kind);
 

@@ -38,6 +38,9 @@ struct Program {
   // Only the inputs and constant buffers that the stage before must match are of interest: what
   // clipc cannot translate is a zero, and no GLSL is written.
   bool is_interface_only = false;
+  // Whether CheckOptions::shadow_samplers names some: until CompareSamplers, tex2Dlod and tex2Dbias
+  // keep the third coordinate.
+  bool keeps_third_coordinate = false;
   TypeTable types;
   Arena<Expr> exprs;
   Arena<Stmt> stmts;

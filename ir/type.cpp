@@ -60,6 +60,12 @@ std::uint32_t TypeTable::NumericIndex(const Type& type) {
   return kFirstNumeric + static_cast<std::uint32_t>(type.scalar) * kShapes + shape;
 }
 
+TypeId TypeTable::WithKind(TypeId id, ObjectKind kind) {
+  const Type type = (*this)[id];
+  return type.kind == TypeKind::kArray ? Array(WithKind(type.element, kind), type.count)
+                                       : Object(kind);
+}
+
 TypeId TypeTable::WithScalar(TypeId type, Scalar kind) {
   Type copy = (*this)[type];
   if (!copy.IsNumeric() || copy.scalar == kind) return type;

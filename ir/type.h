@@ -147,6 +147,8 @@ class TypeTable {
   }
   // The shape of `type` with the component kind `kind`; `type` itself if it is not numeric.
   TypeId WithScalar(TypeId type, Scalar kind);
+  // An object of this kind; of an array, an array of such objects.
+  TypeId WithKind(TypeId type, ObjectKind kind);
 
   StructId AddStruct(Struct structure);
   // Computes the packed size of a struct whose fields have changed since it was added. A struct

@@ -130,6 +130,8 @@ class ObjectCaller {
 
   Text Narrow(std::string four) {
     if (node_.has_texel) return Status(std::move(four));
+    // A modern comparison is a float.
+    if (InfoOf(kind_).compares && code_.Has(Feature::kTextureFunctions)) return {std::move(four)};
     const std::size_t count = ShapeOf(code_[type_], code_.target).size;
     if (count < 4) Append(four, ".", std::string_view("xyzw").substr(0, count));
     return {std::move(four)};
@@ -162,7 +164,8 @@ class ObjectCaller {
     const std::size_t first = is_d3d9 ? 1 : 2;
     const ExprId sampler = is_d3d9 ? ExprId{} : arguments_[1];
     const bool has_offset = arguments_.size() > first + 1 + way.more;
-    std::string function = is_modern ? "texture" : TextureType(code_, object_, "texture");
+    const std::string_view stem = InfoOf(kind_).compares ? "shadow" : "texture";
+    std::string function = is_modern ? "texture" : TextureType(code_, object_, stem);
     const bool has_neighbours = InfoOf(code_.program.stage).has_neighbours;
     const bool is_level_zero = node_.op == ObjectOp::kD3d9Sample && !has_neighbours && is_modern;
     Append(function, is_level_zero ? "Lod" : way.suffix, has_offset ? "Offset" : "");

@@ -113,7 +113,7 @@ class ObjectWriter {
     if (const Need* need = NeedOf(kind)) context_.Require(need->feature);
     Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
            TextureType(context_, use.texture, "sampler"),
-           IsShadow(context_, use.sampler) ? "Shadow " : " ", use.name,
+           IsShadow(context_, use.sampler ? use.sampler : use.texture) ? "Shadow " : " ", use.name,
            Dimensions(context_, use.texture), ";  // ", PlaceOf(resource, use.name));
     if (sampler) Append(text_, " with ", PlaceOf(*sampler, use.name));
     text_ += "\n";
@@ -131,7 +131,9 @@ class ObjectWriter {
         : InfoOf(kind).category == ObjectCategory::kSubpass
             ? Concat(PrefixOf(context_, ObjectTypeOf(context_, resource.var)),
                      InfoOf(kind).is_multisampled ? "subpassInputMS" : "subpassInput")
-            : TextureType(context_, resource.var, IsCombinedSampler(kind) ? "sampler" : "texture");
+            : Concat(TextureType(context_, resource.var,
+                                 IsCombinedSampler(kind) ? "sampler" : "texture"),
+                     InfoOf(kind).compares ? "Shadow" : "");
     const std::string place = Bind(context_, info, resource.reg, textures_, 1);
     const std::string attachment =
         resource.input_attachment
@@ -229,7 +231,7 @@ const Type& ObjectTypeOf(const WriterContext& context, VarId object) {
 }
 
 bool IsShadow(const WriterContext& context, VarId sampler) {
-  return sampler && ObjectTypeOf(context, sampler).object == ObjectKind::kSamplerComparison;
+  return sampler && InfoOf(ObjectTypeOf(context, sampler).object).compares;
 }
 
 std::string TextureType(const WriterContext& context, VarId texture, std::string_view stem) {

@@ -18,6 +18,7 @@
 #include "frontend/rules/check_gradients.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/check_written.h"
+#include "frontend/rules/compare_samplers.h"
 #include "frontend/rules/counters.h"
 #include "frontend/rules/fold_arguments.h"
 #include "frontend/rules/known_offsets.h"
@@ -72,6 +73,8 @@ void Run(Context& context) {
   if (!context.diagnostics.has_errors())
     ResolveObjects(program, context.globals.struct_registers, context.diagnostics);
   if (!context.diagnostics.has_errors()) SettleSamplers(program, context.diagnostics);
+  if (!context.diagnostics.has_errors())
+    CompareSamplers(program, context.options.shadow_samplers, context.diagnostics);
   if (!context.diagnostics.has_errors()) MakeCounters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "frontend/lex/source.h"
@@ -49,6 +50,9 @@ struct CheckOptions {
   LanguageVersion language = LanguageVersion::k2021;
   bool has_templates = true, has_enums = true;
   bool casts_structs = false;
+  // The names of the samplers of a pixel shader that Direct3D 9's driver compares:
+  // rules::CompareSamplers.
+  std::vector<std::string> shadow_samplers;
   bool is_interface_only = false;    // ir::Program::is_interface_only
   bool stages_match_by_row = false;  // rules::EntrySignature::stages_match_by_row
 };

@@ -50,7 +50,8 @@ class TexCheck : IntrinsicCheck {
     const auto object = Sampler(2);
     const auto location = object ? Converted(1, Float4()) : std::nullopt;
     if (!location) return Error();
-    const auto parts = Split(*location, dimensions_, 3);
+    const bool keeps_third = program.keeps_third_coordinate && sampler_ == ObjectKind::kSampler2D;
+    const auto parts = Split(*location, keeps_third ? 3 : dimensions_, 3);
     return After(*this, {&parts.prologue, 1},
                  Finish(op, std::array{*object, parts.leading, parts.last}));
   }

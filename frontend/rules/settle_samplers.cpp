@@ -110,14 +110,7 @@ class Settler {
   }
 
   void Retype(VarId var, ObjectKind kind) {
-    program_.vars[var].type = WithKind(program_.vars[var].type, kind);
-  }
-
-  TypeId WithKind(TypeId id, ObjectKind kind) {
-    const Type type = program_.types[id];
-    return type.kind == TypeKind::kArray
-               ? program_.types.Array(WithKind(type.element, kind), type.count)
-               : program_.types.Object(kind);
+    program_.vars[var].type = program_.types.WithKind(program_.vars[var].type, kind);
   }
 
   ExprId RootExpr(ExprId path) const {

@@ -53,6 +53,7 @@ CheckedShader::CheckedShader(const BuildOptions& options)
   CheckOptions check = CheckOptions::For(reading.profile, options.language);
   check.entry = options.entry;
   check.packing = options.packing;
+  check.shadow_samplers = options.shadow_samplers;
   check.whole_register_planes = options.lowering == Lowering::kLevel9;
   state_->typed = Front(reading.source, check, reading.diagnostics);
   reading.StopAtErrors();

@@ -21,7 +21,7 @@ namespace clipc::draw {
 struct BuildOptions {
   std::string path;
   std::string profile = "vs_5_0", entry = "main";
-  std::vector<std::string> defines, include_dirs;
+  std::vector<std::string> defines, include_dirs, shadow_samplers;
   LanguageVersion language = LanguageVersion::k2021;
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   std::string target = "glsl450";

@@ -24,6 +24,7 @@ Flags ComparisonFlags(BuildOptions& build, RandomOptions& random, Tolerance& tol
       {"E", Text(build.entry)},
       {"D", Append(build.defines)},
       {"I", Append(build.include_dirs)},
+      {"shadow-samplers", Append(build.shadow_samplers)},
       {"row-major", {false, [&](const std::string&) { build.packing = MatrixPacking::kRowMajor; }}},
       {"random", Number(random.vertices)},
       {"seed", Number(random.seed)},

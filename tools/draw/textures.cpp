@@ -53,7 +53,7 @@ std::map<std::uint32_t, Uses> FindUses(const Program& program) {
     if (has_sampler || IsSampler(ObjectTypeOf(program, var(0)).object)) found.sampled = true;
     if (call->op == ObjectOp::kSampleGrad || call->op == ObjectOp::kD3d9SampleGrad)
       found.constant = true;
-    if (has_sampler && ObjectTypeOf(program, var(1)).object == ObjectKind::kSamplerComparison)
+    if (InfoOf(ObjectTypeOf(program, var(has_sampler ? 1 : 0)).object).compares)
       found.compared = true;
   }
   return uses;
@@ -141,10 +141,10 @@ class Reader {
   bool Read(std::span<std::uint64_t> result) const {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
-      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(coordinates_)), 1, result);
+      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(places_)), 1, result);
       case ObjectOp::kSampleBias:
       case ObjectOp::kD3d9SampleBias:
-        return Sample(LevelFromNeighbours(Argument(coordinates_)), 1, result);
+        return Sample(LevelFromNeighbours(Argument(places_)), 1, result);
       case ObjectOp::kSample:
       case ObjectOp::kD3d9Sample: return Sample(LevelFromNeighbours(0), 0, result);
       case ObjectOp::kD3d9SampleProjected: return Sample(LevelFromNeighbours(0), 4, result);
@@ -280,6 +280,7 @@ class Reader {
   // Samples a level. `between` is the number of arguments between the coordinate and the offset.
   bool Sample(std::optional<std::size_t> level, std::size_t between,
               std::span<std::uint64_t> result) const {
+    if (form_.compares) return Compare(level, result);
     return level && Copy(TexelAt(*level, 0, {}, coordinates_ + between), result);
   }
 
@@ -300,8 +301,10 @@ class Reader {
 
   bool Compare(std::optional<std::size_t> level, std::span<std::uint64_t> result) const {
     if (!level) return false;
-    const std::uint32_t* texel = TexelAt(*level, 0, {}, coordinates_ + 1);
-    if (texel) result[0] = BitsOf(Argument(coordinates_) <= FloatOf(*texel) ? 1.0f : 0.0f);
+    // Direct3D 9's reads have no offset.
+    const std::size_t offset = form_.compares ? request_.arguments.size() : coordinates_ + 1;
+    const std::uint32_t* texel = TexelAt(*level, 0, {}, offset);
+    if (texel) result[0] = BitsOf(Coordinate(coordinates_) <= FloatOf(*texel) ? 1.0f : 0.0f);
     return texel != nullptr;
   }
 
@@ -341,6 +344,8 @@ class Reader {
   // The number of components of a coordinate: a cube's is a direction, and an array's has the
   // element too.
   const std::size_t coordinates_ = std::size_t{form_.axes} + form_.is_array + form_.is_cube;
+  // With the reference of one of Direct3D 9's samplers that compares.
+  const std::size_t places_ = coordinates_ + form_.compares;
 };
 
 Inputs::Texture Uploaded(const ObjectInfo& form, const Texture& texture, Scalar kind,
@@ -444,8 +449,8 @@ void GiveTextures(const Program& program, const GlslInfo& info, const Textures& 
   for (const GlslInfo::Object& object : info.objects) {
     const auto found = object.texture ? textures.find(object.texture.index) : textures.end();
     if (found == textures.end()) continue;
-    const bool compares = object.sampler && ObjectTypeOf(program, object.sampler).object ==
-                                                ObjectKind::kSamplerComparison;
+    const VarId sampler = object.sampler ? object.sampler : object.texture;
+    const bool compares = InfoOf(ObjectTypeOf(program, sampler).object).compares;
     const std::vector<std::string> indices = ElementIndices(program, object.texture);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       Inputs::Texture& upload = inputs.textures.emplace_back(

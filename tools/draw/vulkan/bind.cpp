@@ -49,7 +49,7 @@ class Binder {
     for (std::uint32_t i = 0; i < indices.size(); ++i) {
       const std::string name = object.name + indices[i];
       if (!object.texture) {
-        Add(object, i, DescriptorKind::kSampler).compares = kind == ObjectKind::kSamplerComparison;
+        Add(object, i, DescriptorKind::kSampler).compares = InfoOf(kind).compares;
       } else if (IsStorageBuffer(kind)) {
         Add(object, i, DescriptorKind::kStorage).bytes = Find(inputs_.storage, name).bytes;
       } else {
@@ -60,7 +60,9 @@ class Binder {
                                    : kind == ObjectKind::kBuffer ? DescriptorKind::kTexels
                                    : IsSampler(kind) ? DescriptorKind::kTextureWithSampler
                                                      : DescriptorKind::kTexture;
-        Add(object, i, how).texture = Find(inputs_.textures, name);
+        DrawCall::Descriptor& added = Add(object, i, how);
+        added.texture = Find(inputs_.textures, name);
+        added.compares = InfoOf(kind).compares;
       }
     }
   }

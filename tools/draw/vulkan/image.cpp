@@ -70,7 +70,8 @@ vk::Format FormatOf(const Inputs::Texture& texture) {
       {eR32Sfloat, eR32Sint, eR32Uint},
       {eR32G32Sfloat, eR32G32Sint, eR32G32Uint},
       {eR32G32B32A32Sfloat, eR32G32B32A32Sint, eR32G32B32A32Uint}};
-  return kFormats[texture.components / 2][static_cast<int>(texture.kind)];
+  const int components = texture.compares ? 1 : texture.components;
+  return kFormats[components / 2][static_cast<int>(texture.kind)];
 }
 
 Image UploadImage(const Device& device, const Inputs::Texture& texture) {
