@@ -67,7 +67,7 @@ class InterfaceVerifier {
   void CheckIo(const std::vector<IoVar>& list, Storage storage, const std::string& direction) {
     std::set<VarId> seen;
     std::bitset<64> builtins;
-    std::int64_t last_location = -1;
+    const IoVar* last = nullptr;  // the one before that is not built in
     for (const IoVar& io : list) {
       if (!Known(io.var, "an " + direction)) return;
       const Var& var = program_.vars[io.var];
@@ -79,9 +79,11 @@ class InterfaceVerifier {
         const Type& type = program_.types[var.type];
         if (!type.IsScalarOrVector() || type.scalar == Scalar::kBool)
           Fail(what + " is a scalar or vector of numbers");
-        if (io.location <= last_location)
-          Fail(what + " has a location that is taken or out of order");
-        last_location = io.location;
+        // Two colors of one render target differ in the index by which the blender knows them.
+        const bool rises = !last || io.location > last->location ||
+                           (io.location == last->location && io.blend_index != last->blend_index);
+        if (!rises) Fail(what + " has a location that is taken or out of order");
+        last = &io;
         continue;
       }
       const auto bit = static_cast<std::size_t>(io.builtin);

@@ -76,6 +76,12 @@ TEST_F(InterfaceRules, LocationsRise) {
   AddOutput(F(), Builtin::kNone).location = 1;
   ExpectProblem("a location that is taken or out of order");
 }
+TEST_F(InterfaceRules, TwoColorsOfOneTarget) {
+  AddOutput(F(), Builtin::kNone).location = 1;
+  IoVar& second = AddOutput(F(), Builtin::kNone);
+  second.location = 1, second.blend_index = 1;
+  EXPECT_EQ(Verify(shader, Form::kTyped), std::nullopt);
+}
 TEST_F(InterfaceRules, NoBoolOutputs) {
   AddOutput(shader.types.Make(Scalar::kBool), Builtin::kNone);
   ExpectProblem("a scalar or vector of numbers");
