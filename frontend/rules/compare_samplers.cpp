@@ -83,7 +83,7 @@ class Comparer {
     const TypeId four = program_.exprs[id].type;
     Expr whole = program_.exprs[id];
     whole.type = program_.types.Make(Scalar::kFloat);
-    const ExprId lone = program_.exprs.Add(std::move(whole));
+    const ExprId lone = program_.exprs.Add(whole);
     program_.exprs[id].node = Splat{lone};
     program_.exprs[id].type = four;
   }
