@@ -372,8 +372,8 @@ GIVEN = {
     "docs/speed.md": {
         "12.0",
         "1.3",
-        "693,000",
-        "814,000",
+        "690,000",
+        "820,000",
     },  # counts, with the command that makes them
 }
 
