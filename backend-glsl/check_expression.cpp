@@ -18,15 +18,9 @@ using namespace ir;
 
 namespace {
 
-// Whether a sample has an offset after its other arguments.
-bool HasSampleOffset(const ObjectCall& call) {
-  switch (call.op) {
-    case ObjectOp::kSample: return call.arguments.size > 3;
-    case ObjectOp::kSampleBias:
-    case ObjectOp::kSampleLevel: return call.arguments.size > 4;
-    case ObjectOp::kSampleGrad: return call.arguments.size > 5;
-    default: return false;
-  }
+// Whether the operation is a sample that gives the element itself.
+bool IsPlainSample(ObjectOp op) {
+  return Takes(op, OperandKind::kSampler) && InfoOf(op).result == ObjectResult::kElement;
 }
 
 }  // namespace
@@ -156,16 +150,21 @@ void ExpressionCheck::Interpolant(const IntrinsicCall& call, Span span) {
 }
 
 void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
-  const auto arguments = program_.expr_lists[call.arguments];
-  const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
-  if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
-  if (WritesObject(call.op)) StoreUse(arguments[0], call.op, span);
-  if (!HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
+  const ExprId path = OperandOf(program_, call, OperandKind::kObject);
+  const ObjectKind object = Innermost(program_.exprs[path].type).object;
+  const ExprId sampler = OperandOf(program_, call, OperandKind::kSampler);
+  const bool has_offset = !OperandsOf(call, OperandKind::kOffset).empty();
+  if (sampler) ObjectArgument(sampler);
+  if (WritesObject(call.op)) StoreUse(path, call.op, span);
+  const bool has_instruction = target_.IsVulkan() && !call.has_clamp && !call.has_texel;
+  if (!has_instruction && !HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
     Report(span, diag::TargetSampleCompare);
-  if (HasSampleOffset(call)) Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
-  if (call.op == ObjectOp::kSampleCmp && object == ObjectKind::kTexture2DArray &&
-      arguments.size() > 4)
+  if (has_offset && IsPlainSample(call.op))
+    Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
+  if (call.op == ObjectOp::kSampleCmp && object == ObjectKind::kTexture2DArray && has_offset)
     Check(Feature::kShadowArrayOffsets, diag::TargetSampleOffset, span);
+  if (HasVaryingOffset(program_, call))
+    Check(Feature::kGatherOffsets, diag::TargetGather, span, "`Gather` at an offset that varies");
   if (call.has_clamp)
     Check(Feature::kLevelClamps, diag::TargetTiled, span, "a clamp of the level of detail");
   if (call.has_texel) Status(object, span);
@@ -213,7 +212,10 @@ void ExpressionCheck::SplitElement(ExprId element) {
 }
 
 void ExpressionCheck::BufferIndex(const Index& index, Span span) {
-  const auto* ref = As<VarRef>(index.base);
+  ExprId array = index.base;
+  while (const auto* outer = As<Index>(array)) array = outer->base;
+  const bool is_object_array = Innermost(program_.exprs[index.base].type).kind == TypeKind::kObject;
+  const auto* ref = As<VarRef>(is_object_array ? array : index.base);
   const bool is_uniform = ref && program_.vars[ref->var].storage == Storage::kUniform;
   if (is_uniform && !target_.Has(Feature::kFreeIndices) &&
       clipc::InfoOf(program_.stage).draws_pixels &&
@@ -221,10 +223,9 @@ void ExpressionCheck::BufferIndex(const Index& index, Span span) {
     return Report(span, diag::TargetUniformIndex, program_.vars[ref->var].name);
   if (!ref || As<Literal>(index.index) || target_.Has(Feature::kDynamicBlockIndex)) return;
   const Var& var = program_.vars[ref->var];
-  const bool is_object = Innermost(var.type).kind == TypeKind::kObject;
   const bool is_buffer = var.storage == Storage::kUniform && has_blocks_ &&
                          program_.cbuffers[var.cbuffer].kind == CbufferKind::kConstantBuffer;
-  if (is_object || is_buffer) Report(span, diag::TargetBufferIndexNotConstant, var.name);
+  if (is_object_array || is_buffer) Report(span, diag::TargetBufferIndexNotConstant, var.name);
 }
 
 }  // namespace clipc::glsl

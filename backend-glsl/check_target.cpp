@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,11 +35,12 @@ constexpr std::uint32_t kMaxElements = 256;
 class TargetCheck : ExpressionCheck {
  public:
   TargetCheck(const Program& program, const Target& target, BlockStyle blocks,
-              Diagnostics& diagnostics)
+              std::span<const LongLoop> long_loops, Diagnostics& diagnostics)
       : ExpressionCheck(program, target,
                         target.Has(Feature::kUniformBlocks) && blocks != BlockStyle::kFlat,
                         diagnostics),
         blocks_(blocks),
+        long_loops_(long_loops),
         reached_(Reach(program)),
         images_(UsesOfImages(program, reached_, target)) {}
 
@@ -216,15 +218,11 @@ class TargetCheck : ExpressionCheck {
   void Object(const Var& var) {
     const ir::Type& type = Innermost(var.type);
     const bool is_array = IsArray(var.type);
-    if (is_array && IsArray(program_.types[var.type].element)) {
-      Check(Feature::kArraysOfArrays, diag::TargetObjectArrays, var.span, var.name);
-    }
     if (type.object == ObjectKind::kTexture1DArray) {
       Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
     }
     Check(NeedOf(type.object), var.span, var.name);
-    if (is_array && IsStorageBuffer(type.object) &&
-        (!target_.IsVulkan() || IsArray(program_.types[var.type].element))) {
+    if (is_array && IsStorageBuffer(type.object) && !target_.IsVulkan()) {
       Report(var.span, diag::TargetArrayOfBuffers, var.name);
     } else if (is_array && program_.types[var.type].count == 0 && !target_.IsVulkan()) {
       Report(var.span, diag::TargetArrayWithoutSize, var.name);
@@ -308,7 +306,16 @@ class TargetCheck : ExpressionCheck {
     std::vector<RefusedLoop> refused;
     if (!target_.Has(Feature::kFreeLoops)) refused = FindLoops(function.body);
     Statement(function.body);
-    for (const auto& [span, why] : refused) Report(span, diag::TargetLoop, why);
+    for (const auto& [span, why] : refused) Loop(span, why);
+  }
+
+  void Loop(Span span, std::string_view why) {
+    const auto is_there = [&](const LongLoop& loop) { return loop.span == span; };
+    const auto found = std::ranges::find_if(long_loops_, is_there);
+    if (found == long_loops_.end())
+      Report(span, diag::TargetLoop, why);
+    else
+      Report(span, diag::TargetLongLoop, found->limit, found->of);
   }
 
   // The loops that the target lacks. Keeps the indices of the others.
@@ -350,6 +357,7 @@ class TargetCheck : ExpressionCheck {
   }
 
   const BlockStyle blocks_;
+  const std::span<const LongLoop> long_loops_;
   const Reached reached_;
   const std::vector<ImageUse> images_;
   const bool looks_at_expressions_ = MayReport();
@@ -358,8 +366,8 @@ class TargetCheck : ExpressionCheck {
 }  // namespace
 
 void CheckTarget(const Program& program, const Target& target, BlockStyle blocks,
-                 Diagnostics& diagnostics) {
-  TargetCheck(program, target, blocks, diagnostics).Run();
+                 std::span<const LongLoop> long_loops, Diagnostics& diagnostics) {
+  TargetCheck(program, target, blocks, long_loops, diagnostics).Run();
 }
 
 }  // namespace clipc::glsl

@@ -53,9 +53,10 @@ std::vector<ImageUse> UsesOfImages(const Program& program, const Reached& reache
   for (const FunctionId function : reached.functions) {
     ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
       const auto* call = As<ObjectCall>(program, expr);
-      const VarId object = call ? RootOf(program, program.expr_lists[call->arguments][0]) : VarId{};
+      const VarId object =
+          call ? RootOf(program, OperandOf(program, *call, OperandKind::kObject)) : VarId{};
       if (!object) return;
-      uses[object.index].reads |= call->op == ObjectOp::kImageLoad || IsAtomic(call->op);
+      uses[object.index].reads |= ReadsObject(call->op);
       uses[object.index].writes |= WritesObject(call->op);
     });
   }

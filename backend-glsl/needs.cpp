@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "ir/access.h"
+#include "ir/evaluate.h"
 
 namespace clipc::glsl {
 
@@ -90,11 +91,15 @@ constexpr Row<ObjectOp> kObjectOps[] = {
     {ObjectOp::kSampleCmpLevel, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
     {ObjectOp::kSampleCmpBias, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
     {ObjectOp::kSampleCmpGrad, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
-    {ObjectOp::kGather, {Feature::kGather, &diag::TargetGather}},
-    {ObjectOp::kGatherGreen, {Feature::kGather, &diag::TargetGather}},
-    {ObjectOp::kGatherBlue, {Feature::kGather, &diag::TargetGather}},
-    {ObjectOp::kGatherAlpha, {Feature::kGather, &diag::TargetGather}},
-    {ObjectOp::kGatherCmp, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kGather, {Feature::kGather, nullptr, &diag::TargetGather, "`Gather`"}},
+    {ObjectOp::kGatherGreen,
+     {Feature::kGatherComponents, nullptr, &diag::TargetGather, "`GatherGreen`"}},
+    {ObjectOp::kGatherBlue,
+     {Feature::kGatherComponents, nullptr, &diag::TargetGather, "`GatherBlue`"}},
+    {ObjectOp::kGatherAlpha,
+     {Feature::kGatherComponents, nullptr, &diag::TargetGather, "`GatherAlpha`"}},
+    {ObjectOp::kGatherCmp,
+     {Feature::kGatherComponents, nullptr, &diag::TargetGather, "`GatherCmp`"}},
     {ObjectOp::kSubpassLoad, {Feature::kTextureFunctions, &diag::TargetTextureLoad}},
     {ObjectOp::kTextureLoad, {Feature::kTextureFunctions, &diag::TargetTextureLoad}},
     {ObjectOp::kTextureSize,
@@ -123,6 +128,13 @@ bool NeedsFramebufferHeight(const ir::Program& program, const Target& target,
   return input.builtin == Builtin::kPixelPosition && !target.HasUpperLeftOrigin() &&
          !target.Has(Feature::kUpperLeftOrigin) &&
          (ComponentsRead(program)[input.var.index] & 0b10) != 0;
+}
+
+bool HasVaryingOffset(const ir::Program& program, const ir::ObjectCall& call) {
+  if (!IsGather(call.op)) return false;
+  const auto offsets = program.expr_lists[OperandsOf(call, ir::OperandKind::kOffset)];
+  return !std::ranges::all_of(
+      offsets, [&](ir::ExprId offset) { return ConstantBits(program, offset).has_value(); });
 }
 
 bool HasShadowLevels(ObjectKind kind) {

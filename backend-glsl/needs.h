@@ -32,6 +32,8 @@ inline constexpr std::string_view kFramebufferHeight = "framebuffer_height";
 bool NeedsFramebufferHeight(const ir::Program& program, const Target& target,
                             const ir::IoVar& input);
 
+// Whether the call is a Gather with an offset that is not constant.
+bool HasVaryingOffset(const ir::Program& program, const ir::ObjectCall& call);
 // Whether GLSL has textureLod of the texture with a sampler that compares.
 bool HasShadowLevels(ir::ObjectKind kind);
 // Whether GLSL has a function for the operation on a texture of this kind in the stage, if it is

@@ -168,8 +168,9 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kMultisample, {150}, {310}},
     {Feature::kMultisampleArrays, {150}, {320, 310, "GL_OES_texture_storage_multisample_2d_array"}},
     {Feature::kTextureBuffers, {140}, {320, 310, "GL_EXT_texture_buffer"}},
-    {Feature::kGather, {400}, {310}},
-    {Feature::kGatherOffsets, {400}, {320, 310, "GL_EXT_gpu_shader5"}},
+    {Feature::kGather, {400, 130, "GL_ARB_texture_gather"}, {310}},
+    {Feature::kGatherComponents, {400, 150, "GL_ARB_gpu_shader5"}, {310}},
+    {Feature::kGatherOffsets, {400, 150, "GL_ARB_gpu_shader5"}, {320, 310, "GL_EXT_gpu_shader5"}},
     {Feature::kTextureLevels, {430}, {}},
     {Feature::kTextureSamples, {450}, {}},
 };

@@ -120,10 +120,11 @@ enum class Feature : std::uint8_t {
   kMultisample,
   kMultisampleArrays,
   kTextureBuffers,
-  kGather,
-  kGatherOffsets,   // one offset for each of the four texels, or one that is not constant
-  kTextureLevels,   // textureQueryLevels
-  kTextureSamples,  // textureSamples
+  kGather,            // of the first component
+  kGatherComponents,  // of another component, or one that compares
+  kGatherOffsets,     // one offset for each of the four texels, or one that is not constant
+  kTextureLevels,     // textureQueryLevels
+  kTextureSamples,    // textureSamples
   kCount,
 };
 

@@ -55,7 +55,8 @@ int EditDistance(std::string_view a, std::string_view b, int limit) {
 
 std::vector<std::string_view> NearNames(std::string_view name,
                                         std::span<const std::string_view> candidates) {
-  const int limit = std::max(1, static_cast<int>(std::min<std::size_t>(name.size(), 64)) / 3);
+  // Every name of one letter is one edit away from every other.
+  const int limit = name.size() < 2 ? 0 : std::max<int>(1, static_cast<int>(name.size()) / 3);
   std::vector<std::pair<int, std::string_view>> near;
   if (name.size() > 64) return {};
   for (std::string_view candidate : candidates) {

@@ -26,7 +26,8 @@ std::string WithCount(std::uint64_t count, std::string_view what);
 int EditDistance(std::string_view a, std::string_view b, int limit);
 
 // The candidates that a user who wrote `name` probably meant, nearest first, at most three. A
-// candidate may be as many edits away as a third of the name's length, but always one.
+// candidate may be as many edits away as a third of the name's length, but always one; a name of
+// one letter is near to none.
 std::vector<std::string_view> NearNames(std::string_view name,
                                         std::span<const std::string_view> candidates);
 

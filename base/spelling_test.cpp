@@ -31,6 +31,7 @@ TEST(NearNames, AreTheNearestThreeFirst) {
   EXPECT_THAT(NearNames("mein", kNames), testing::ElementsAre("main", "mean"));
   EXPECT_THAT(NearNames("VERTEX_MIAN", kNames), testing::ElementsAre("vertex_main"));
   EXPECT_THAT(NearNames("nothing", kNames), testing::IsEmpty());
+  EXPECT_THAT(NearNames("a", std::vector<std::string_view>{"b", "ab"}), testing::IsEmpty());
 }
 
 }  // namespace

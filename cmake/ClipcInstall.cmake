@@ -66,8 +66,7 @@ endforeach()
 ]])
 write_basic_package_version_file(${clipc_BINARY_DIR}/clipc-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${clipc_BINARY_DIR}/clipc-config.cmake ${clipc_BINARY_DIR}/clipc-config-version.cmake
-  ${clipc_SOURCE_DIR}/cmake/ClipcShaders.cmake ${clipc_SOURCE_DIR}/cmake/embed_shaders.cmake
-  ${clipc_SOURCE_DIR}/cmake/effect_table.py ${clipc_SOURCE_DIR}/cmake/effect_states.py DESTINATION ${package} COMPONENT development)
+  ${clipc_SOURCE_DIR}/cmake/ClipcShaders.cmake ${clipc_SOURCE_DIR}/cmake/embed_shaders.cmake DESTINATION ${package} COMPONENT development)
 
 # clipc_pkg_config(NAME DESCRIPTION LIBRARIES): a file for pkg-config, which may be moved with what it names.
 function(clipc_pkg_config name description libraries)

@@ -37,8 +37,8 @@
 #     [TARGET glsl330]           # the GLSL to write: one with uniform blocks
 #     [DEFINES A B=1] [OPTIONS --lower=clip-distance ...])
 #
-# compiles every pass of an effect. The target gets an include folder with NAME.effect.h: static const clipc_gl_effect_table
-# NAME_effect, for runtime/gl/effect.h. It needs Python 3.
+# compiles every pass of an effect whenever the effect or a file that it includes has changed. The target gets an include folder with
+# NAME.effect.h: static const clipc_gl_effect_table NAME_effect, for runtime/gl/effect.h.
 #
 # The compiler is CLIPC_EXECUTABLE if that is set, as when cross-compiling; else that of this build or of the installed package.
 
@@ -47,8 +47,6 @@ if(CMAKE_VERSION VERSION_LESS 3.20)
 endif()
 
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
-set(CLIPC_EFFECT_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/effect_table.py)
-set(CLIPC_EFFECT_STATES ${CMAKE_CURRENT_LIST_DIR}/effect_states.py)
 
 # Sets `variable` to the compiler.
 function(clipc_find_compiler variable)
@@ -296,11 +294,9 @@ function(clipc_add_effect target)
     message(FATAL_ERROR "clipc_add_effect(${target} EFFECT file ...): what is `${effect_UNPARSED_ARGUMENTS}`?")
   endif()
   clipc_find_compiler(compiler)
-  find_package(Python3 REQUIRED COMPONENTS Interpreter)
   cmake_path(ABSOLUTE_PATH effect_EFFECT OUTPUT_VARIABLE source)
-  cmake_path(GET effect_EFFECT STEM stem)
   if(NOT effect_NAME)
-    set(effect_NAME ${stem})
+    cmake_path(GET effect_EFFECT STEM effect_NAME)
   endif()
   if(NOT effect_NAME MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
     message(FATAL_ERROR "clipc_add_effect(${target} EFFECT ${effect_EFFECT}): `${effect_NAME}` cannot name a C constant; give another NAME")
@@ -309,19 +305,15 @@ function(clipc_add_effect target)
     set(effect_TARGET glsl330)
   endif()
   list(TRANSFORM effect_DEFINES PREPEND -D)
-  set(flips)
-  if("--flip-y" IN_LIST effect_OPTIONS)
-    set(flips --flip-y)
-  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
   set(header ${folder}/${effect_NAME}.effect.h)
   file(MAKE_DIRECTORY ${folder}/${effect_NAME}.effect)
   add_custom_command(OUTPUT ${header}
     COMMAND ${compiler} --effect ${source} -o ${folder}/${effect_NAME}.effect --target=${effect_TARGET} --reflect=.json
-      ${effect_DEFINES} ${effect_OPTIONS}
-    COMMAND ${Python3_EXECUTABLE} -B ${CLIPC_EFFECT_SCRIPT} ${folder}/${effect_NAME}.effect/${stem}.json -o ${header}
-      --name ${effect_NAME}_effect ${flips}
-    DEPENDS ${source} ${compiler} ${CLIPC_EFFECT_SCRIPT} ${CLIPC_EFFECT_STATES}
+      ${effect_DEFINES} ${effect_OPTIONS} -Fh ${header} -Vn ${effect_NAME}_effect -MD -MF ${header}.d -MT ${header}
+    DEPENDS ${source} ${compiler}
+    DEPFILE ${header}.d
+    COMMENT "Compiling effect ${effect_NAME}"
     VERBATIM)
   target_sources(${target} PRIVATE ${header})
   target_include_directories(${target} PRIVATE ${folder})

@@ -6,7 +6,7 @@ llvm=${CLIPC_LLVM:-19}
 # What building clipc takes, and what testing it takes on top.
 build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
 # clang-format-19 is pinned: other versions write other text.
-test_packages=(python3 clang-format-19 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools spirv-cross
+test_packages=(python3 clang-format-19 valgrind "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools spirv-cross
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers libspirv-cross-c-shared-dev
   libepoxy-dev libegl1 libopengl0 libgles2 libgl1-mesa-dri libpng-dev)
 
@@ -25,10 +25,12 @@ package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pk
 
 # Building clipc for WebAssembly takes these; `./run page` and `./test --web` install them. Neither installs node 20 or newer:
 # Debian 12 has an older one.
-web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 dpkg-dev)
+web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 python3
+  spirv-headers dpkg-dev)
 
 # Building clipc for Windows and testing it under Wine takes these; `./test --windows` installs them.
-windows_packages=(g++-mingw-w64-x86-64-posix wine64 libwine libclang-19-dev llvm-19-dev googletest dpkg-dev)
+windows_packages=(g++-mingw-w64-x86-64-posix wine64 libwine libclang-19-dev llvm-19-dev googletest python3 spirv-headers
+  dpkg-dev)
 
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {

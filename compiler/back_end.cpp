@@ -15,10 +15,9 @@
 #include "compiler/check_lowering.h"
 #include "compiler/count_matrices.h"
 #include "compiler/make_clip_table.h"
+#include "compiler/make_facts.h"
 #include "compiler/pixel_half.h"
-#include "compiler/reflect.h"
 #include "compiler/stages.h"
-#include "compiler/structs.h"
 #include "compiler/validate.h"
 #include "ir/print.h"
 #include "link/whole.h"
@@ -43,23 +42,13 @@ std::string SourceLine(const Source& source, Span span) {
 
 // ---- from HLSL to the lowered program
 
-// The options of the passes, which append the programs that the request wants to see to `dump`.
 LowerOptions OptionsOf(const Job& job, ir::VarId position_input, std::string& dump) {
   LowerOptions options{job.request.target, {}};
   passes::PipelineOptions& passes = options.passes;
   passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
   passes.clip_space = job.request.style.clip_space;
   passes.precise_outputs = job.request.style.precise;
-  passes.stop_after = job.request.debug.stop_after;
-  passes.verify = job.request.debug.verify;
-  passes.after_pass = [&job, &dump](std::string_view pass, const ir::Program& after) {
-    if (job.watch && job.watch->AskNow()) return false;
-    const auto& wanted = job.request.debug.dump_after;
-    if (std::ranges::find(wanted, pass) == wanted.end()) return true;
-    if (wanted.size() > 1) dump += fmt::format("// after {}\n", pass);
-    dump += ir::Print(after);
-    return true;
-  };
+  static_cast<ir::PassOptions&>(passes) = PassesOf(job, dump);
   return options;
 }
 
@@ -109,7 +98,8 @@ Lowered LowerPixel(const PixelHalf& half, Lowering lowering, std::size_t planes,
 ir::VarId Fit(const Job& job, const PixelHalf* half, const std::optional<Lowered>& pixel,
               ir::Program& typed, std::vector<std::string>& dependencies) {
   const CompileRequest& request = job.request;
-  if (job.plan.keeps_matrices_whole) link::KeepMatricesWhole(typed);
+  if (job.plan.keeps_matrices_whole)
+    link::KeepMatricesWhole(typed, !request.target.Has(glsl::Feature::kFullMatrices));
   if (half) {
     LinkPair(request, *pixel, half->job, typed, job.diagnostics);
   } else if (request.link.has_pixel_shader()) {
@@ -154,24 +144,6 @@ WrittenProgram WriteProgram(const Job& job, const PixelHalf* half, LoweredProgra
   return written;
 }
 
-// What is in the GLSL that glslang does not support; empty if it can judge the GLSL.
-std::string_view UnknownToValidator(const Lowered& lowered, const glsl::GlslInfo& info) {
-  // docs/language.md, "GLSL that glslang refuses".
-  if (lowered.target.IsEs() && info.clip_distance_mask != 0) return "clip distances in OpenGL ES";
-  bool has_instance_id = false;
-  for (std::size_t i = 0; i < info.inputs.size(); ++i) {
-    has_instance_id |=
-        info.inputs[i].is_used && lowered.program.inputs[i].builtin == ir::Builtin::kInstanceId;
-  }
-  const bool has_several = std::ranges::any_of(
-      lowered.program.outputs, [](const ir::IoVar& output) { return output.location > 0; });
-  if (has_several && InfoOf(lowered.program.stage).draws_pixels &&
-      !lowered.target.HasInCore(glsl::Feature::kSeveralTargets))
-    return "`GL_EXT_draw_buffers`";
-  has_instance_id &= !lowered.target.HasInCore(glsl::Feature::kInstanceId);
-  return has_instance_id ? "`gl_InstanceIDARB` of GL_ARB_draw_instanced" : "";
-}
-
 // The shaders of a program, and what kept glslang from judging them; empty where nothing did.
 struct Finished {
   Shaders shaders;
@@ -186,7 +158,7 @@ std::string_view ValidateShader(const Job& job, const Lowered& lowered,
   const auto problems = Validate(written.glsl, lowered.target, stage);
   if (problems.empty()) job.valid.Add(written.glsl, lowered.target, stage);
   if (problems.empty()) return {};
-  const std::string_view unknown = UnknownToValidator(lowered, written.info);
+  const std::string_view unknown = UnknownToValidator(written.glsl, lowered.target);
   if (!unknown.empty()) return unknown;
   Diagnostic& report = job.diagnostics.Report({}, diag::InvalidGlsl, problems.front());
   for (std::size_t i = 1; i < problems.size(); ++i) report.Note({}, diag::PlainNote, problems[i]);
@@ -264,25 +236,30 @@ void Describe(const Job& job, const LoweredProgram& lowered, const WrittenProgra
               const PositionMatrices& position, CompileResult& result) {
   const OutputOptions& outputs = job.request.outputs;
   result.table = MakeClipTable(lowered.shader, written.shader.info);
-  ReflectedStage shader{lowered.shader, written.shader.info, *result.table};
+  const DescribedStage shader{lowered.shader, written.shader.info, *result.table};
   std::optional<clip_table::ClipTable> no_planes;
-  std::optional<ReflectedStage> pixel;
+  std::optional<DescribedStage> pixel;
   if (lowered.pixel) {
     no_planes = MakeClipTable(*lowered.pixel, written.pixel->info);
-    pixel.emplace(ReflectedStage{*lowered.pixel, written.pixel->info, *no_planes});
+    pixel.emplace(DescribedStage{*lowered.pixel, written.pixel->info, *no_planes});
   }
-  if (outputs.reflection) result.reflection = Reflect(shader, position, pixel ? &*pixel : nullptr);
-  if (outputs.initial_values) {
-    AddInitialValues(lowered.shader.program, result.initial_values);
-    if (lowered.pixel) AddInitialValues(lowered.pixel->program, result.initial_values);
-  }
-  if (outputs.structs) {
-    result.structs = WriteStructs(lowered.shader.program, outputs.struct_prefix,
-                                  lowered.pixel ? &lowered.pixel->program : nullptr);
-  }
+  if (outputs.facts) result.facts = MakeFacts(shader, position, pixel ? &*pixel : nullptr);
 }
 
 }  // namespace
+
+ir::PassOptions PassesOf(const Job& job, std::string& dump) {
+  const DebugOptions& debug = job.request.debug;
+  return {debug.stop_after, debug.verify,
+          [&job, &dump](std::string_view pass, const ir::Program& after) {
+            if (job.watch && job.watch->AskNow()) return false;
+            const auto& wanted = job.request.debug.dump_after;
+            if (std::ranges::find(wanted, pass) == wanted.end()) return true;
+            if (wanted.size() > 1) dump += fmt::format("// after {}\n", pass);
+            dump += ir::Print(after);
+            return true;
+          }};
+}
 
 void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, CompileResult& result) {
   const OutputOptions& outputs = job.request.outputs;
@@ -295,7 +272,7 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
   const std::size_t outputs_written = typed.outputs.size();
   const ir::VarId position_input = Fit(job, half, pixel, typed, result.dependencies);
   if (job.diagnostics.has_errors()) return;
-  const PositionMatrices position = outputs.reflection ? FollowPosition(typed) : PositionMatrices{};
+  const PositionMatrices position = outputs.facts ? FollowPosition(typed) : PositionMatrices{};
   const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
   LowerOptions options = OptionsOf(job, position_input, result.dump);
   options.passes.drops_unneeded = half && typed.outputs.size() < outputs_written;

@@ -22,7 +22,7 @@
 #include "compiler/batch_journal.h"
 #include "compiler/collect_outputs.h"
 #include "compiler/depfile.h"
-#include "compiler/driver.h"
+#include "compiler/exit_code.h"
 #include "compiler/in_order.h"
 #include "compiler/macro_memo.h"
 #include "compiler/manifest.h"
@@ -68,6 +68,9 @@ class Batch {
   void Resume();
   bool HasFiles(const BatchJournal::Done& done);
   std::string WriteIndex();
+  // An effect may be a header alone.
+  bool HasFolder() const { return !command_.effect || !command_.output.empty(); }
+  bool HasIndex() const { return HasFolder() || !command_.index.empty(); }
   std::string IndexPath() const;
   std::string JournalPath() const;
   void Summarise();
@@ -76,11 +79,11 @@ class Batch {
   std::optional<std::size_t> FindAlike(std::size_t at, const CompileResult* result);
   void Remember(std::size_t at, const CompileResult& result, std::size_t alike);
 
-  const ShaderGroup& GroupOf(const Job& job) const { return groups_[job.group]; }
+  const ShaderGroup& GroupOf(const Job& job) const { return batch_.groups[job.group]; }
   void AddDependencies(const std::vector<std::string>& files);
 
   CommandLine command_;
-  std::vector<ShaderGroup> groups_;
+  BatchOfGroups batch_;
   std::vector<Job> jobs_;
   std::vector<BatchEntry> entries_;  // by job
   std::size_t all_jobs_ = 0;         // the number of jobs of all shards
@@ -93,7 +96,6 @@ class Batch {
   // The names of the written files, by their extension and contents.
   std::unordered_map<std::string, std::string> files_by_contents_;
   std::size_t kept_bytes_ = 0;
-  std::function<std::string(const std::vector<BatchEntry>&)> render_;
   std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
@@ -110,41 +112,28 @@ std::string ContentsKey(const std::string& file, const std::string& contents) {
   return file.substr(std::min(file.rfind('.'), file.size())) + '\n' + contents;
 }
 
-// What stands for a request: the options but for those that change no output, and the manifest.
-std::string IdentityOf(std::span<const char* const> arguments, const std::string& manifest) {
-  std::vector<std::string> words = {CLIPC_VERSION};
-  for (const std::string_view argument : arguments) {
-    const bool changes_nothing =
-        argument == "--resume" || argument == "-k" || argument.starts_with("-j");
-    if (!changes_nothing) words.emplace_back(argument);
-  }
-  if (!manifest.empty()) ReadText(manifest, words.emplace_back());
-  const TokenDigest digest = DigestOf(words);
-  return fmt::format("clipc {:016x}{:016x}", digest[0], digest[1]);
-}
-
 bool IsOnlyExtension(const std::string& value) {
   return value.empty() || (value.starts_with('.') && !HasSlash(value));
 }
 
 std::string Batch::CheckUsage() const {
-  if (!IsDirectory(command_.output)) {
+  if (HasFolder() && !IsDirectory(command_.output)) {
     return "permutations write several files and an index of them; give an existing folder with "
            "-o";
   }
-  for (const ShaderGroup& group : groups_) {
+  for (const ShaderGroup& group : batch_.groups) {
     const CommandLine& command = group.command;
     if (const std::string problem = CheckCommand(command); !problem.empty()) return problem;
     if (command.request.debug.changes_result() || command.only_dependencies)
       return "--dump, --stop-after and -M are for one permutation of a shader, and there are "
              "several";
-    const std::pair<const char*, const std::string&> files[] = {
-        {"--table", command.table},
-        {"--reflect", command.reflection},
+    std::vector<std::pair<const char*, std::string>> files = {
         {"--pixel-output", command.pixel_output},
         {"-Fh", command.header},
         {"-Fc", command.listing},
         {"-P", command.preprocessed}};
+    for (const std::string& table : command.tables) files.emplace_back("--table", table);
+    for (const std::string& file : command.reflections) files.emplace_back("--reflect", file);
     for (const auto& [option, value] : files) {
       if (!IsOnlyExtension(value)) {
         return fmt::format(
@@ -160,7 +149,7 @@ std::string Batch::CheckUsage() const {
 // Names the files of every permutation, those of the other shards too, and chooses the jobs of this
 // shard.
 std::string Batch::Plan() {
-  for (const ShaderGroup& group : groups_) {
+  for (const ShaderGroup& group : batch_.groups) {
     const std::size_t count = group.Count();
     if (count > kMaxPermutations || all_jobs_ + count > kMaxPermutations)
       return fmt::format("more than {} permutations", kMaxPermutations);
@@ -168,9 +157,9 @@ std::string Batch::Plan() {
   }
   std::unordered_map<std::string, int> uses;
   std::size_t position = 0;
-  for (std::size_t group = 0; group < groups_.size(); ++group) {
-    for (std::size_t number = 0; number < groups_[group].Count(); ++number) {
-      std::string name = FileNameOf(groups_[group], number);
+  for (std::size_t group = 0; group < batch_.groups.size(); ++group) {
+    for (std::size_t number = 0; number < batch_.groups[group].Count(); ++number) {
+      std::string name = FileNameOf(batch_.groups[group], number);
       for (int use = uses[name]++; use > 0; use = uses[name]++) name += fmt::format("-{}", use + 1);
       if (position++ % command_.shards + 1 != command_.shard) continue;
       jobs_.push_back({group, number});
@@ -178,7 +167,7 @@ std::string Batch::Plan() {
       entry.name = std::move(name);
     }
   }
-  memories_.resize(groups_.size());
+  memories_.resize(batch_.groups.size());
   return {};
 }
 
@@ -270,12 +259,12 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     done.dependencies = result.dependencies;
     read_by_.emplace(at, result.dependencies);
     code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
+    if (batch_.keep) batch_.keep(at, result);
     if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
       progress_.Clear();
       exit_code_ = printer_.Fail(problem);
       return false;
     }
-    entry.initial_values = std::move(result.initial_values);
     entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
     entry.exit_code = code;
     std::erase_if(result.messages,
@@ -310,6 +299,7 @@ void Batch::Keep(std::string key, std::string file) {
 
 // Writes the files of a job. Contents that an earlier file has are not written again.
 std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
+  if (!HasFolder()) return {};
   BatchEntry& entry = entries_[at];
   CommandLine command = GroupOf(jobs_[at]).command;
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
@@ -375,12 +365,22 @@ std::string Batch::IndexPath() const {
 std::string Batch::JournalPath() const { return IndexPath() + ".part"; }
 
 std::string Batch::WriteIndex() {
-  const std::string path = IndexPath();
   for (std::size_t at = 0; at < jobs_.size(); ++at)
     Describe(GroupOf(jobs_[at]), jobs_[at].number, entries_[at]);
+  BatchEnd end = batch_.end(entries_);
+  printer_.Show(end.messages);
+  if (!end.messages.ok()) exit_code_ = std::max<int>(exit_code_, kExitErrors);
+  if (HasIndex()) end.files.insert(end.files.begin(), {"index", IndexPath(), std::move(end.index)});
   OutputFiles files;
-  files.Add(path, render_(entries_));
-  if (command_.write_dependencies) {
+  FileSet sources;
+  for (const std::string& source : dependencies_) sources.Add(source);
+  for (OutputPiece& file : end.files) {
+    if (sources.Has(file.path))
+      return fmt::format("the output `{}` would overwrite an included file", file.path);
+    files.Add(file.path, std::move(file.contents));
+  }
+  if (command_.write_dependencies && !end.files.empty()) {
+    const std::string& path = end.files.front().path;
     const std::string rule =
         command_.dependency_file.empty() ? WithoutExtension(path) + ".d" : command_.dependency_file;
     if (!command_.batch.empty()) dependencies_.insert(dependencies_.begin(), command_.batch);
@@ -412,7 +412,7 @@ void Batch::Summarise() {
 // Prepares the request of every group, and shows each warning about the options once.
 std::string Batch::Prepare() {
   std::unordered_set<std::string> said;
-  for (ShaderGroup& group : groups_) {
+  for (ShaderGroup& group : batch_.groups) {
     if (std::string problem = PrepareRequest(group.command); !problem.empty()) return problem;
     group.command.request.limits.is_cancelled = command_.request.limits.is_cancelled;
     group.command.request.outputs.validate = group.command.asks_to_validate.value_or(true);
@@ -424,17 +424,16 @@ std::string Batch::Prepare() {
 }
 
 int Batch::RunAll(BatchOfGroups batch) {
-  groups_ = std::move(batch.groups);
-  render_ = std::move(batch.render);
+  batch_ = std::move(batch);
   if (const std::string problem = CheckUsage(); !problem.empty()) return printer_.Fail(problem);
   if (const std::string problem = Prepare(); !problem.empty()) return printer_.Fail(problem);
   if (const std::string problem = Plan(); !problem.empty()) return printer_.Fail(problem);
-  AddDependencies(batch.first.dependencies);
-  printer_.Show(batch.first);
-  if (command_.resume && batch.identity.empty())
+  AddDependencies(batch_.first.dependencies);
+  printer_.Show(batch_.first);
+  if (command_.resume && batch_.identity.empty())
     return printer_.Fail("--resume is for permutations and manifests, and this is an effect");
-  if (!batch.identity.empty()) {
-    journal_ = std::make_unique<BatchJournal>(JournalPath(), std::move(batch.identity));
+  if (!batch_.identity.empty()) {
+    journal_ = std::make_unique<BatchJournal>(JournalPath(), batch_.identity);
     if (command_.resume) Resume();
     if (const std::string problem = journal_->Begin(); !problem.empty())
       return printer_.Fail(problem);
@@ -459,37 +458,6 @@ RunResult Batch::Run(BatchOfGroups batch) {
 }
 
 }  // namespace
-
-bool WantsBatch(const CommandLine& command) {
-  std::vector<std::string> defines = command.request.defines;
-  return !command.batch.empty() || !TakeAxes(defines).empty();
-}
-
-RunResult RunBatch(std::span<const char* const> arguments, CommandLine command) {
-  Manifest manifest;
-  if (!command.batch.empty()) {
-    if (!command.inputs.empty())
-      return {Fail("the manifest of --batch names the shaders; give no others", command.format)};
-    manifest = ReadManifest(command.batch, arguments);
-    if (!manifest.error.empty()) return {Fail(manifest.error, command.format)};
-  } else if (command.inputs.empty()) {
-    return {Fail("no input file; `clipc --help` lists the options", command.format)};
-  }
-  for (const std::string& input : command.inputs) {
-    ShaderGroup group;
-    group.command = command;
-    group.axes = TakeAxes(group.command.request.defines);
-    group.source = input;
-    group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(NameBegin(input)));
-    manifest.groups.push_back(std::move(group));
-  }
-  std::string identity = IdentityOf(arguments, command.batch);
-  const ShardOfIndex shard{command.shard, command.shards};
-  return RunBatch(std::move(command),
-                  {std::move(manifest.groups), {}, std::move(identity), [=](const auto& entries) {
-                     return RenderIndex(entries, shard);
-                   }});
-}
 
 RunResult RunBatch(CommandLine command, BatchOfGroups batch) {
   return Batch(std::move(command)).Run(std::move(batch));

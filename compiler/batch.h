@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "compiler/batch_index.h"
-#include "compiler/compile.h"
-#include "compiler/options.h"
+#include "compiler/collect_outputs.h"
+#include "compiler/command_line.h"
 #include "compiler/permutations.h"
+#include "compiler/result.h"
 #include "compiler/run_result.h"
 
 // The compilation of many permutations of a few shaders in one run: docs/permutations.md.
@@ -21,14 +23,23 @@ bool WantsBatch(const CommandLine& command);
 // Runs a batch. `arguments` are those that `command` was read from.
 RunResult RunBatch(std::span<const char* const> arguments, CommandLine command);
 
+// What a batch writes when all is compiled.
+struct BatchEnd {
+  std::string index;                    // its text
+  std::vector<OutputPiece> files = {};  // others, of all programs together
+  CompileResult messages = {};
+};
+
 // A batch whose shaders are known.
 struct BatchOfGroups {
   std::vector<ShaderGroup> groups;
   CompileResult first;  // what was read to know them: its messages and dependencies
   // What stands for the request, so that --resume goes on with the same one; empty: nothing does.
   std::string identity;
-  // Returns the text of the index; `entries` are those of the groups, in their order.
-  std::function<std::string(const std::vector<BatchEntry>& entries)> render;
+  // Makes the end; `entries` are those of the groups, in their order.
+  std::function<BatchEnd(const std::vector<BatchEntry>& entries)> end;
+  // Sees the result of each job before its files are written. May be null.
+  std::function<void(std::size_t job, const CompileResult& result)> keep = {};
 };
 RunResult RunBatch(CommandLine command, BatchOfGroups batch);
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +23,6 @@ struct BatchEntry {
   BatchStatus status = BatchStatus::kNotCompiled;
   int exit_code = 0;
   std::vector<std::pair<std::string, std::string>> files;  // kind and name
-  std::map<std::string, std::string> initial_values;       // CompileResult::initial_values
   std::shared_ptr<const std::vector<Message>> errors;      // null: none
 };
 

@@ -38,7 +38,7 @@ void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 
 // Reports where the shader's clip planes and the request do not fit each other. Returns the input
 // that carries the position for kObject; none for the other spaces, for a shader without planes,
-// and after an error. Requires Form::kTyped.
+// and after an error. Requires Form::kResolved.
 ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& request,
                             Diagnostics& diagnostics);
 
@@ -58,7 +58,7 @@ struct ClipDistances {
 ClipDistances ClipDistancesOf(const ir::Program& program);
 
 // Reports the clip distances that the HLSL shader writes (`before`, taken from the program in
-// Form::kTyped) and the lowered program does not.
+// Form::kResolved) and the lowered program does not.
 void ReportLeftOut(const ClipDistances& before, const ir::Program& lowered,
                    Diagnostics& diagnostics);
 

@@ -211,6 +211,43 @@ TEST_F(CInterface, TakesThePixelShaderFromMemory) {
   EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("vs_UV0.yyyy"));
 }
 
+TEST_F(CInterface, AsksForTheIncludesOfEachShaderOfAPair) {
+  constexpr std::string_view kPair =
+      "#include \"planes.hlsli\"\n"
+      "[clipplanes(water)] float4 vs(float4 p : POSITION) : SV_Position { return p + SHIFT; }\n"
+      "float4 ps() : SV_Target { return SHIFT; }\n";
+  const std::vector<const char*> pair = {"-Ilib", "-E", "vs", "--pixel-entry=ps",
+                                         "--pixel-output=.frag"};
+  const auto with = [&](std::vector<const char*> more) {
+    more.insert(more.begin(), pair.begin(), pair.end());
+    return more;
+  };
+  for (const auto& options :
+       {pair, with({"--variants"}), with({"--lower=discard"}), with({"--target=vulkan", "-spirv"}),
+        with({"--target=hlsl", "--lower=discard"})}) {
+    EXPECT_EQ(Compile(options, kPair), CLIPC_COMPILED)
+        << options.back() << ": " << Get(CLIPC_PART_MESSAGES);
+  }
+  ASSERT_EQ(Compile(pair, kPair), CLIPC_COMPILED);
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("vec4(2.0)"));
+
+  // The pixel shader has a text of its own, and an include that the other shader has too.
+  clipc_request request{};
+  request.size = sizeof request;
+  request.path = path_;
+  request.text = kPair.data();
+  request.text_size = kPair.size();
+  const std::vector<const char*> options = with({"--pixel-shader=shaders/half.hlsl"});
+  request.options = options.data();
+  request.option_count = options.size();
+  request.read_include = ReadInclude;
+  request.read_include_context = this;
+  request.pixel_text = "#include \"planes.hlsli\"\nfloat4 ps() : SV_Target { return SHIFT + 1; }\n";
+  request.pixel_text_size = std::strlen(request.pixel_text);
+  ASSERT_EQ(Run(request), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), HasSubstr("2 + 1"));
+}
+
 TEST_F(CInterface, GivesTheHlslOfBothShadersThatDiscard) {
   constexpr std::string_view kPlane =
       "float4 plane;\n"

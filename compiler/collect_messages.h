@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "compiler/compile.h"
 #include "compiler/job.h"
+#include "compiler/result.h"
 
 namespace clipc {
 

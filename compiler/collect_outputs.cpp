@@ -8,8 +8,10 @@
 
 #include "clip-table/write.h"
 #include "compiler/depfile.h"
+#include "compiler/facts_json.h"
+#include "compiler/list_spirv.h"
 #include "compiler/output_files.h"
-#include "compiler/validate.h"
+#include "compiler/structs.h"
 
 namespace clipc {
 namespace {
@@ -19,6 +21,11 @@ std::string VariableOf(const CommandLine& command, const CompileResult& result) 
   std::string name = "g_" + result.table->entry;
   std::ranges::replace(name, ':', '_');
   return name;
+}
+
+// "table", "table.2": the kind of the first and of the second file of one option.
+std::string Numbered(std::string_view kind, std::size_t number) {
+  return number == 0 ? std::string(kind) : fmt::format("{}.{}", kind, number + 1);
 }
 
 std::string ContentsOf(const std::vector<std::uint32_t>& words, CommandLine::SpirvForm form) {
@@ -90,15 +97,18 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
   if (!header.empty()) pieces.push_back({"header", outputs.header, std::move(header)});
   if (is_complete && !outputs.listing.empty())
     pieces.push_back({"listing", outputs.listing, result.listing});
-  if (is_complete && !outputs.table.empty()) {
-    const auto format = clip_table::FormatOf(outputs.table);
-    auto text = clip_table::Write(*result.table, *format, outputs.table);
-    if (!text) return fmt::format("cannot write `{}`: {}", outputs.table, text.error);
-    pieces.push_back({"table", outputs.table, std::move(*text)});
+  for (std::size_t i = 0; is_complete && i < outputs.tables.size(); ++i) {
+    const std::string& path = outputs.tables[i];
+    auto text = clip_table::Write(*result.table, *clip_table::FormatOf(path), path);
+    if (!text) return fmt::format("cannot write `{}`: {}", path, text.error);
+    pieces.push_back({Numbered("table", i), path, std::move(*text)});
   }
-  if (is_complete && !outputs.reflection.empty())
-    pieces.push_back({"reflection", outputs.reflection,
-                      request.outputs.structs ? result.structs : result.reflection});
+  for (std::size_t i = 0; is_complete && i < outputs.reflections.size(); ++i) {
+    const std::string& path = outputs.reflections[i];
+    pieces.push_back({Numbered("reflection", i), path,
+                      path.ends_with(".h") ? WriteStructs(*result.facts, command.struct_prefix)
+                                           : FactsJson(*result.facts)});
+  }
   if ((is_complete || result.hlsl || request.outputs.preprocess) && result.ok() &&
       !outputs.dependencies.empty()) {
     pieces.push_back({"dependencies", outputs.dependencies,

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "compiler/compile.h"
-#include "compiler/options.h"
+#include "compiler/command_line.h"
 #include "compiler/place_outputs.h"
+#include "compiler/result.h"
 
 namespace clipc {
 

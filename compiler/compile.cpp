@@ -20,6 +20,7 @@
 #include "compiler/rewrite_hlsl.h"
 #include "compiler/stages.h"
 #include "frontend/parse/ast_print.h"
+#include "frontend/rules/resolve.h"
 #include "ir/print.h"
 
 namespace clipc {
@@ -76,10 +77,15 @@ class JobHolder {
             Plan (*resolve)(const CompileRequest&, Diagnostics&) = Resolve)
       : diagnostics_(request.warnings),
         plan_(resolve(request, diagnostics_)),
+        own_context_(request.includes.read
+                         ? std::make_unique<FrontendContext>(FrontendContext::Files::kNone)
+                         : nullptr),
         known_(watch || !diagnostics_.all().empty()
                    ? nullptr
                    : shared.texts.Get(shared.context, request, plan_)),
-        source_(known_ ? nullptr : std::make_unique<Source>(shared.context, plan_.input)),
+        source_(known_ ? nullptr
+                       : std::make_unique<Source>(own_context_ ? *own_context_ : shared.context,
+                                                  plan_.input)),
         job{request,      plan_,       known_ ? known_->source : *source_, diagnostics_, watch,
             shared.valid, known_.get()} {
     if (known_) diagnostics_ = known_->messages;
@@ -91,12 +97,21 @@ class JobHolder {
  private:
   Diagnostics diagnostics_;
   Plan plan_;
+  // Of the files that the caller's function gives, which Clang would find in the other shader's
+  // context, without their texts.
+  std::unique_ptr<FrontendContext> own_context_;
   std::shared_ptr<KnownText> known_;
   std::unique_ptr<Source> source_;  // of a text that is not known
 
  public:
   const Job job;
 };
+
+// Whether the request ends the passes before the program of a shader is complete.
+bool StopsInFront(const DebugOptions& debug) {
+  const auto names = rules::ResolvePasses();
+  return !debug.stop_after.empty() && std::ranges::find(names, debug.stop_after) != names.end();
+}
 
 // `pixel` is the job of the pixel shader of CompileRequest::reads_pixel_half, or null.
 void RunStages(const Job& job, const Job* pixel, CompileResult& result) {
@@ -129,17 +144,21 @@ void RunStages(const Job& job, const Job* pixel, CompileResult& result) {
     result.is_repeated = request.is_known(*result.digest);
     return !result.is_repeated;
   };
-  const auto program_of = [](const Job& of, const std::function<bool(const Tokens&)>& wants) {
+  const auto program_of = [&](const Job& of, const std::function<bool(const Tokens&)>& wants) {
+    const ir::PassOptions passes = PassesOf(of, result.dump);
     return of.known ? of.known->Check(of.plan.check, of.diagnostics)
-                    : Front(of.source, of.plan.check, of.diagnostics, wants);
+                    : Front(of.source, of.plan.check, of.diagnostics, passes, wants);
   };
   ir::Program program = program_of(job, is_new);
   ir::Program pixel_program;
   if (pixel) pixel_program = program_of(*pixel, {});
   const bool has_errors = diagnostics.has_errors() || (pixel && pixel->diagnostics.has_errors());
-  if (has_errors || result.is_repeated) return;
-  if (job.IsDump(DumpStage::kIr)) {
+  if (has_errors || result.is_repeated || job.IsStopped()) return;
+  const bool is_stopped = StopsInFront(request.debug);
+  if (job.IsDump(DumpStage::kIr) || (is_stopped && request.debug.dump_after.empty())) {
     result.dump = ir::Print(program);
+  } else if (is_stopped) {
+    return;
   } else if (pixel) {
     const PixelHalf half{*pixel, pixel_program};
     RunBackEnd(job, &half, std::move(program), result);
@@ -185,9 +204,7 @@ CompileResult Deliver(CompileResult result, const Job& job, const Job* pixel) {
   result.variants.clear();
   result.hlsl.reset();
   result.table.reset();
-  result.reflection.clear();
-  result.structs.clear();
-  result.initial_values.clear();
+  result.facts.reset();
   result.spirv.clear();
   result.pixel_spirv.clear();
   result.listing.clear();
@@ -243,7 +260,7 @@ Compiler::Compiler() : memory_(std::make_unique<Memory>()) {}
 Compiler::~Compiler() = default;
 
 FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
-  if (request.includes.sandbox.empty()) return context_;
+  if (request.includes.sandbox.empty() || request.includes.read) return context_;
   if (!sandboxed_ || sandbox_ != request.includes.sandbox) {
     memory_->texts.Clear();
     sandboxed_ = std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk,
@@ -255,10 +272,7 @@ FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
 
 CompileResult Compiler::Compile(const CompileRequest& request) {
   try {
-    if (!request.includes.read)
-      return CompileIn({ContextFor(request), memory_->texts, memory_->valid}, request);
-    FrontendContext without_files(FrontendContext::Files::kNone);
-    return CompileIn({without_files, memory_->texts, memory_->valid}, request);
+    return CompileIn({ContextFor(request), memory_->texts, memory_->valid}, request);
   } catch (const std::bad_alloc&) {
     return Failure("out of memory");
   } catch (const std::exception& problem) {

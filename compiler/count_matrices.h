@@ -8,7 +8,7 @@
 
 namespace clipc {
 
-// What the shader multiplies the position by. Requires Form::kTyped.
+// What the shader multiplies the position by. Requires Form::kResolved.
 struct PositionMatrices {
   // The number of matrices, one after the other: the most on any way from the inputs to
   // SV_Position. 1 for mul(v, world_view_projection), 2 for mul(mul(v, world), view_projection) and

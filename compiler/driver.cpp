@@ -16,6 +16,7 @@
 #include "compiler/collect_outputs.h"
 #include "compiler/compile.h"
 #include "compiler/effect.h"
+#include "compiler/exit_code.h"
 #include "compiler/explain.h"
 #include "compiler/in_order.h"
 #include "compiler/options.h"

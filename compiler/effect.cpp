@@ -8,8 +8,12 @@
 
 #include "base/path.h"
 #include "compiler/batch.h"
-#include "compiler/driver.h"
+#include "compiler/effect_json.h"
 #include "compiler/effect_passes.h"
+#include "compiler/exit_code.h"
+#include "compiler/gl_effect.h"
+#include "compiler/gl_effect_header.h"
+#include "compiler/make_effect_facts.h"
 #include "compiler/output_files.h"
 #include "compiler/place_outputs.h"
 #include "compiler/plan.h"
@@ -20,12 +24,25 @@
 namespace clipc {
 namespace {
 
+// Whether the command asks for the header and for no file of a pass.
+bool IsHeaderAlone(const CommandLine& command) {
+  const bool names_files = !command.tables.empty() || !command.reflections.empty() ||
+                           !command.listing.empty() || !command.preprocessed.empty();
+  return !command.header.empty() && command.output.empty() && !names_files;
+}
+
 // Returns the first mistake of the command line; empty if there is none.
 std::string CheckEffectCommand(const CommandLine& command) {
   const CompileRequest& request = command.request;
   if (command.inputs.size() != 1 || command.inputs[0] == "-") return "--effect compiles one file";
-  if (!IsDirectory(command.output))
+  if (!IsHeaderAlone(command) && !IsDirectory(command.output))
     return "--effect writes several files; give an existing folder with -o";
+  const glsl::Target& target = request.target;
+  if (!command.header.empty() && (request.outputs.spirv || target.IsVulkan()))
+    return "-Fh of an effect has GLSL for OpenGL; choose a target such as `glsl330`, without "
+           "-spirv";
+  if (!command.header.empty() && request.planes.variants)
+    return "-Fh of an effect has one program for each pass; --variants makes several";
   if (request.link.has_pixel_shader() || !request.link.pixel_shader.entry.empty())
     return "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
            "file without techniques";
@@ -55,6 +72,30 @@ std::string CheckNames(const ast::Effect& effect, const CommandLine& command) {
   return problem.empty() ? check("pass", command.pass, passes) : problem;
 }
 
+CompileResult MessagesOf(const Diagnostics& diagnostics, const Source& source,
+                         const CommandLine& command) {
+  CompileResult result;
+  if (diagnostics.has_errors()) result.status = Status::kErrors;
+  for (const Diagnostic& diagnostic : diagnostics.all())
+    result.messages.push_back(ToMessage(diagnostic, source));
+  if (command.format == MessageFormat::kText && !diagnostics.all().empty())
+    result.text = source.RenderText(diagnostics, WantsColour(command));
+  return result;
+}
+
+// Adds the header for OpenGL to what is written, unless a warning about it is an error.
+void AddHeader(const EffectFacts& facts, const Source& source, const CommandLine& command,
+               BatchEnd& end) {
+  const std::string& path = command.inputs[0];
+  const std::string file = path.substr(NameBegin(path));
+  Diagnostics diagnostics(command.request.warnings);
+  const GlEffect effect = MakeGlEffect(facts, command.request.style.clip_space.flip_y, diagnostics);
+  end.messages = MessagesOf(diagnostics, source, command);
+  if (diagnostics.has_errors()) return;
+  const std::string name = command.variable.empty() ? GlEffectName(file) : command.variable;
+  end.files.push_back({"header", command.header, GlEffectHeader(effect, name)});
+}
+
 }  // namespace
 
 LoadedEffect LoadEffect(const CommandLine& command) {
@@ -62,9 +103,11 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   request.path = command.inputs[0];
   Diagnostics diagnostics(request.warnings);
   const Plan plan = Resolve(request, diagnostics);
-  FrontendContext context(FrontendContext::Files::kOnDisk, request.includes.sandbox);
-  Source source(context, plan.input);
   LoadedEffect loaded;
+  loaded.context =
+      std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk, request.includes.sandbox);
+  loaded.source = std::make_unique<Source>(*loaded.context, plan.input);
+  Source& source = *loaded.source;
   ast::File file;
   if (!diagnostics.has_errors()) {
     Tokens tokens = Lex(source, diagnostics);
@@ -75,10 +118,7 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   if (loaded.is_read) loaded.effect = ast::ReadEffect(file);
   if (loaded.is_read) loaded.problem = CheckNames(loaded.effect, command);
   if (loaded.problem.empty()) loaded.programs = FindPrograms(loaded.effect, command, diagnostics);
-  for (const Diagnostic& diagnostic : diagnostics.all())
-    loaded.messages.messages.push_back(ToMessage(diagnostic, source));
-  if (command.format == MessageFormat::kText && !diagnostics.all().empty())
-    loaded.messages.text = source.RenderText(diagnostics, WantsColour(command));
+  loaded.messages = MessagesOf(diagnostics, source, command);
   loaded.messages.dependencies = source.Dependencies();
   loaded.code = !diagnostics.has_errors() ? kExitOk
                 : source.main_file_read() ? kExitErrors
@@ -101,13 +141,25 @@ RunResult RunEffect(CommandLine command) {
   }
   const char* slash = EndsWithSlash(command.output) ? "" : "/";
   const std::string stem = WithoutExtension(path.substr(NameBegin(path)));
-  if (command.index.empty())
+  if (command.index.empty() && !command.output.empty())
     command.index = fmt::format("{}{}{}.json", command.output, slash, stem);
+  command.header = NameAfter(command.header, command.index.empty() ? path : command.index);
   command.keep_going = true;
   BatchOfGroups batch{loaded.programs.groups, std::move(loaded.messages), {}, {}};
+  std::vector<std::shared_ptr<const EffectCode>> code(batch.groups.size());
+  const bool wants_header = !command.header.empty();
+  batch.keep = [&](std::size_t group, const CompileResult& compiled) {
+    if (!compiled.facts) return;
+    code[group] = std::make_shared<EffectCode>(
+        EffectCode{*compiled.facts, wants_header ? compiled.shaders : Shaders()});
+  };
   const CommandLine& options = command;
-  batch.render = [&, options](const std::vector<BatchEntry>& entries) {
-    return RenderEffect(loaded.effect, loaded.programs, options, entries);
+  batch.end = [&, options](const std::vector<BatchEntry>& entries) {
+    const EffectFacts facts =
+        MakeEffectFacts(loaded.effect, loaded.programs, options, entries, code);
+    BatchEnd end{EffectJson(facts)};
+    if (wants_header) AddHeader(facts, *loaded.source, options, end);
+    return end;
   };
   RunResult result = RunBatch(std::move(command), std::move(batch));
   result.code = std::max(loaded.code, result.code);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "compiler/compile.h"
+#include "compiler/command_line.h"
 #include "compiler/effect_passes.h"
-#include "compiler/options.h"
+#include "compiler/result.h"
 #include "compiler/run_result.h"
 
 namespace clipc {
@@ -18,14 +19,16 @@ struct LoadedEffect {
   ast::Effect effect;
   EffectPrograms programs;  // their shaders are those of `effect`
   CompileResult messages;
-  int code = 0;  // the exit code that the messages alone give
+  std::unique_ptr<FrontendContext> context;
+  std::unique_ptr<Source> source;  // of the places in `effect`
+  int code = 0;                    // the exit code that the messages alone give
 };
 
 // Reads the effect of the command's input, or of the text of its request.
 LoadedEffect LoadEffect(const CommandLine& command);
 
 // Runs --effect: compiles every pass of an effect as a pair or a single shader, and writes JSON
-// that describes the effect beside them (docs/effects.md).
+// that describes the effect beside them, and a header for OpenGL (docs/effects.md).
 RunResult RunEffect(CommandLine command);
 
 }  // namespace clipc

@@ -129,6 +129,8 @@ class ProgramFinder {
     if (!is_new) return known->second;
     ShaderGroup& group = found_.groups.emplace_back();
     group.command = command_;
+    group.command.header.clear();  // that is of all passes together
+    group.command.variable.clear();
     group.source = command_.inputs[0];
     const auto name_of = [](const std::string& name, const char* kind, std::size_t at) {
       return name.empty() ? fmt::format("{}{}", kind, at) : name;
@@ -144,7 +146,8 @@ class ProgramFinder {
     request.language.entry = first.shader->function;
     request.language.entry_call = first.shader->call;
     request.language.is_in_effect = true;
-    request.outputs.initial_values = true;
+    request.outputs.facts = true;
+    request.planes.given_to_device = !command_.header.empty();  // which names them
     request.link.is_pair = program.vertex && program.pixel;
     if (request.link.is_pair) {
       group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";

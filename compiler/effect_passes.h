@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "compiler/batch_index.h"
-#include "compiler/options.h"
+#include "compiler/command_line.h"
 #include "compiler/permutations.h"
 #include "frontend/parse/effect.h"
 
@@ -42,9 +41,5 @@ struct EffectPrograms {
 // text that is not understood.
 EffectPrograms FindPrograms(const ast::Effect& effect, const CommandLine& command,
                             Diagnostics& diagnostics);
-
-// The document that describes the effect: docs/effects.md. `entries` are those of the groups.
-std::string RenderEffect(const ast::Effect& effect, const EffectPrograms& programs,
-                         const CommandLine& command, const std::vector<BatchEntry>& entries);
 
 }  // namespace clipc

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/diagnostics.h"
-#include "compiler/compile.h"
 #include "compiler/known_texts.h"
 #include "compiler/plan.h"
+#include "compiler/request.h"
 #include "frontend/lex/source.h"
 
 namespace clipc {

@@ -9,8 +9,8 @@
 
 #include "base/diagnostics.h"
 #include "base/stage.h"
-#include "compiler/compile.h"
 #include "compiler/plan.h"
+#include "compiler/request.h"
 #include "frontend/check/check.h"
 #include "frontend/lex/source.h"
 #include "frontend/parse/ast.h"

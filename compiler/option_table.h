@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/options.h"
+#include "compiler/command_line.h"
 
 // Every spelling of every option, and what it does.
 namespace clipc {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/options.h"
+#include "compiler/command_line.h"
 
 namespace clipc {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "compiler/compile.h"
 #include "compiler/job.h"
+#include "compiler/request.h"
 #include "compiler/stages.h"
 #include "frontend/lex/source.h"
 #include "ir/program.h"
@@ -15,7 +15,7 @@ namespace clipc {
 
 // Reads the request's pixel shader and links the vertex shader `program` with it (link/match.h).
 // `input` is the vertex shader's: a pixel shader in HLSL has the same include folders and macros.
-// Appends the files that were read to `dependencies`. Requires Form::kTyped; after errors the
+// Appends the files that were read to `dependencies`. Requires Form::kResolved; after errors the
 // program is as it was.
 void LinkPixelShader(const CompileRequest& request, SourceInput input, ir::Program& program,
                      std::vector<std::string>& dependencies, Diagnostics& diagnostics);
@@ -27,7 +27,7 @@ CompileRequest PixelRequest(const CompileRequest& request);
 void NameInputs(ir::Program& pixel, const glsl::NameStyle& style);
 
 // Links the vertex shader `program` with the lowered pixel shader of its pair, whose job is
-// `pixel_job`. Requires Form::kTyped of the program; after errors it is as it was.
+// `pixel_job`. Requires Form::kResolved of the program; after errors it is as it was.
 void LinkPair(const CompileRequest& request, const Lowered& pixel, const Job& pixel_job,
               ir::Program& program, Diagnostics& diagnostics);
 

@@ -21,8 +21,15 @@ bool IsExtension(const std::string& value) {
   return value.size() > 1 && value[0] == '.' && !HasSlash(value);
 }
 
-std::string NameAfter(const std::string& value, const std::string& name) {
-  return IsExtension(value) ? WithoutExtension(name) + value : value;
+// The files of an option that may be given several times, each once.
+std::vector<std::string> NamesAfter(const std::vector<std::string>& values,
+                                    const std::string& name) {
+  std::vector<std::string> files;
+  for (const std::string& value : values) {
+    std::string file = NameAfter(value, name);
+    if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
+  }
+  return files;
 }
 
 // The extension of the GLSL: that of a vertex shader where the profile is unknown, an error.
@@ -65,10 +72,13 @@ std::string PlacePixel(const CommandLine& command, const std::string& input,
 
 std::vector<std::string> Outputs::Named() const {
   std::vector<std::string> named;
-  for (const std::string& path :
-       {glsl, fragment, table, reflection, dependencies, header, listing, preprocessed}) {
+  const auto add = [&](const std::string& path) {
     if (!path.empty() && path != "-") named.push_back(path);
-  }
+  };
+  add(glsl), add(fragment);
+  std::ranges::for_each(tables, add);
+  std::ranges::for_each(reflections, add);
+  for (const std::string& path : {dependencies, header, listing, preprocessed}) add(path);
   return named;
 }
 
@@ -85,6 +95,10 @@ std::string WithoutExtension(const std::string& path) {
 std::string VariantName(const std::string& path, std::size_t planes) {
   const std::string stem = WithoutExtension(path);
   return fmt::format("{}.{}{}", stem, planes, path.substr(stem.size()));
+}
+
+std::string NameAfter(const std::string& value, const std::string& name) {
+  return IsExtension(value) ? WithoutExtension(name) + value : value;
 }
 
 Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
@@ -113,8 +127,8 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.glsl = glsl;
   outputs.header = NameAfter(command.header, name);
   outputs.listing = NameAfter(command.listing, name);
-  outputs.table = NameAfter(command.table, name);
-  outputs.reflection = NameAfter(command.reflection, name);
+  outputs.tables = NamesAfter(command.tables, name);
+  outputs.reflections = NamesAfter(command.reflections, name);
   if (command.request.link.is_pair) {
     outputs.fragment = PlacePixel(command, input, name);
   } else if (command.request.planes.lowering == Lowering::kDiscard &&

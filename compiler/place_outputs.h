@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/options.h"
+#include "compiler/command_line.h"
 
 namespace clipc {
 
 // The paths of all outputs for one input. Empty: not asked for. "-": standard output.
 struct Outputs {
-  std::string glsl, fragment, table, reflection, dependencies, header, listing, preprocessed;
+  std::string glsl, fragment, dependencies, header, listing, preprocessed;
+  std::vector<std::string> tables, reflections;
   std::string dependency_target;  // of the make rule
 
   // The outputs that are files: the paths that are neither empty nor "-".
@@ -28,6 +29,9 @@ std::string_view ExtensionOf(const CompileRequest& request);
 
 // "water.vert" => "water"; a dot at the start of a file's name begins no extension.
 std::string WithoutExtension(const std::string& path);
+
+// A file that an option names: after `name` if the value is only an extension, ".json".
+std::string NameAfter(const std::string& value, const std::string& name);
 
 // "water.2.vert": the shader with two planes.
 std::string VariantName(const std::string& path, std::size_t planes);

@@ -52,6 +52,12 @@ void ReportUnknownProfile(const std::string& name, Diagnostics& diagnostics) {
 CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagnostics) {
   CheckOptions options;
   if (auto profile = ir::ParseProfile(language.profile)) {
+    // fxc X3539; "Compiling Shaders" of Microsoft's HLSL guide has /Gec promote ps_1_x to ps_2_0.
+    if (profile->stage == Stage::kPixel && profile->major == 1) {
+      if (language.position_name != rules::PositionName::kBoth)
+        diagnostics.Report({}, diag::ProfileRetired, profile->name);
+      profile = ir::ParseProfile("ps_2_0");
+    }
     options = CheckOptions::For(std::move(*profile), language.version);
   } else {
     ReportUnknownProfile(language.profile, diagnostics);
@@ -83,7 +89,7 @@ glsl::WriteOptions WriteOptionsOf(const StyleOptions& style, Diagnostics& diagno
 
 void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
   if (debug.dump_after.empty() && debug.stop_after.empty()) return;
-  const std::vector<std::string_view> passes = LowerPasses();
+  const std::vector<std::string_view> passes = PassNames();
   const auto check = [&](const std::string& name) {
     if (std::ranges::find(passes, name) == passes.end())
       ReportUnknown(diag::UnknownPass, name, passes, diagnostics);

@@ -4,7 +4,7 @@
 #include "backend-glsl/write.h"
 #include "base/diagnostics.h"
 #include "compiler/check_lowering.h"
-#include "compiler/compile.h"
+#include "compiler/request.h"
 #include "frontend/check/check.h"
 #include "frontend/lex/source.h"
 

@@ -2,14 +2,12 @@
 #include "compiler/result_structs.h"
 
 #include <cstdint>
-#include <string_view>
-
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <ranges>
+#include <string>
 
 namespace clipc {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void Add(const Message& message, std::vector<clipc_diagnostic>& to) {
   const clipc_severity severity = message.severity == Severity::kError     ? CLIPC_ERROR
@@ -21,22 +19,8 @@ void Add(const Message& message, std::vector<clipc_diagnostic>& to) {
   for (const Message& note : message.notes) Add(note, to);
 }
 
-// The member of an object; null if there is none.
-const Json& At(const Json& json, std::string_view key) {
-  static const Json kNone;
-  const auto found = json.find(key);
-  return found == json.end() ? kNone : *found;
-}
-
-template <class Number>
-Number NumberAt(const Json& json, std::string_view key, Number otherwise) {
-  const Json& value = At(json, key);
-  return value.is_number() ? value.get<Number>() : otherwise;
-}
-
-bool FlagAt(const Json& json, std::string_view key, bool otherwise = false) {
-  const Json& value = At(json, key);
-  return value.is_boolean() ? value.get<bool>() : otherwise;
+std::int32_t NumberOrNone(const std::optional<std::uint32_t>& number) {
+  return number ? static_cast<std::int32_t>(*number) : -1;
 }
 
 }  // namespace
@@ -47,83 +31,79 @@ std::vector<clipc_diagnostic> ToDiagnostics(const std::vector<Message>& messages
   return diagnostics;
 }
 
-class ReflectionStructs::Reader {
+class ReflectionStructs::Printer {
  public:
-  explicit Reader(ReflectionStructs& to) : to_(to) {}
+  explicit Printer(ReflectionStructs& to) : to_(to) {}
 
-  const clipc_reflection* Shader(const Json& json) {
+  clipc_reflection& Shader(const StageFacts& facts) {
     clipc_reflection& shader = to_.shaders_.emplace_back();
-    shader.entry = Text(json, "entry");
-    shader.profile = Text(json, "profile");
-    const auto variable = [&](const Json& each) { return Variable(each); };
-    List(At(json, "inputs"), to_.variable_lists_, variable, shader.inputs, shader.input_count);
-    List(At(json, "outputs"), to_.variable_lists_, variable, shader.outputs, shader.output_count);
-    List(
-        At(json, "cbuffers"), to_.buffer_lists_, [&](const Json& each) { return Buffer(each); },
-        shader.buffers, shader.buffer_count);
-    List(
-        At(json, "resources"), to_.resource_lists_,
-        [&](const Json& each) { return Resource(each); }, shader.resources, shader.resource_count);
-    if (const Json& pixel = At(json, "pixelShader"); pixel.is_object())
-      shader.pixel_shader = Shader(pixel);
-    return &shader;
+    shader.entry = facts.entry.c_str();
+    shader.profile = facts.profile.c_str();
+    List(facts.inputs, to_.variable_lists_, shader.inputs, shader.input_count);
+    List(facts.outputs, to_.variable_lists_, shader.outputs, shader.output_count);
+    List(facts.buffers, to_.buffer_lists_, shader.buffers, shader.buffer_count);
+    List(facts.resources, to_.resource_lists_, shader.resources, shader.resource_count);
+    return shader;
   }
 
  private:
-  const char* Text(const Json& json, std::string_view key) {
-    const Json& value = At(json, key);
-    if (!value.is_string()) return "";
-    return to_.texts_.emplace_back(value.get<std::string>()).c_str();
-  }
-
-  template <class Lists, class Read, class First>
-  static void List(const Json& json, Lists& lists, Read read, First& first, std::size_t& count) {
+  template <class Facts, class Lists, class First>
+  void List(const Facts& facts, Lists& lists, First& first, std::size_t& count) {
     auto& list = lists.emplace_back();
-    for (const Json& each : json) list.push_back(read(each));
+    for (const auto& fact : facts) list.push_back(Struct(fact));
     first = list.data();
     count = list.size();
   }
 
-  const clipc_variable* Variable(const Json& json) {
-    return &to_.variables_.emplace_back(clipc_variable{
-        Text(json, "semantic"), NumberAt(json, "index", std::uint32_t{0}), Text(json, "type"),
-        Text(json, "name"), NumberAt(json, "location", std::int32_t{-1}), FlagAt(json, "builtin"),
-        FlagAt(json, "used", true)});
+  const clipc_variable* Struct(const VariableFact& fact) {
+    return &to_.variables_.emplace_back(
+        clipc_variable{fact.semantic.c_str(), fact.index, fact.type.c_str(), fact.name.c_str(),
+                       NumberOrNone(fact.location), fact.is_builtin, fact.is_used});
   }
 
-  const clipc_member* Member(const Json& json) {
-    return &to_.members_.emplace_back(clipc_member{
-        Text(json, "name"), Text(json, "type"), NumberAt(json, "offset", std::uint32_t{0}),
-        NumberAt(json, "size", std::uint32_t{0}), Text(json, "glsl")});
+  const clipc_member* Struct(const MemberFact& fact) {
+    return &to_.members_.emplace_back(clipc_member{fact.name.c_str(), fact.type.c_str(),
+                                                   fact.offset, fact.size,
+                                                   fact.place ? fact.place->glsl.c_str() : ""});
   }
 
-  const clipc_buffer* Buffer(const Json& json) {
-    const Json& glsl = At(json, "glsl");
+  const clipc_buffer* Struct(const BufferFact& fact) {
+    const bool is_used = fact.block.has_value();
     clipc_buffer& buffer = to_.buffers_.emplace_back(clipc_buffer{
-        Text(json, "name"), Text(json, "register"), NumberAt(json, "space", std::uint32_t{0}),
-        NumberAt(json, "size", std::uint32_t{0}), FlagAt(json, "used"), Text(glsl, "block"),
-        NumberAt(glsl, "set", std::int32_t{-1}), NumberAt(glsl, "binding", std::int32_t{-1}),
-        nullptr, 0});
-    List(
-        At(json, "members"), to_.member_lists_, [&](const Json& each) { return Member(each); },
-        buffer.members, buffer.member_count);
+        fact.name.c_str(), fact.reg.name.c_str(), fact.reg.space, fact.size, is_used,
+        is_used ? fact.block->name.c_str() : "", is_used ? NumberOrNone(fact.block->set) : -1,
+        is_used ? NumberOrNone(fact.block->binding) : -1, nullptr, 0});
+    List(fact.members, to_.member_lists_, buffer.members, buffer.member_count);
     return &buffer;
   }
 
-  const clipc_resource* Resource(const Json& json) {
-    const Json &texture = At(json, "texture"), &sampler = At(json, "sampler");
-    return &to_.resources_.emplace_back(
-        clipc_resource{Text(json, "glsl"), NumberAt(json, "set", std::int32_t{-1}),
-                       NumberAt(json, "binding", std::int32_t{-1}), Text(texture, "name"),
-                       Text(texture, "type"), Text(texture, "register"), Text(sampler, "name"),
-                       Text(sampler, "type"), Text(sampler, "register")});
+  const clipc_resource* Struct(const ResourceFact& fact) {
+    const auto text = [](const auto& part, const std::string& (*of)(const ResourceFact::Part&)) {
+      return part ? of(*part).c_str() : "";
+    };
+    const auto name = [](const ResourceFact::Part& part) -> const std::string& {
+      return part.name;
+    };
+    const auto type = [](const ResourceFact::Part& part) -> const std::string& {
+      return part.type;
+    };
+    const auto reg = [](const ResourceFact::Part& part) -> const std::string& {
+      static const std::string kNone;
+      return part.reg ? part.reg->name : kNone;
+    };
+    return &to_.resources_.emplace_back(clipc_resource{
+        fact.glsl.c_str(), NumberOrNone(fact.set), NumberOrNone(fact.binding),
+        text(fact.texture, name), text(fact.texture, type), text(fact.texture, reg),
+        text(fact.sampler, name), text(fact.sampler, type), text(fact.sampler, reg)});
   }
 
   ReflectionStructs& to_;
 };
 
-ReflectionStructs::ReflectionStructs(const std::string& json) {
-  Reader(*this).Shader(Json::parse(json));
+ReflectionStructs::ReflectionStructs(const Facts& facts) {
+  Printer printer(*this);
+  clipc_reflection& shader = printer.Shader(facts.stages.front());
+  if (facts.stages.size() > 1) shader.pixel_shader = &printer.Shader(facts.stages[1]);
 }
 
 }  // namespace clipc

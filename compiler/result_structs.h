@@ -3,33 +3,31 @@
 
 #include <cstddef>
 #include <deque>
-#include <string>
 #include <vector>
 
 #include "compiler/clipc.h"
+#include "compiler/facts.h"
 #include "compiler/message.h"
 
-// What a result of the C interface says as JSON, as the structs of compiler/clipc.h.
+// What a result of the C interface says, as the structs of compiler/clipc.h.
 namespace clipc {
 
 // The messages, each before its notes. Refers to texts of `messages`.
 std::vector<clipc_diagnostic> ToDiagnostics(const std::vector<Message>& messages);
 
-// The structs of a reflection, which refer to each other and to texts that are kept here.
+// The structs of a reflection, which refer to each other and to the texts of the facts.
 class ReflectionStructs {
  public:
-  // `json` is the reflection: compiler/reflect.h.
-  explicit ReflectionStructs(const std::string& json);
+  explicit ReflectionStructs(const Facts& facts);
   ReflectionStructs(const ReflectionStructs&) = delete;
   ReflectionStructs& operator=(const ReflectionStructs&) = delete;
 
   const clipc_reflection& shader() const { return shaders_.front(); }
 
  private:
-  class Reader;
+  class Printer;
 
   // A deque keeps its elements where they are.
-  std::deque<std::string> texts_;
   std::deque<clipc_variable> variables_;
   std::deque<clipc_member> members_;
   std::deque<clipc_buffer> buffers_;

@@ -10,7 +10,7 @@
 
 #include "base/spelling.h"
 #include "base/system.h"
-#include "compiler/driver.h"
+#include "compiler/exit_code.h"
 #include "compiler/output_files.h"
 
 namespace clipc {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/compile.h"
+#include "compiler/command_line.h"
 #include "compiler/message.h"
-#include "compiler/options.h"
+#include "compiler/result.h"
 
 // The messages of a run, on standard error or in a file.
 namespace clipc {

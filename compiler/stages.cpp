@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/stages.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "backend-glsl/check_target.h"
 #include "backend-glsl/legalize/legalize.h"
 #include "frontend/parse/parse.h"
+#include "frontend/rules/resolve.h"
 
 namespace clipc {
+namespace {
+
+constexpr std::string_view kUnrollLoops = "unroll-loops";
+
+}  // namespace
 
 ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
   Tokens tokens = Lex(source, diagnostics);
@@ -15,7 +23,7 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
 }
 
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
-                  const std::function<bool(const Tokens&)>& wants) {
+                  const ir::PassOptions& passes, const std::function<bool(const Tokens&)>& wants) {
   if (!options.profile.stage) {  // the next errors would be about another stage's shader
     diagnostics.Report({}, diag::OtherStageProfile, options.profile.name,
                        options.profile.name.starts_with("fx_")
@@ -28,7 +36,8 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
   const int errors = diagnostics.error_count();
   const ast::File file = Parse(std::move(tokens), diagnostics, FunctionBodies::kParse,
                                {.entry_call = options.entry_call});
-  return diagnostics.error_count() > errors ? ir::Program() : Check(file, options, diagnostics);
+  return diagnostics.error_count() > errors ? ir::Program()
+                                            : Check(file, options, diagnostics, passes);
 }
 
 Lowered Lower(ir::Program program, const LowerOptions& options) {
@@ -38,12 +47,20 @@ Lowered Lower(ir::Program program, const LowerOptions& options) {
   const bool is_complete = passes::RunPipeline(program, pipeline);
   glsl::Target target = options.target;
   target.flips_y = pipeline.clip_space.flip_y;
-  return {std::move(program), std::move(target), pipeline.clip_planes.lowering,
-          pipeline.clip_planes.space, is_complete};
+  Lowered lowered{std::move(program), std::move(target), pipeline.clip_planes.lowering,
+                  pipeline.clip_planes.space, is_complete};
+  if (is_complete) {
+    lowered.long_loops = glsl::UnrollLoops(lowered.program, lowered.target);
+    lowered.is_complete =
+        ir::FinishPass(lowered.program, kUnrollLoops, ir::Form::kInlined, options.passes);
+  }
+  return lowered;
 }
 
-std::vector<std::string_view> LowerPasses() {
-  std::vector<std::string_view> names = passes::PassNames();
+std::vector<std::string_view> PassNames() {
+  std::vector<std::string_view> names = rules::ResolvePasses();
+  std::ranges::copy(passes::PassNames(), std::back_inserter(names));
+  names.push_back(kUnrollLoops);
   for (const auto& pass : glsl::LegalizePasses()) names.push_back(pass.name);
   return names;
 }
@@ -53,7 +70,7 @@ void Legalize(Lowered& lowered, const ir::PassOptions& options) {
 }
 
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics) {
-  glsl::CheckTarget(lowered.program, lowered.target, blocks, diagnostics);
+  glsl::CheckTarget(lowered.program, lowered.target, blocks, lowered.long_loops, diagnostics);
 }
 
 WrittenGlsl Write(const Lowered& lowered, const glsl::WriteOptions& options) {

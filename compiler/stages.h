@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "backend-glsl/legalize/es100/unroll_loops.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/write.h"
@@ -31,10 +32,12 @@ namespace clipc {
 // parts that could be read, and after errors of the preprocessor it is empty.
 ast::File ReadFile(Source& source, Diagnostics& diagnostics);
 
-// Returns the meaning of the shader, in Form::kTyped. The program is only meaningful when
+// Returns the meaning of the shader, in Form::kResolved. The program is only meaningful when
 // `diagnostics` has no errors afterwards. Every error about the shader alone is reported here.
-// `wants`, if given, sees the tokens; when it returns false, nothing more is done with them.
+// `passes` sees the passes that resolve objects, and may end them. `wants`, if given, sees the
+// tokens; when it returns false, nothing more is done with them.
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
+                  const ir::PassOptions& passes = {},
                   const std::function<bool(const Tokens&)>& wants = {});
 
 struct LowerOptions {
@@ -49,16 +52,17 @@ struct Lowered {
   glsl::Target target;
   Lowering lowering;
   PlaneSpace plane_space;
-  bool is_complete = true;  // no pass stopped it early
+  bool is_complete = true;                      // no pass stopped it early
+  std::vector<glsl::LongLoop> long_loops = {};  // that CheckTarget refuses
 };
 
-// Runs the passes of the clip planes, of the target's clip space and those that clear up. Requires
-// Form::kTyped.
+// Runs the passes of the clip planes, of the target's clip space and those that clear up, and
+// unrolls the loops that the target lacks. Requires Form::kResolved.
 Lowered Lower(ir::Program program, const LowerOptions& options);
 
-// The names of the passes that Lower and Legalize run, in their order: what `stop_after` and
+// The names of the passes that Front, Lower and Legalize run, in their order: what `stop_after` and
 // `after_pass` know.
-std::vector<std::string_view> LowerPasses();
+std::vector<std::string_view> PassNames();
 
 // Reports the parts of the program that the target cannot express. Without errors, Write succeeds,
 // also for the same shader with fewer clip planes: LowerClipPlanes only adds to the shader.

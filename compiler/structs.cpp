@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -17,10 +18,7 @@
 namespace clipc {
 namespace {
 
-using ir::Program;
 using ir::Scalar;
-using ir::Type;
-using ir::TypeId;
 using ir::TypeKind;
 
 constexpr std::uint32_t kRow = 16;
@@ -125,11 +123,11 @@ class Header {
  public:
   // `first` is the header of the other shader of a pair, or null: a struct of one name that is
   // another there gets a new name.
-  Header(const Program& program, std::string_view prefix, const Header* first)
-      : program_(program), types_(program.types), prefix_(prefix), first_(first) {}
+  Header(const StageFacts& facts, std::string_view prefix, const Header* first)
+      : facts_(facts), prefix_(prefix), first_(first) {}
 
   std::string Write() {
-    for (const ir::CbufferId id : program_.cbuffers.ids()) AddBuffer(program_.cbuffers[id]);
+    for (const BufferFact& buffer : facts_.buffers) AddBuffer(buffer);
     return text_;
   }
 
@@ -168,80 +166,83 @@ class Header {
     body.end = to;
   }
 
-  void AddMember(Body& body, std::string_view written, TypeId type, bool row_major,
-                 std::uint32_t offset) {
-    const std::uint32_t size = ir::PackedExtent(types_, type, row_major).size;
+  // Adds a member, or an element of one, which has so many subscripts; `type` is its type in HLSL.
+  void AddMember(Body& body, const FieldFact& member, std::size_t subscripts,
+                 std::string_view type) {
+    const std::uint32_t size = member.shape.SizeAfter(subscripts);
     if (size == 0) return;  // an object in a struct is not a constant
-    Pad(body, offset);
-    const std::string name = Identifier(written);
+    Pad(body, member.offset);
+    const std::string name = Identifier(member.name);
     fmt::format_to(std::back_inserter(body.members), "  {};  // {}{}\n",
-                   Declaration(name, type, row_major), row_major ? "row_major " : "",
-                   types_.Name(type));
-    body.offsets.emplace_back(name, offset);
-    body.end = offset + size;
+                   Declaration(name, member.shape, subscripts),
+                   member.row_major ? "row_major " : "", type);
+    body.offsets.emplace_back(name, member.offset);
+    body.end = member.offset + size;
   }
 
   // The declaration of a member, such as "float view[16]".
-  std::string Declaration(const std::string& name, TypeId id, bool row_major) {
+  std::string Declaration(const std::string& name, const ShapeFact& shape, std::size_t subscripts) {
     std::string lengths;
-    TypeId element = id;
-    std::uint32_t size = ir::PackedExtent(types_, id, row_major).size;
     const auto as_words = [&](const char* word, std::uint32_t bytes) {
-      return fmt::format("{} {}{}[{}]", word, name, lengths, size / bytes);
+      return fmt::format("{} {}{}[{}]", word, name, lengths, shape.SizeAfter(subscripts) / bytes);
     };
-    while (types_[element].kind == TypeKind::kArray) {
-      const Type& array = types_[element];
-      const std::uint32_t stride = ir::ArrayStride(types_, element, row_major);
-      if (ir::PackedExtent(types_, array.element, row_major).size != stride) break;
-      fmt::format_to(std::back_inserter(lengths), "[{}]", array.count);
-      element = array.element;
-      size = stride;
+    const std::size_t dimensions = shape.dimensions.size();
+    for (; subscripts < dimensions; ++subscripts) {
+      const ShapeFact::Dimension& dimension = shape.dimensions[subscripts];
+      if (shape.SizeAfter(subscripts + 1) != dimension.stride) break;
+      fmt::format_to(std::back_inserter(lengths), "[{}]", dimension.count);
     }
-    const Type& type = types_[element];
-    if (type.kind == TypeKind::kStruct)
-      return fmt::format("struct {} {}{}", AddStruct(element), name, lengths);
-    const TypeId innermost = types_.Innermost(element);
-    if (!types_[innermost].IsNumeric()) return as_words("uint32_t", 4);
-    const char* const scalar = NameOfScalar(types_[innermost].scalar);
-    if (type.kind == TypeKind::kScalar) return fmt::format("{} {}{}", scalar, name, lengths);
-    const bool is_wide = std::string_view(scalar) == "double" ||
-                         std::string_view(scalar).find("64") != std::string_view::npos;
-    return as_words(scalar, is_wide ? 8 : 4);
+    const bool is_element = subscripts == dimensions;
+    if (is_element && shape.structure)
+      return fmt::format("struct {} {}{}", AddStruct(*shape.structure), name, lengths);
+    const bool is_numeric = shape.kind == TypeKind::kScalar || shape.kind == TypeKind::kVector ||
+                            shape.kind == TypeKind::kMatrix;
+    if (!is_numeric) return as_words("uint32_t", 4);
+    const char* const scalar = NameOfScalar(shape.scalar);
+    if (is_element && shape.kind == TypeKind::kScalar)
+      return fmt::format("{} {}{}", scalar, name, lengths);
+    return as_words(scalar, ir::ByteSize(shape.scalar));
   }
 
   // Adds a struct and returns its name. A struct ends where its last member ends, so that the next
   // member after it may use the rest of that row, as in HLSL.
-  std::string AddStruct(TypeId type) {
-    const ir::StructId id = types_[type].structure;
-    if (const auto known = structs_.find(id); known != structs_.end()) return known->second;
-    const ir::Struct& structure = types_.StructOf(type);
+  std::string AddStruct(std::size_t number) {
+    if (const auto known = structs_.find(number); known != structs_.end()) return known->second;
+    const StructFact& structure = facts_.structs[number];
     Body body{NewName(structure.name), {}, {}};
-    for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
-      const ir::Field& field = structure.fields[i];
-      AddMember(body, field.name, field.type, field.row_major, ir::FieldOffset(types_, id, i));
-    }
+    for (const FieldFact& field : structure.fields) AddMember(body, field, 0, field.type);
     Close(body, fmt::format("struct {}", structure.name));
-    structs_.emplace(id, body.name);
+    structs_.emplace(number, body.name);
     return body.name;
   }
 
-  void AddBuffer(const ir::Cbuffer& buffer) {
+  void AddBuffer(const BufferFact& buffer) {
     Body body{NewName(buffer.name), {}, {}};
-    std::vector<ir::CbufferMember> members = buffer.members;
-    std::ranges::stable_sort(members, {}, &ir::CbufferMember::offset);
-    for (const ir::CbufferMember& member : members) {
-      const ir::Var& var = program_.vars[member.var];
-      TypeId type = var.type;
-      if (buffer.count != 1 && types_[type].kind == TypeKind::kArray) type = types_[type].element;
-      if (member.offset >= body.end) {
-        AddMember(body, var.name, type, var.row_major, member.offset);
-      } else {  // `register(c#)` puts the member over another
+    std::vector<const MemberFact*> members;
+    for (const MemberFact& member : buffer.members) members.push_back(&member);
+    std::ranges::stable_sort(members, {}, &MemberFact::offset);
+    for (const MemberFact* member : members) {
+      // An array of buffers is one struct, of an element.
+      const bool is_array = buffer.count != 1 && !member->shape.dimensions.empty();
+      if (member->offset < body.end) {  // `register(c#)` puts the member over another
         fmt::format_to(std::back_inserter(body.members), "  // {} at byte {}\n",
-                       Identifier(var.name), member.offset);
+                       Identifier(member->name), member->offset);
+      } else if (is_array) {
+        AddMember(body, *member, 1, ElementType(member->shape));
+      } else {
+        AddMember(body, *member, 0, member->type);
       }
     }
     Pad(body, static_cast<std::uint32_t>(ir::RoundUp(buffer.size, kRow)));
-    Close(body, fmt::format("{}, b{}, space {}", buffer.name, buffer.reg.number, buffer.reg.space));
+    Close(body, fmt::format("{}, {}, space {}", buffer.name, buffer.reg.name, buffer.reg.space));
+  }
+
+  // The type of an array's elements, which are structs.
+  std::string ElementType(const ShapeFact& shape) const {
+    std::string type = shape.structure ? facts_.structs[*shape.structure].name : "";
+    for (const ShapeFact::Dimension& inner : std::span(shape.dimensions).subspan(1))
+      fmt::format_to(std::back_inserter(type), "[{}]", inner.count);
+    return type;
   }
 
   void Close(Body& body, std::string_view what) {
@@ -261,22 +262,21 @@ class Header {
         what, body.name, body.members, assertions, body.end);
   }
 
-  const Program& program_;
-  const ir::TypeTable& types_;
+  const StageFacts& facts_;
   const std::string prefix_;  // of the names of structs
   const Header* const first_;
   std::set<std::string> names_;
   std::map<std::string, std::string> members_;  // of each struct, by its name
-  std::map<ir::StructId, std::string> structs_;
+  std::map<std::size_t, std::string> structs_;  // by the number of the fact
   std::string text_;
 };
 
 }  // namespace
 
-std::string WriteStructs(const Program& program, std::string_view prefix, const Program* pixel) {
-  Header header(program, prefix, nullptr);
+std::string WriteStructs(const Facts& facts, std::string_view prefix) {
+  Header header(facts.stages.front(), prefix, nullptr);
   std::string text = header.Write();
-  if (pixel) text += Header(*pixel, prefix, &header).Write();
+  if (facts.stages.size() > 1) text += Header(facts.stages[1], prefix, &header).Write();
   return "// Written by clipc: constant buffers, byte by byte as Direct3D lays them out. A struct "
          "that\n"
          "// two shaders share is taken from the first; the assertions of the second hold for it "

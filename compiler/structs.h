@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ir/program.h"
+#include "compiler/facts.h"
 
 namespace clipc {
 
@@ -14,8 +14,7 @@ namespace clipc {
 // elements are padded but for the last one, is an array of 4-byte numbers. Names that are keywords
 // of C or C++ get a `_`; names of structs begin with `prefix`.
 //
-// With the program of a pixel shader, the structs of its buffers come after those of the first.
-std::string WriteStructs(const ir::Program& program, std::string_view prefix,
-                         const ir::Program* pixel = nullptr);
+// The structs of a pair's pixel shader come after those of the first.
+std::string WriteStructs(const Facts& facts, std::string_view prefix);
 
 }  // namespace clipc

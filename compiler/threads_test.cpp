@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/compile.h"
+#include "compiler/facts_json.h"
 
 namespace clipc {
 namespace {
@@ -38,9 +39,9 @@ std::string Said(Compiler& compiler, const std::string& path, std::size_t number
                                         : number % 3 == 1 ? "essl310"
                                                           : "glsl450");
   if (number % 9 == 0) request.outputs.spirv.emplace();
-  request.outputs.reflection = true;
+  request.outputs.facts = true;
   const CompileResult result = compiler.Compile(request);
-  return result.text + result.shaders.vertex + result.reflection +
+  return result.text + result.shaders.vertex + (result.facts ? FactsJson(*result.facts) : "") +
          std::to_string(result.spirv.size());
 }
 

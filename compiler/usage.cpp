@@ -16,11 +16,14 @@ namespace clipc {
 
 namespace {
 
+// Whether the file of --reflect has C structs, and not JSON.
+bool HoldsStructs(const std::string& file) { return file.ends_with(".h"); }
+
 // Returns the option that HLSL cannot have; empty if there is none.
 std::string_view NotForHlsl(const CommandLine& command) {
   const CompileRequest& request = command.request;
-  if (!command.table.empty()) return "--table";
-  if (!command.reflection.empty()) return "--reflect";
+  if (!command.tables.empty()) return "--table";
+  if (!command.reflections.empty()) return "--reflect";
   if (!command.header.empty()) return "-Fh";
   if (!command.listing.empty()) return "-Fc";
   if (!command.fragment.empty()) return "--fragment";
@@ -84,19 +87,20 @@ std::string CheckPair(const CommandLine& command) {
 std::string CheckCommand(const CommandLine& command) {
   const CompileRequest& request = command.request;
   if (std::string problem = CheckHlsl(command); !problem.empty()) return problem;
-  if (!command.table.empty() && !clip_table::FormatOf(command.table)) {
-    return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", command.table);
+  for (const std::string& table : command.tables) {
+    if (!clip_table::FormatOf(table))
+      return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", table);
   }
   if (request.planes.variants && (!command.header.empty() || request.outputs.spirv))
     return "-Fh and -spirv write one shader; with --variants there are several";
   if (std::string problem = CheckPair(command); !problem.empty()) return problem;
   if (!command.variable.empty() && command.header.empty())
     return "-Vn names what -Fh writes; give that option too";
-  if (!request.outputs.struct_prefix.empty() && !command.reflection.ends_with(".h"))
+  if (!command.struct_prefix.empty() && std::ranges::none_of(command.reflections, HoldsStructs))
     return "--struct-prefix is for the C structs of --reflect=FILE.h";
-  if (!IsIdentifier(request.outputs.struct_prefix))
+  if (!IsIdentifier(command.struct_prefix))
     return fmt::format("`{}` cannot begin a name in C; a prefix is letters, digits and `_`",
-                       request.outputs.struct_prefix);
+                       command.struct_prefix);
   if (!command.fragment.empty() && request.planes.lowering != Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
            "as it is";
@@ -147,10 +151,10 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
     report(!request.hlsl.wanted && !has_pixel_shader, "--shadow-samplers",
            "this is not a pixel shader");
   }
-  report(!has_planes && !command.table.empty(), "--table", "only a vertex shader has clip planes");
-  report(request.debug.changes_result() && !command.table.empty(), "--table",
+  report(!has_planes && !command.tables.empty(), "--table", "only a vertex shader has clip planes");
+  report(request.debug.changes_result() && !command.tables.empty(), "--table",
          "a dump takes its place");
-  report(request.debug.changes_result() && !command.reflection.empty(), "--reflect",
+  report(request.debug.changes_result() && !command.reflections.empty(), "--reflect",
          "a dump takes its place");
 }
 
@@ -172,13 +176,14 @@ std::string PrepareRequest(CommandLine& command) {
     if (!problem.empty()) return fmt::format("cannot read `{}`: {}", command.fragment, problem);
   }
   OutputOptions& outputs = request.outputs;
-  outputs.structs = command.reflection.ends_with(".h");
-  outputs.reflection = !command.reflection.empty() && !outputs.structs;
+  outputs.facts = outputs.facts || !command.reflections.empty();
   outputs.listing = !command.listing.empty();
   outputs.preprocess = !command.preprocessed.empty() || command.only_dependencies;
   outputs.text = command.format == MessageFormat::kText;
   outputs.colour = outputs.text && WantsColour(command);
-  request.planes.given_to_device = !command.table.empty() || outputs.reflection;
+  const bool reflects_planes = !std::ranges::all_of(command.reflections, HoldsStructs);
+  request.planes.given_to_device =
+      request.planes.given_to_device || !command.tables.empty() || reflects_planes;
   return {};
 }
 

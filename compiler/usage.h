@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "compiler/compile.h"
-#include "compiler/options.h"
+#include "compiler/command_line.h"
+#include "compiler/result.h"
 
 namespace clipc {
 

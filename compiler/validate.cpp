@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/validate.h"
 
-#include <sstream>
+#include <climits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -10,7 +10,6 @@
 #include <glslang/Public/ShaderLang.h>
 #if CLIPC_HAS_SPIRV
 #include <glslang/SPIRV/GlslangToSpv.h>
-#include <glslang/SPIRV/disassemble.h>
 #endif
 #include <glslang/build_info.h>
 
@@ -109,15 +108,26 @@ Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage
   return made;
 }
 
-std::string ListSpirv([[maybe_unused]] const std::vector<std::uint32_t>& words) {
-#if CLIPC_HAS_SPIRV
-  std::ostringstream text;
-  spv::Disassemble(text, words);
-  text << '\n';
-  return text.str();
-#else
-  return {};
-#endif
+std::string_view UnknownToValidator(std::string_view glsl, const glsl::Target& target) {
+  struct Unknown {
+    std::string_view word;      // that only GLSL with the part has in it
+    int first_known = INT_MAX;  // the first version in which glslang 12 supports the part
+    std::string_view part;
+  };
+  constexpr Unknown kUnknown[] = {
+      {"GL_EXT_draw_buffers", INT_MAX, "`GL_EXT_draw_buffers`"},
+      {"gl_InstanceIDARB", INT_MAX, "`gl_InstanceIDARB` of GL_ARB_draw_instanced"},
+      {"GL_ARB_conservative_depth", INT_MAX, "`GL_ARB_conservative_depth`"},
+      {"GL_OES_sample_variables", 310, "`GL_OES_sample_variables` in OpenGL ES 3.0"},
+      {"GL_OES_shader_multisample_interpolation", 310,
+       "`GL_OES_shader_multisample_interpolation` in OpenGL ES 3.0"},
+      {"_clip_cull_distance", INT_MAX, "clip distances in OpenGL ES"},
+  };
+  for (const Unknown& unknown : kUnknown) {
+    if (target.version() < unknown.first_known && glsl.find(unknown.word) != glsl.npos)
+      return unknown.part;
+  }
+  return "";
 }
 
 std::string ValidatorName() {

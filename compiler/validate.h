@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "backend-glsl/target.h"
@@ -16,6 +17,11 @@ namespace clipc {
 // call for a GLSL version builds glslang's tables for it, which takes tens of milliseconds; they
 // stay for the life of the process. Thread-safe.
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target, Stage stage);
+
+// What valid GLSL for the target has in it that the validator does not support; empty if there is
+// nothing, so that a message of Validate is about a mistake. docs/language.md, "GLSL that glslang
+// refuses", is the list.
+std::string_view UnknownToValidator(std::string_view glsl, const glsl::Target& target);
 
 // The version of Vulkan that SPIR-V is for, which decides the version of the SPIR-V: 1.0, 1.3, 1.5,
 // 1.6, or 1.4 for Vulkan 1.1 with the extension for it.
@@ -36,10 +42,6 @@ struct Spirv {
 // one of OpenGL's. Debug information has the GLSL in it, which a debugger shows as the file `name`.
 Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage,
                 const SpirvRequest& request, const std::string& name);
-
-// Lists SPIR-V that MakeSpirv made as text, in the form of `glslang -H`, which no assembler reads.
-// Not thread-safe.
-std::string ListSpirv(const std::vector<std::uint32_t>& words);
 
 // The name and version of the validator, "glslang 12.0.0".
 std::string ValidatorName();

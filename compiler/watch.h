@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "compiler/options.h"
+#include "compiler/command_line.h"
 #include "compiler/run_result.h"
 
 namespace clipc {

@@ -107,8 +107,7 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
                    },
                    [&](const IntrinsicCall& node) { return WritesArgument(node.op, operand); },
                    [&](const ObjectCall& node) {
-                     return node.has_texel &&
-                            operand + 1 == node.arguments.size + node.Tiled().size;
+                     return node.has_texel && operand + 1 == node.Operands().size;
                    },
                    [](const auto&) { return false; },
                },

@@ -57,6 +57,36 @@ std::vector<std::uint32_t> ComponentsRead(const Program& program);
 // Whether every index in the path is a literal, so that naming the place reads no other variable.
 bool HasLiteralIndices(const Program& program, ExprId path);
 
+// ---- calls of objects
+
+// The operands of that kind in a call of an object, a part of its list: one, none, or the steps or
+// offsets.
+inline List<ExprId> OperandsOf(const ObjectCall& call, OperandKind kind) {
+  const std::uint32_t size = call.arguments.size;
+  if (kind == OperandKind::kClamp) return {call.arguments.begin + size, call.has_clamp};
+  if (kind == OperandKind::kTexel)
+    return {call.arguments.begin + size + call.has_clamp, call.has_texel};
+  const OperandRun run = RunOf(call.op, kind, size);
+  return {call.arguments.begin + run.first, run.count};
+}
+// The operand of that kind, or the first of several; none where the call has none.
+inline ExprId OperandOf(const Program& program, const ObjectCall& call, OperandKind kind) {
+  const List<ExprId> list = OperandsOf(call, kind);
+  return list.empty() ? ExprId{} : program.expr_lists[list][0];
+}
+
+// Calls visit(OperandKind, ExprId) for each operand of a call of an object, in their order.
+template <typename OnOperand>
+void ForEachNamedOperand(const Program& program, const ObjectCall& call, OnOperand&& visit) {
+  const auto all = [&](OperandKind kind) {
+    const List<ExprId> list = OperandsOf(call, kind);
+    for (std::uint32_t i = 0; i < list.size; ++i) visit(kind, program.expr_lists[list][i]);
+  };
+  for (const OperandSlot& slot : InfoOf(call.op).Slots()) all(slot.kind);
+  all(OperandKind::kClamp);
+  all(OperandKind::kTexel);
+}
+
 // ---- effects
 
 // Whether nodes of this kind may write an operand: WritesOperand need not be asked of others.
@@ -70,14 +100,6 @@ inline bool IsOfWritingKind(const Expr& expr) {
 // Whether the node of `expr` writes its operand number `operand`, counted from 0 in the order of
 // evaluation: assignments, increments, and the out and inout arguments of calls.
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand);
-
-// The clamp and the texel of a call of an object, as ObjectCall has them; none where it has none.
-inline ExprId ClampOf(const Program& program, const ObjectCall& call) {
-  return call.has_clamp ? program.expr_lists[call.Tiled()][0] : ExprId{};
-}
-inline ExprId TexelOf(const Program& program, const ObjectCall& call) {
-  return call.has_texel ? program.expr_lists[call.Tiled()][call.has_clamp] : ExprId{};
-}
 
 // Calls on_target(ExprId) for each target that the node of `expr` writes. The operands' own writes
 // are not among them.
@@ -98,20 +120,11 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
               if (WritesArguments(node.op)) of_call(node.arguments);
             },
             [&](const ObjectCall& node) {
-              if (node.has_texel) on_target(TexelOf(program, node));
+              if (node.has_texel) on_target(OperandOf(program, node, OperandKind::kTexel));
             },
             [](const auto&) {},
         },
         program.exprs[expr].node);
-}
-
-// The steps to the part of a structured buffer's element that a store or an atomic operation
-// changes: the number of a field, an element, a row or a component, from the whole inwards. The
-// number of a field is a literal. The last step of a vector is the first of the components that the
-// value has. Empty where the operation changes the whole element.
-inline std::span<const ExprId> StepsOf(const Program& program, const ObjectCall& call) {
-  const auto arguments = program.expr_lists[call.arguments];
-  return arguments.subspan(2, arguments.size() - 2 - ValuesOf(call.op));
 }
 
 // Whether the expression changes nothing, so that it may be evaluated twice or not at all: it has

@@ -131,6 +131,25 @@ ExprId Builder::IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<Exp
   return Add(type, IntrinsicCall{op, program_.expr_lists.Add(arguments)});
 }
 
+ExprId Builder::ObjectCallOf(ObjectOp op, TypeId type, std::span<const NamedOperand> operands) {
+  ObjectCall call{.op = op, .arguments = {}};
+  std::vector<ExprId> list;
+  list.reserve(operands.size());
+  OperandKind last = OperandKind::kObject;
+  std::uint32_t tiled = 0;
+  for (const auto [kind, expr] : operands) {
+    const bool is_clamp = kind == OperandKind::kClamp, is_texel = kind == OperandKind::kTexel;
+    CLIPC_CHECK(last <= kind && (is_clamp || is_texel || Takes(op, kind)));
+    last = kind;
+    call.has_clamp |= is_clamp, call.has_texel |= is_texel;
+    tiled += is_clamp || is_texel;
+    list.push_back(expr);
+  }
+  call.arguments = program_.expr_lists.Add(std::span<const ExprId>(list));
+  call.arguments.size -= tiled;
+  return Add(type, call);
+}
+
 ExprId Builder::CallOf(FunctionId function, std::span<const ExprId> arguments) {
   return Add(program_.functions[function].return_type,
              Call{function, program_.expr_lists.Add(arguments)});
@@ -153,7 +172,7 @@ ExprId Builder::CopyOf(TypeId type, const decltype(Expr::node)& node) {
   const auto own = [&](auto& of_copy) {
     if constexpr (requires { of_copy.arguments; }) {
       List<ExprId> all = of_copy.arguments;
-      if constexpr (requires { of_copy.Tiled(); }) all.size += of_copy.Tiled().size;
+      if constexpr (requires { of_copy.Operands(); }) all = of_copy.Operands();
       of_copy.arguments.begin =
           program_.expr_lists.Add(std::as_const(program_).expr_lists[all]).begin;
     }

@@ -12,6 +12,11 @@
 
 namespace clipc::ir {
 
+struct NamedOperand {
+  OperandKind kind;
+  ExprId expr;
+};
+
 // A maker of well-typed nodes: each call computes the type that ir/expr.h promises for the node.
 // New nodes get the builder's span.
 class Builder {
@@ -46,6 +51,11 @@ class Builder {
     return ConstructOf(type, std::span<const ExprId>(arguments.begin(), arguments.size()));
   }
   ExprId IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<ExprId> arguments);
+  // A call of an object. The operands come in the order of OperandKind.
+  ExprId ObjectCallOf(ObjectOp op, TypeId type, std::span<const NamedOperand> operands);
+  ExprId ObjectCallOf(ObjectOp op, TypeId type, std::initializer_list<NamedOperand> operands) {
+    return ObjectCallOf(op, type, std::span<const NamedOperand>(operands.begin(), operands.size()));
+  }
   ExprId CallOf(FunctionId function, std::span<const ExprId> arguments);
   ExprId CommaOf(ExprId first, ExprId second);
   // Whether clip(value) discards: a component is below zero, which NaN is not.
@@ -85,8 +95,9 @@ ExprId Clone(Program& program, ExprId expr);
 // Turns v.zyx[i], an index into a swizzle, into v[int3(2, 1, 0)[i]], which can be assigned to. Any
 // other expression is left as it is.
 void IndexWholeVector(Program& program, ExprId expr);
-// The steps to `path` in `whole`, which it is a part of: StepsOf. None for components of a vector
-// or a matrix that are not neighbours in their order, and for literals outside of their bounds.
+// The steps to `path` in `whole`, which it is a part of, as a store takes them. None for components
+// of a vector or a matrix that are not neighbours in their order, and for literals outside of their
+// bounds.
 std::optional<std::vector<ExprId>> StepsTo(Program& program, ExprId path, ExprId whole);
 
 }  // namespace clipc::ir

@@ -6,6 +6,7 @@
 #include "base/operators.h"
 #include "ir/access.h"
 #include "ir/scalar.h"
+#include "ir/walk.h"
 
 namespace clipc::ir {
 namespace {
@@ -57,6 +58,20 @@ void FindStep(const Program& program, ExprId step, CountedLoop& parts) {
   }
 }
 
+// Whether a `break` or `continue` in the statement ends a loop, or an iteration of one, around it.
+bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
+  if (As<Break>(program, stmt)) return !in_switch;
+  if (As<Continue>(program, stmt)) return true;
+  if (As<For>(program, stmt) || As<While>(program, stmt) || As<DoWhile>(program, stmt))
+    return false;
+  bool leaves = false;
+  const bool is_switch = As<Switch>(program, stmt) != nullptr;
+  ForEachPart(
+      program, stmt, [](ExprId) {},
+      [&](StmtId part) { leaves = leaves || Leaves(program, part, in_switch || is_switch); });
+  return leaves;
+}
+
 }  // namespace
 
 CountedLoop PartsOf(const Program& program, const For& loop) {
@@ -80,5 +95,7 @@ CountedLoop PartsOf(const Program& program, const For& loop) {
 bool IsChangedInBody(const Program& program, const For& loop, VarId counter) {
   return AssignedIn(program, std::span(&loop.body, 1))[counter.index];
 }
+
+bool LeavesIteration(const Program& program, StmtId body) { return Leaves(program, body, false); }
 
 }  // namespace clipc::ir

@@ -28,4 +28,7 @@ CountedLoop PartsOf(const Program& program, const For& loop);
 // Whether the body changes the variable.
 bool IsChangedInBody(const Program& program, const For& loop, VarId counter);
 
+// Whether a `break` or `continue` in the body ends the loop, or an iteration of it.
+bool LeavesIteration(const Program& program, StmtId body);
+
 }  // namespace clipc::ir

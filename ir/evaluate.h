@@ -44,18 +44,24 @@ struct ObjectRequest {
   ObjectOp op;
   VarId object;
   std::uint32_t object_element = 0;  // of an array of objects
-  VarId sampler;                     // none for an operation without a sampler
+  VarId sampler = {};                // none for an operation without a sampler
   std::uint32_t sampler_element = 0;
-  // The other arguments but steps in order, component after component, as Literal holds them.
-  std::span<const std::uint64_t> arguments;
+  // The components of the other operands but steps, as Literal holds them, and where those of each
+  // kind are. Of() gives the components of the operands of a kind.
+  std::span<const std::uint64_t> words = {};
+  std::array<OperandRun, kOperandKinds> runs = {};
   // The coordinate of each pixel of the quad, in the order of RunQuad, for an operation that takes
   // its level of detail from them: NaN where not all pixels run it. Empty for every other
   // operation, and in a stage without neighbours.
   std::span<const double> coordinates = {};
-  double clamp = 0;  // the least level of detail
   // Where a store or an atomic operation changes a part of an element: the number of its first
   // component, counted through structs, arrays and matrices.
   std::optional<std::uint32_t> part = std::nullopt;
+
+  std::span<const std::uint64_t> Of(OperandKind kind) const {
+    const OperandRun& run = runs[static_cast<std::size_t>(kind)];
+    return words.subspan(run.first, run.count);
+  }
 };
 
 struct EvalInputs {

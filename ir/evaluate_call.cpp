@@ -194,45 +194,40 @@ std::uint32_t Machine::ComponentAt(TypeId whole, std::span<const Word> steps) {
 }
 
 void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
-  const ExprId clamp = ClampOf(program_, node), texel = TexelOf(program_, node);
+  const ExprId texel = OperandOf(program_, node, OperandKind::kTexel);
   const std::uint32_t words = WordsOf(texel ? texel : expr);
   const std::size_t base = stack_.size();
-  ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};
-  std::vector<Word> bits;
+  ObjectRequest request{.op = node.op, .object = {}, .sampler = {}};
+  std::vector<Word> bits, steps;
   std::vector<double> coordinates;
-  const bool asks = neighbours_ && AsksNeighbours(node.op);
-  const std::uint32_t coordinate = TakesSampler(node.op) ? 2 : 1;
-  const bool may_step = node.op == ObjectOp::kStore || IsAtomic(node.op);
-  const std::size_t steps_end = may_step ? 2 + StepsOf(program_, node).size() : 0;
-  std::vector<Word> steps;
-  for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
-    const ExprId argument = program_.expr_lists[node.arguments][i];
-    Eval(argument);
-    if (i >= 2 && i < steps_end) {
-      steps.push_back(ToBits(stack_.back(), TypeOf(argument).scalar));
-    } else if (TypeOf(argument).kind == TypeKind::kObject) {
+  ForEachNamedOperand(program_, node, [&](OperandKind kind, ExprId operand) {
+    if (kind == OperandKind::kTexel) return;
+    Eval(operand);
+    if (kind == OperandKind::kObject || kind == OperandKind::kSampler) {
+      const bool is_sampler = kind == OperandKind::kSampler;
       const Word object = stack_.back();
-      (i == 0 ? request.object : request.sampler) = VarId{static_cast<std::uint32_t>(object >> 32)};
-      (i == 0 ? request.object_element : request.sampler_element) =
+      (is_sampler ? request.sampler : request.object) =
+          VarId{static_cast<std::uint32_t>(object >> 32)};
+      (is_sampler ? request.sampler_element : request.object_element) =
           static_cast<std::uint32_t>(object);
+    } else if (kind == OperandKind::kStep) {
+      steps.push_back(ToBits(stack_.back(), TypeOf(operand).scalar));
     } else {
+      OperandRun& run = request.runs[static_cast<std::size_t>(kind)];
+      if (run.count == 0) run.first = static_cast<std::uint32_t>(bits.size());
       for (std::size_t w = base; w < stack_.size(); ++w)
-        bits.push_back(ToBits(stack_[w], TypeOf(argument).scalar));
+        bits.push_back(ToBits(stack_[w], TypeOf(operand).scalar));
+      run.count = static_cast<std::uint32_t>(bits.size()) - run.first;
     }
-    if (asks && i == coordinate)
-      coordinates = CoordinatesOf(expr, RepOf(argument), std::span(stack_).subspan(base));
+    if (kind == OperandKind::kCoordinate && neighbours_ && AsksNeighbours(node.op))
+      coordinates = CoordinatesOf(expr, RepOf(operand), std::span(stack_).subspan(base));
     stack_.resize(base);
-  }
-  request.arguments = bits;
+  });
+  request.words = bits;
   request.coordinates = coordinates;
   if (!steps.empty()) {
     const TypeId object = program_.types.Innermost(program_.vars[request.object].type);
     request.part = ComponentAt(program_.types[object].element, steps);
-  }
-  if (clamp) {
-    Eval(clamp);
-    request.clamp = FloatOf(ToBits(stack_.back(), TypeOf(clamp).scalar));
-    stack_.resize(base);
   }
   std::vector<Word> result(words, 0);
   const bool is_lost = is_discarded_ && WritesObject(node.op);

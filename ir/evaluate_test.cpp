@@ -299,16 +299,20 @@ TEST_F(Evaluator, ObjectReadsGoThroughTheCallback) {
       shader.AddVar("linear", shader.types.Object(ObjectKind::kSampler), Storage::kResource);
   shader.resources = {{maps, {}}, {linear, {}}};
   const ExprId uv = build.Swizzled(build.Ref(shader.parameter), {0, 1});
-  const List<ExprId> arguments =
-      shader.expr_lists.Add({build.At(build.Ref(maps), 3u), build.Ref(linear), uv, build.Float(2)});
-  shader.Append(
-      {shader.Return(build.Add(Float4(), ObjectCall{ObjectOp::kSampleLevel, arguments}))});
+  const ExprId sample = build.ObjectCallOf(ObjectOp::kSampleLevel, Float4(),
+                                           {{OperandKind::kObject, build.At(build.Ref(maps), 3u)},
+                                            {OperandKind::kSampler, build.Ref(linear)},
+                                            {OperandKind::kCoordinate, uv},
+                                            {OperandKind::kLevel, build.Float(2)}});
+  shader.Append({shader.Return(sample)});
   shader.read_object = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
     EXPECT_EQ(request.op, ObjectOp::kSampleLevel);
     EXPECT_EQ(request.object, maps);
     EXPECT_EQ(request.object_element, 3u);
     EXPECT_EQ(request.sampler, linear);
-    EXPECT_THAT(request.arguments, ElementsAre(BitsOf(1.0f), BitsOf(2.0f), BitsOf(2.0f)));
+    EXPECT_THAT(request.Of(OperandKind::kCoordinate), ElementsAre(BitsOf(1.0f), BitsOf(2.0f)));
+    EXPECT_THAT(request.Of(OperandKind::kLevel), ElementsAre(BitsOf(2.0f)));
+    EXPECT_THAT(request.Of(OperandKind::kOffset), ElementsAre());
     ASSERT_EQ(result.size(), 4u);
     result[2] = BitsOf(0.5f);
   };
@@ -324,20 +328,22 @@ TEST_F(Evaluator, ObjectReadsHaveAClampAndAStatus) {
       shader.AddVar("linear", shader.types.Object(ObjectKind::kSampler), Storage::kResource);
   shader.resources = {{map, {}}, {linear, {}}};
   const VarId texel = build.Local("texel", Float4());
-  List<ExprId> arguments = shader.expr_lists.Add(
-      {build.Ref(map), build.Ref(linear), build.Swizzled(build.Ref(shader.parameter), {0, 1}),
-       build.Float(2), build.Float(3), build.Ref(texel)});
-  arguments.size = 4;
-  const ObjectCall call{ObjectOp::kSampleLevel, arguments, true, true};
-  const ExprId status = build.Add(shader.types.Make(Scalar::kUint), call);
+  const ExprId uv = build.Swizzled(build.Ref(shader.parameter), {0, 1});
+  const ExprId status = build.ObjectCallOf(ObjectOp::kSampleLevel, shader.types.Make(Scalar::kUint),
+                                           {{OperandKind::kObject, build.Ref(map)},
+                                            {OperandKind::kSampler, build.Ref(linear)},
+                                            {OperandKind::kCoordinate, uv},
+                                            {OperandKind::kLevel, build.Float(2)},
+                                            {OperandKind::kClamp, build.Float(3)},
+                                            {OperandKind::kTexel, build.Ref(texel)}});
   const ExprId is_mapped = build.IntrinsicOf(Intrinsic::kCheckAccessFullyMapped,
                                              shader.types.Make(Scalar::kBool), {status});
   const ExprId sum =
       build.BinaryOf(BinaryOp::kAdd, build.SplatTo(Float4(), ToFloat(is_mapped)), build.Ref(texel));
   shader.Append({build.Stmt(Declare{texel, {}}), shader.Return(sum)});
   shader.read_object = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
-    EXPECT_EQ(request.clamp, 3);
-    EXPECT_EQ(request.arguments.size(), 3u);
+    EXPECT_THAT(request.Of(OperandKind::kLevel), ElementsAre(BitsOf(2.0f)));
+    EXPECT_THAT(request.Of(OperandKind::kClamp), ElementsAre(BitsOf(3.0f)));
     ASSERT_EQ(result.size(), 4u);
     result[2] = BitsOf(0.5f);
   };

@@ -11,6 +11,7 @@
 #include "base/span.h"
 #include "ir/ids.h"
 #include "ir/intrinsic.h"
+#include "ir/object_op.h"
 #include "ir/type.h"
 
 // Expressions. program.h says what holds of all of them.
@@ -113,159 +114,8 @@ struct IntrinsicCall {
   Intrinsic op{};
   List<ExprId> arguments;
 };
-// The reads and writes through texture and buffer objects. arguments[0] is the object: a VarRef, or
-// an Index of one for an array of them. The arguments of each operation are in parentheses; []
-// marks those that may be left out. An offset is an int{1..3} of literals; the one for all texels
-// of a kGather may be any int2.
-enum class ObjectOp : std::uint8_t {
-  // (texture, sampler, coordinate float{1..4}, lod float [, offset])
-  kSampleLevel,
-  // (texture, sampler, coordinate, ddx, ddy [, offset])
-  kSampleGrad,
-  // (texture, sampler, coordinate [, offset]): the level of detail that the neighbours give
-  kSample,
-  // (texture, sampler, coordinate, bias [, offset])
-  kSampleBias,
-  // (texture, comparison sampler, coordinate, reference [, offset])
-  kSampleCmp,
-  // (texture, sampler, coordinate without the element of an array): float
-  kLevelOfDetail,
-  kLevelOfDetailUnclamped,
-  // (texture, comparison sampler, coordinate, reference [, offset])
-  kSampleCmpLevelZero,
-  // (texture, comparison sampler, coordinate, reference, level [, offset])
-  kSampleCmpLevel,
-  // (texture, comparison sampler, coordinate, reference, bias [, offset])
-  kSampleCmpBias,
-  // (texture, comparison sampler, coordinate, reference, ddx, ddy [, offset])
-  kSampleCmpGrad,
-  // (texture, sampler, coordinate [, offset, or one for each texel of the four]): component 0
-  kGather,
-  // (as kGather): components 1, 2 and 3
-  kGatherGreen,
-  kGatherBlue,
-  kGatherAlpha,
-  // (texture, comparison sampler, coordinate, reference [, offsets as of kGather]): 0 or 1 for each
-  // texel
-  kGatherCmp,
-  // (texture, coordinate int{1..3} without level, level int [, offset]); of a multisampled texture
-  // the level is the sample
-  kTextureLoad,
-  // (Buffer<T>, index): the element, of the ObjectType's element type
-  kBufferLoad,
-  // (StructuredBuffer<T>, index)
-  kStructuredLoad,
-  // (ByteAddressBuffer, byte address uint): uint..uint4, as the node's type says
-  kByteLoad,
-  // (texture, level uint): an int scalar or vector of width [, height [, depth]] [, elements]
-  kTextureSize,
-  // (texture): int
-  kTextureLevels,
-  // (texture): int
-  kTextureSamples,
-  // (buffer): int, the number of elements; of a ByteAddressBuffer, of bytes
-  kBufferSize,
-  // (sampler2D and the like, coordinate without the level that HLSL has in w, lod)
-  kD3d9SampleLevel,
-  // (sampler, coordinate): level 0 in a stage without neighbours
-  kD3d9Sample,
-  // (sampler, coordinate without the bias that HLSL has in w, bias)
-  kD3d9SampleBias,
-  // (sampler, coordinate, ddx, ddy)
-  kD3d9SampleGrad,
-  // (sampler of a texture that is not a cube, float4): the coordinate is divided by w
-  kD3d9SampleProjected,
-  // (subpass input [, sample int]): the value of an earlier subpass in the pixel's place
-  kSubpassLoad,
-  // (RWTexture, coordinate int{1..3})
-  kImageLoad,
-  // (a writable object, place as the load of that object has it, steps.., value): void; the place
-  // in an RWByteAddressBuffer is a byte address, the value uint..uint4. The steps lead to the part
-  // of a structured buffer's element that is stored, StepsOf; without any it is the whole element.
-  kStore,
-  // (a writable object of int or uint elements or an RWByteAddressBuffer, place, steps.., value):
-  // changes the element, or the component of one that the steps lead to, in one step, which no
-  // other invocation interrupts; gives the element before it, of the value's type.
-  kAtomicAdd,
-  kAtomicAnd,
-  kAtomicOr,
-  kAtomicXor,
-  kAtomicMin,
-  kAtomicMax,
-  kAtomicExchange,
-  // (as kAtomicAdd, but steps.., what the element is compared with, value): writes it where equal
-  kAtomicCompareExchange,
-  // (a structured buffer with a counter): uint, the counter before it is one more, and after it is
-  // one less. rules::MakeCounters replaces both by kAtomicAdd before Check returns.
-  kIncrementCounter,
-  kDecrementCounter,
-};
-constexpr bool IsAtomic(ObjectOp op) {
-  using enum ObjectOp;
-  switch (op) {
-    case kAtomicAdd:
-    case kAtomicAnd:
-    case kAtomicOr:
-    case kAtomicXor:
-    case kAtomicMin:
-    case kAtomicMax:
-    case kAtomicExchange:
-    case kAtomicCompareExchange: return true;
-    default: return false;
-  }
-}
-// Whether the operation changes the counter of a structured buffer.
-constexpr bool IsCounter(ObjectOp op) {
-  return op == ObjectOp::kIncrementCounter || op == ObjectOp::kDecrementCounter;
-}
-// Whether the operation changes the contents of the object, or its counter.
-constexpr bool WritesObject(ObjectOp op) {
-  return op == ObjectOp::kStore || IsAtomic(op) || IsCounter(op);
-}
-// The number of values that an operation that writes elements of objects takes, at its end.
-constexpr std::uint32_t ValuesOf(ObjectOp op) {
-  return op == ObjectOp::kAtomicCompareExchange ? 2 : 1;
-}
-// Whether the operation reads one component of four texels, or compares it.
-constexpr bool IsGather(ObjectOp op) {
-  using enum ObjectOp;
-  return op == kGather || op == kGatherGreen || op == kGatherBlue || op == kGatherAlpha ||
-         op == kGatherCmp;
-}
-// Whether the operation takes the level of detail from neighbouring pixels.
-constexpr bool AsksNeighbours(ObjectOp op) {
-  using enum ObjectOp;
-  switch (op) {
-    case kSample:
-    case kSampleBias:
-    case kSampleCmp:
-    case kSampleCmpBias:
-    case kLevelOfDetail:
-    case kLevelOfDetailUnclamped:
-    case kD3d9Sample:
-    case kD3d9SampleBias:
-    case kD3d9SampleProjected: return true;
-    default: return false;
-  }
-}
-// Whether arguments[1] is a sampler.
-constexpr bool TakesSampler(ObjectOp op) {
-  using enum ObjectOp;
-  switch (op) {
-    case kSampleLevel:
-    case kSampleGrad:
-    case kSample:
-    case kSampleBias:
-    case kSampleCmp:
-    case kSampleCmpLevelZero:
-    case kSampleCmpLevel:
-    case kSampleCmpBias:
-    case kSampleCmpGrad:
-    case kLevelOfDetail:
-    case kLevelOfDetailUnclamped: return true;
-    default: return IsGather(op);
-  }
-}
+// A read or write through a texture or buffer object. `arguments` are the operands that ir/ops.def
+// lists, in its order.
 struct ObjectCall {
   ObjectOp op{};
   List<ExprId> arguments;
@@ -275,9 +125,8 @@ struct ObjectCall {
   // is not a comparison: it is written, and the call's value is a uint, the status.
   bool has_clamp = false, has_texel = false;
   // The arguments and those operands, as one list.
-  List<ExprId> Operands() const { return {arguments.begin, arguments.size + Tiled().size}; }
-  List<ExprId> Tiled() const {
-    return {arguments.begin + arguments.size, std::uint32_t{has_clamp} + std::uint32_t{has_texel}};
+  List<ExprId> Operands() const {
+    return {arguments.begin, arguments.size + std::uint32_t{has_clamp} + std::uint32_t{has_texel}};
   }
 };
 // An expression that evaluates `first`, then `second`, whose value it has.

@@ -15,10 +15,11 @@ enum Flag : unsigned {
   kCompares = 32
 };
 
-constexpr ObjectInfo MakeInfo(const char* name, ObjectCategory category, std::uint8_t axes = 0,
-                              unsigned flags = 0) {
+constexpr ObjectInfo MakeInfo(const char* name, ObjectCategory category, std::uint8_t model = 10,
+                              std::uint8_t axes = 0, unsigned flags = 0) {
   return {.name = name,
           .category = category,
+          .model = model,
           .axes = axes,
           .is_writable = (flags & kWritable) != 0,
           .is_ordered = (flags & kOrdered) != 0,
@@ -37,7 +38,7 @@ const ObjectInfo& InfoOf(ObjectKind kind) {
   static constexpr ObjectInfo kInfos[] = {
 #define OBJECT(Enumerator, Spelling, Case, ...) MakeInfo(Spelling, __VA_ARGS__),
 #include "base/builtin_types.def"
-      MakeInfo("sampler2DShadow", kCombinedSampler, 2, kCompares),
+      MakeInfo("sampler2DShadow", kCombinedSampler, 10, 2, kCompares),
       MakeInfo("object", kOther),
   };
   return kInfos[static_cast<std::size_t>(kind)];

@@ -30,10 +30,11 @@ enum class ObjectCategory : std::uint8_t {
 struct ObjectInfo {
   const char* name;  // HLSL's spelling, as messages print it
   ObjectCategory category;
-  std::uint8_t axes;  // 1 to 3 dimensions of a texel's place; 0: not a texture
-  bool is_writable;   // RWTexture2D, RWBuffer and the like
-  bool is_ordered;    // RasterizerOrderedTexture2D and the like: the invocations of a pixel access
-                      // it one after the other, in the order of the primitives
+  std::uint8_t model;  // the first shader model that has it, 41 for 4.1
+  std::uint8_t axes;   // 1 to 3 dimensions of a texel's place; 0: not a texture
+  bool is_writable;    // RWTexture2D, RWBuffer and the like
+  bool is_ordered;     // RasterizerOrderedTexture2D and the like: the invocations of a pixel access
+                       // it one after the other, in the order of the primitives
   bool is_array;
   bool is_cube;
   bool is_multisampled;

@@ -14,6 +14,7 @@ namespace clipc::ir {
 namespace {
 
 constexpr Named<Form> kForms[] = {{Form::kTyped, "typed"},
+                                  {Form::kResolved, "resolved"},
                                   {Form::kNoClipPlanes, "no-clip-planes"},
                                   {Form::kTargetClipSpace, "target-clip-space"},
                                   {Form::kInlined, "inlined"},

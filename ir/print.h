@@ -10,6 +10,8 @@
 // something unsaid:
 // * what HLSL does implicitly has a name: convert<float3>(x), splat<float3>(x),
 //   truncate<float3x3>(m), zero<Light>, select(c, a, b);
+// * the operands of an object's operation that follow the place have their names:
+//   texture_load(map, at, level: 0);
 // * structs and arrays are made with braces: Light{a, b}, float[2]{a, b};
 // * `a && b` evaluates both sides; the short-circuit forms are `a and_then b` and `a or_else b`;
 // * literals show their kind: 1, 1u, 1.0, 1.0h, 1.0L, 1LL, 1:min16int, true.

@@ -36,7 +36,7 @@ TEST_F(PrintTest, WholeProgram) {
   plane.whole_register = true;
   shader.clip_planes.push_back(plane);
   shader.Append({shader.Return(P())});
-  EXPECT_EQ(Print(shader), R"(program vs_5_0 form typed
+  EXPECT_EQ(Print(shader), R"(program vs_5_0 form resolved
 cbuffer Camera : b0, 112 bytes {
   float4x4 view at 0, 64 bytes
   float4 planes[2] at 64, 32 bytes

@@ -20,53 +20,6 @@ std::string_view TextOf(BinaryOp op) {
   return op == BinaryOp::kShortCircuitAnd ? "and_then" : "or_else";
 }
 
-const char* TextOf(ObjectOp op) {
-  static constexpr Named<ObjectOp> kTexts[] = {
-      {ObjectOp::kSampleLevel, "sample_level"},
-      {ObjectOp::kSampleGrad, "sample_grad"},
-      {ObjectOp::kSample, "sample"},
-      {ObjectOp::kSampleBias, "sample_bias"},
-      {ObjectOp::kSampleCmp, "sample_cmp"},
-      {ObjectOp::kLevelOfDetail, "level_of_detail"},
-      {ObjectOp::kLevelOfDetailUnclamped, "level_of_detail_unclamped"},
-      {ObjectOp::kSampleCmpLevelZero, "sample_cmp_level_zero"},
-      {ObjectOp::kSampleCmpLevel, "sample_cmp_level"},
-      {ObjectOp::kSampleCmpBias, "sample_cmp_bias"},
-      {ObjectOp::kSampleCmpGrad, "sample_cmp_grad"},
-      {ObjectOp::kGather, "gather"},
-      {ObjectOp::kGatherGreen, "gather_green"},
-      {ObjectOp::kGatherBlue, "gather_blue"},
-      {ObjectOp::kGatherAlpha, "gather_alpha"},
-      {ObjectOp::kGatherCmp, "gather_cmp"},
-      {ObjectOp::kTextureLoad, "texture_load"},
-      {ObjectOp::kBufferLoad, "buffer_load"},
-      {ObjectOp::kStructuredLoad, "structured_load"},
-      {ObjectOp::kByteLoad, "byte_load"},
-      {ObjectOp::kTextureSize, "texture_size"},
-      {ObjectOp::kTextureLevels, "texture_levels"},
-      {ObjectOp::kTextureSamples, "texture_samples"},
-      {ObjectOp::kBufferSize, "buffer_size"},
-      {ObjectOp::kD3d9SampleLevel, "d3d9_sample_level"},
-      {ObjectOp::kD3d9Sample, "d3d9_sample"},
-      {ObjectOp::kD3d9SampleBias, "d3d9_sample_bias"},
-      {ObjectOp::kD3d9SampleGrad, "d3d9_sample_grad"},
-      {ObjectOp::kD3d9SampleProjected, "d3d9_sample_projected"},
-      {ObjectOp::kSubpassLoad, "subpass_load"},
-      {ObjectOp::kImageLoad, "image_load"},
-      {ObjectOp::kStore, "store"},
-      {ObjectOp::kAtomicAdd, "atomic_add"},
-      {ObjectOp::kAtomicAnd, "atomic_and"},
-      {ObjectOp::kAtomicOr, "atomic_or"},
-      {ObjectOp::kAtomicXor, "atomic_xor"},
-      {ObjectOp::kAtomicMin, "atomic_min"},
-      {ObjectOp::kAtomicMax, "atomic_max"},
-      {ObjectOp::kAtomicExchange, "atomic_exchange"},
-      {ObjectOp::kAtomicCompareExchange, "atomic_compare_exchange"},
-      {ObjectOp::kIncrementCounter, "increment_counter"},
-      {ObjectOp::kDecrementCounter, "decrement_counter"}};
-  return NameIn<kTexts>(op);
-}
-
 const char* StorageText(Storage storage) {
   switch (storage) {
     case Storage::kOut: return "out ";
@@ -215,6 +168,16 @@ void Printer::PutField(const FieldRef& node) {
       has_field ? program_.types[base.structure].fields[node.field].name : "<no field>");
 }
 
+void Printer::PutObjectCall(const ObjectCall& node) {
+  Put(InfoOf(node.op).name, "(");
+  ForEachNamedOperand(program_, node, [&](OperandKind kind, ExprId operand) {
+    if (kind != OperandKind::kObject) Put(", ");
+    if (kind > OperandKind::kPlace) Put(ir::NameOf(kind), ": ");
+    Put(operand);
+  });
+  Put(")");
+}
+
 void Printer::Put(ExprId id) {
   if (!id || id.index >= program_.exprs.size()) return Put("<no expression>");
   const Expr& expr = program_.exprs[id];
@@ -259,12 +222,7 @@ void Printer::Put(ExprId id) {
           [&](const MatrixTruncate& n) { typed("truncate", n.operand); },
           [&](const Call& n) { Put(NameOf(n.function), "(", n.arguments, ")"); },
           [&](const IntrinsicCall& n) { Put(ir::NameOf(n.op), "(", n.arguments, ")"); },
-          [&](const ObjectCall& n) {
-            Put(TextOf(n.op), "(", n.arguments);
-            if (n.has_clamp) Put(", clamp: ", Operand{ClampOf(program_, n)});
-            if (n.has_texel) Put(", texel: ", Operand{TexelOf(program_, n)});
-            Put(")");
-          },
+          [&](const ObjectCall& n) { PutObjectCall(n); },
           [&](const Comma& n) { Put(Operand{n.first}, ", ", Operand{n.second}); },
       },
       expr.node);

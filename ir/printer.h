@@ -44,6 +44,7 @@ class Printer {
   void PutLiteral(const Type& type, std::uint64_t bits);
   void PutUnary(const Unary& node);
   void PutField(const FieldRef& node);
+  void PutObjectCall(const ObjectCall& node);
 
   void PutStmt(StmtId stmt);
   void PutBody(StmtId stmt);  // the statements of a block without its braces, one step further in

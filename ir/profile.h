@@ -30,6 +30,8 @@ struct Profile {
   bool IsAtLeast(int want_major, int want_minor) const {
     return major > want_major || (major == want_major && minor >= want_minor);
   }
+  // Whether the profile has what came with shader model `first`, 41 for 4.1.
+  bool HasModel(int first) const { return IsAtLeast(first / 10, first % 10); }
 };
 
 // Reads the name of a profile, "vs_4_0_level_9_1" or the like, in any case. Returns nullopt for a

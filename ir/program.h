@@ -25,7 +25,8 @@ namespace clipc::ir {
 // The promises that a program keeps. Each form includes the ones before it. Verify(program, form)
 // checks them.
 enum class Form : std::uint8_t {
-  kTyped,            // as Check returns it
+  kTyped,            // objects are values, and a sampler's kind is that of each use
+  kResolved,         // as Check returns it: an object is a global variable or an element of one
   kNoClipPlanes,     // clip planes are outputs, or entries of the table only: none has a value
   kTargetClipSpace,  // kPosition is in the target's clip space
   kInlined,          // main may hold the entry's statements; then the entry is empty
@@ -62,7 +63,7 @@ struct Program {
   std::vector<Resource> resources;  // the objects that are reached, in order of declaration
   std::vector<ClipPlane> clip_planes;
   bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
-  Form form = Form::kTyped;
+  Form form = Form::kResolved;
   // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
   // for such calls need not look at the nodes of other programs.
   bool calls_objects = false, calls_nonuniform = false;

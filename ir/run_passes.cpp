@@ -22,7 +22,7 @@ constexpr bool kHasAssertions = true;
 
 void VerifyAfter(std::string_view step, const Program& program, Form form,
                  const PassOptions& options) {
-  if (!kHasAssertions && !options.verify) return;
+  if ((!kHasAssertions && !options.verify) || form == Form::kTyped) return;
   const std::optional<std::string> problem = Verify(program, form);
   if (!problem) return;
   std::fprintf(stderr, "clipc invariant broken after %.*s: %s\n%s\n", static_cast<int>(step.size()),

@@ -32,8 +32,9 @@ struct Pass {
 // Returns whether the next pass runs.
 bool FinishPass(const Program& program, std::string_view pass, Form ensures,
                 const PassOptions& options);
-// Verifies the program where `options` or the build ask for it. A broken invariant ends clipc with
-// a message and the program.
+// Verifies the program where `options` or the build ask for it, from Form::kResolved on: the
+// verifier has no rules for objects before. A broken invariant ends clipc with a message and the
+// program.
 void VerifyAfter(std::string_view step, const Program& program, Form form,
                  const PassOptions& options);
 

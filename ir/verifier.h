@@ -61,6 +61,8 @@ class ExprVerifier {
   const Type& Checked() const { return TypeOf(expr_); }
   bool HasShapeOf(ExprId a, ExprId b) const;
   bool IsTarget(ExprId expr) const;
+  bool IsOperand(const ObjectCall& node, OperandKind kind, ExprId operand) const;
+  bool IsResult(const ObjectCall& node) const;
   std::vector<TypeId> TypesOf(List<ExprId> list) const;
   void RequireComponents(const Type& base, std::uint8_t count);
   void RequireSides(ExprId when_true, ExprId when_false);

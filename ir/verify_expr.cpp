@@ -321,41 +321,6 @@ void ExprVerifier::Check(const IntrinsicCall& node) {
   }
 }
 
-void ExprVerifier::Check(const ObjectCall& node) {
-  Require(program_.calls_objects, "the program says that it calls objects");
-  if (!Require(!node.arguments.empty(), "an object call needs its object")) return;
-  const auto arguments = program_.expr_lists[node.arguments];
-  const auto is_object = [&](std::size_t i) {
-    return i < arguments.size() && TypeOf(arguments[i]).kind == TypeKind::kObject;
-  };
-  Require(is_object(0), "the first argument is an object");
-  const bool has_sampler = TakesSampler(node.op);
-  if (has_sampler) Require(is_object(1), "the second argument is a sampler");
-  for (std::size_t i = has_sampler ? 2 : 1; i < arguments.size(); ++i) {
-    const bool is_stored = node.op == ObjectOp::kStore && i + 1 == arguments.size();
-    Require(is_stored || TypeOf(arguments[i]).IsNumeric(),
-            "coordinates, levels and offsets are numeric");
-  }
-  if (node.op == ObjectOp::kStore || IsAtomic(node.op)) {
-    const bool has_values = arguments.size() >= 2 + ValuesOf(node.op);
-    if (!Require(has_values, "what is written has a place and a value")) return;
-    for (const ExprId step : StepsOf(program_, node))
-      Require(TypeOf(step).IsNumeric() && ir::IsInteger(TypeOf(step).scalar), "a step is a number");
-  }
-  if (const ExprId clamp = ClampOf(program_, node))
-    Require(TypeOf(clamp).IsNumeric(), "a clamp is numeric");
-  if (const ExprId texel = TexelOf(program_, node)) {
-    Require(IsTarget(texel), "the texel is an assignment target");
-    Require(TypeOf(expr_).scalar == Scalar::kUint, "a status is a uint");
-  }
-  for (std::size_t i = 0; i < (has_sampler ? 2u : 1u) && i < arguments.size(); ++i) {
-    ExprId path = arguments[i];
-    while (const auto* index = As<Index>(program_, path)) path = index->base;
-    Require(As<VarRef>(program_, path),
-            "an object is a variable, or an element of an array of them");
-  }
-}
-
 // Whether the expression is a path of fields and indices to a variable that may be written, with at
 // most one last swizzle.
 bool ExprVerifier::IsTarget(ExprId expr) const {

@@ -142,9 +142,9 @@ class InterfaceVerifier {
     if (program_.clip_planes.size() > kMaxClipPlanes) Fail("there are more than six clip planes");
     for (const ClipPlane& plane : program_.clip_planes) {
       const std::string what = "clip plane `" + plane.text + "`";
-      if (program_.form == Form::kTyped && !plane.value)
+      if (program_.form <= Form::kResolved && !plane.value)
         Fail(what + " has no value before its lowering");
-      if (program_.form != Form::kTyped && plane.value)
+      if (program_.form > Form::kResolved && plane.value)
         Fail(what + " has a value after its lowering");
       if (!plane.whole_register) continue;
       if (plane.cbuffer.index >= program_.cbuffers.size()) {

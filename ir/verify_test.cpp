@@ -1,46 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/verify.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ir/test_program.h"
+#include "ir/test_verifier.h"
 
 // Each test breaks one promise of program.h and expects Verify to say so.
 namespace clipc::ir {
 namespace {
-
-using testing::HasSubstr;
-
-class Verifier : public testing::Test {
- protected:
-  void ExpectProblem(std::string_view text, Form form = Form::kTyped) {
-    const auto problem = Verify(shader, form);
-    ASSERT_TRUE(problem.has_value()) << "nothing found; expected: " << text;
-    EXPECT_THAT(*problem, HasSubstr(text));
-  }
-  // Puts a broken expression into the entry function.
-  void ExpectProblemIn(ExprId expr, std::string_view text) {
-    shader.Append({build.Eval(expr)});
-    ExpectProblem(text);
-  }
-  VarId Local(const char* name, TypeId type) {
-    const VarId var = shader.AddVar(name, type, Storage::kLocal);
-    shader.Append({shader.DeclareVar(var)});
-    return var;
-  }
-  TypeId F(int components = 1) {
-    return components == 1 ? shader.types.Make(Scalar::kFloat)
-                           : shader.types.Vector(Scalar::kFloat, components);
-  }
-  TypeId I() { return shader.types.Make(Scalar::kInt); }
-  ExprId V() { return build.Ref(shader.parameter); }
-  ExprId M() { return build.Ref(shader.view); }
-  List<ExprId> Args(std::initializer_list<ExprId> list) { return shader.expr_lists.Add(list); }
-
-  TestProgram shader;
-  Builder& build = shader.build;
-};
 
 TEST_F(Verifier, AcceptsTheSampleProgram) {
   shader.Append({shader.Return(build.IntrinsicOf(Intrinsic::kMul, F(4), {V(), M()}))});
@@ -279,28 +246,11 @@ TEST_F(Verifier, IntrinsicOutArgument) {
   ExpectProblemIn(build.IntrinsicOf(Intrinsic::kModf, F(), {build.Float(1), build.Float(2)}),
                   "an out argument is an assignment");
 }
-TEST_F(Verifier, ObjectCallTakesObject) {
-  ExpectProblemIn(build.Add(F(4), ObjectCall{ObjectOp::kBufferLoad, Args({V(), build.Int(0)})}),
-                  "the first argument is an object");
-}
-TEST_F(Verifier, ObjectCallIsNoted) {
-  const ExprId call = build.Add(F(4), ObjectCall{ObjectOp::kBufferLoad, Args({V(), V()})});
-  shader.calls_objects = false;
-  ExpectProblemIn(call, "the program says that it calls objects");
-}
 TEST_F(Verifier, NonUniformIsNoted) {
   const TypeId uint = shader.types.Make(Scalar::kUint);
   const ExprId call = build.IntrinsicOf(Intrinsic::kNonUniform, uint, {build.Uint(0)});
   shader.calls_nonuniform = false;
   ExpectProblemIn(call, "the program says that it calls NonUniformResourceIndex");
-}
-TEST_F(Verifier, ObjectCallTakesSampler) {
-  const VarId texture =
-      shader.AddVar("map", shader.types.Object(ObjectKind::kTexture2D, F(4)), Storage::kResource);
-  shader.resources.push_back({texture, {}});
-  ExpectProblemIn(build.Add(F(4), ObjectCall{ObjectOp::kSampleLevel,
-                                             Args({build.Ref(texture), V(), build.Float(0)})}),
-                  "the second argument is a sampler");
 }
 
 // ---- calls

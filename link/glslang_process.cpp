@@ -5,10 +5,16 @@
 
 #include <glslang/Public/ShaderLang.h>
 
+// Of compiler/library/late_streams.cpp, in programs that are linked with it.
+extern "C" [[gnu::weak]] void clipc_prepare_glslang();
+
 namespace clipc::link {
 
 void InitializeGlslang() {
-  static const bool kIsInitialized = glslang::InitializeProcess();
+  static const bool kIsInitialized = [] {
+    if (clipc_prepare_glslang) clipc_prepare_glslang();
+    return glslang::InitializeProcess();
+  }();
   (void)kIsInitialized;
 }
 

@@ -248,7 +248,7 @@ Matches Match(const Program& program, const Interface& pixel, const MatchOptions
 
 void Apply(Program& program, const Interface& pixel, const Matches& matches,
            const MatchOptions& options) {
-  CLIPC_CHECK(program.form == Form::kTyped);
+  CLIPC_CHECK(program.form == Form::kResolved);
   Applier(program, pixel, matches, options).Run();
 }
 

@@ -49,14 +49,14 @@ struct Matches {
 // made of by DXC, glslang, SPIRV-Cross or HLSLcc, the output of their location, or the outputs that
 // are left, in their order, if those are as many and of the same types. Reports an input that
 // nothing writes (as a warning with MatchOptions::zero_unwritten), types that cannot fit, and a
-// constant buffer that both declare with different members. Requires Form::kTyped.
+// constant buffer that both declare with different members. Requires Form::kResolved.
 Matches Match(const ir::Program& program, const Interface& pixel, const MatchOptions& options,
               Diagnostics& diagnostics);
 
 // Gives the outputs and constant buffers the names, places and shapes of the inputs and blocks that
 // they match. Removes the outputs that match nothing, unless they are built in or
 // MatchOptions::keep_outputs is set. Requires matches without errors. Requires and ensures
-// Form::kTyped.
+// Form::kResolved.
 void Apply(ir::Program& program, const Interface& pixel, const Matches& matches,
            const MatchOptions& options);
 

@@ -17,12 +17,14 @@ bool IsRowOfSame(const Program& program, const IoVar& first, const IoVar& output
 }
 
 // The same for inputs or outputs.
-void KeepMatricesWhole(const Program& program, std::vector<IoVar>& list) {
+void KeepMatricesWhole(const Program& program, std::vector<IoVar>& list, bool only_square) {
   for (std::size_t first = 0; first < list.size();) {
     std::size_t end = first;
     while (end < list.size() && IsRowOfSame(program, list[first], list[end])) ++end;
     const std::size_t rows = end - first;
-    for (std::size_t i = first; rows > 1 && i < end; ++i) {
+    const Type& row = program.types[program.vars[list[first].var].type];
+    const bool is_kept = rows > 1 && (!only_square || rows == row.Components());
+    for (std::size_t i = first; is_kept && i < end; ++i) {
       ir::Reader& reader = list[i].reader.emplace();
       reader.is_known = false;
       reader.columns = static_cast<std::uint32_t>(rows);
@@ -34,10 +36,10 @@ void KeepMatricesWhole(const Program& program, std::vector<IoVar>& list) {
 
 }  // namespace
 
-void KeepMatricesWhole(Program& program) {
+void KeepMatricesWhole(Program& program, bool only_square) {
   const StageInfo& stage = clipc::InfoOf(program.stage);
-  if (stage.has_stage_before) KeepMatricesWhole(program, program.inputs);
-  if (stage.has_stage_after) KeepMatricesWhole(program, program.outputs);
+  if (stage.has_stage_before) KeepMatricesWhole(program, program.inputs, only_square);
+  if (stage.has_stage_after) KeepMatricesWhole(program, program.outputs, only_square);
 }
 
 }  // namespace clipc::link

@@ -32,6 +32,11 @@ for name in libclang llvm glslang spirv-tools libfmt nlohmann-json3 libstdc++ li
   compgen -G "$scratch/program/usr/share/doc/clipc/linked/$name*" >/dev/null || fail "no licence of $name"
 done
 
+echo "-- what a start and a shader cost"
+kind=release
+! grep -q '^CLIPC_PROFILE:[A-Z]*=use$' "$build/CMakeCache.txt" || kind=profiled
+tools/checks/check_instructions.py "$scratch/program/usr/bin/clipc" "$kind" || [ $? -eq 77 ]
+
 echo "-- links of the pages"
 tools/checks/check_pages.py "$scratch/program/usr/share/doc/clipc"
 

@@ -86,7 +86,7 @@ class StoreGuard {
     Builder b(program_, program_.exprs[id].span);
     const ObjectCall call = std::get<ObjectCall>(program_.exprs[id].node);
     const ExprId atomic = b.Add(type, call);
-    const auto* added = As<Literal>(program_, program_.expr_lists[call.arguments][2]);
+    const auto* added = As<Literal>(program_, OperandOf(program_, call, OperandKind::kValue));
     const bool counts_down = call.op == ObjectOp::kAtomicAdd && added && added->bits == ~0u;
     const ExprId lost = counts_down ? b.Uint(1) : b.ZeroOf(type);
     program_.exprs[id].node = Conditional{b.Ref(flag_), lost, atomic};

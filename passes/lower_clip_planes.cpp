@@ -149,7 +149,7 @@ void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
 }  // namespace
 
 void LowerClipPlanes(Program& program, const ClipPlaneOptions& options) {
-  CLIPC_CHECK(program.form == Form::kTyped);
+  CLIPC_CHECK(program.form == Form::kResolved);
   CLIPC_CHECK(program.clip_planes.size() <= kMaxClipPlanes);
   CLIPC_CHECK(Supports(options.lowering, options.space));
   if (!program.clip_planes.empty()) {

@@ -16,9 +16,9 @@ struct ClipPlaneOptions {
 // Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of
 // the shader ends.
 //
-// Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at
-// most one plane; Supports(lowering, space); for PlaneSpace::kObject that
-// position_input is a float3 or float4 input. Ensures Form::kNoClipPlanes.
+// Requires Form::kResolved; for kClipDistance that no output is kClipDistance yet; for kNearPlane
+// at most one plane; Supports(lowering, space); for PlaneSpace::kObject that position_input
+// is a float3 or float4 input. Ensures Form::kNoClipPlanes.
 //
 //   gl_Position = result.position;            gl_Position = result.position;
 //                                       =>    gl_ClipDistance[0] = dot(result.position, plane0);

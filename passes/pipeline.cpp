@@ -74,8 +74,8 @@ constexpr ir::Pass<Run> kPipeline[] = {
 }  // namespace
 
 bool RunPipeline(ir::Program& program, const PipelineOptions& options) {
-  CLIPC_CHECK(program.form == ir::Form::kTyped);
-  ir::VerifyAfter("checking", program, ir::Form::kTyped, options);
+  CLIPC_CHECK(program.form == ir::Form::kResolved);
+  ir::VerifyAfter("checking", program, ir::Form::kResolved, options);
   Run run{program, options};
   return ir::RunPasses<Run>(program, kPipeline, run, options);
 }

@@ -21,8 +21,8 @@ struct PipelineOptions : ir::PassOptions {
   bool hoist_loop_bounds = false;    // false where a loop must count to a constant
 };
 
-// Takes a program from Form::kTyped to Form::kInlined, unless `stop_after` ends it earlier. Returns
-// whether all passes ran.
+// Takes a program from Form::kResolved to Form::kInlined, unless `stop_after` ends it earlier.
+// Returns whether all passes ran.
 bool RunPipeline(ir::Program& program, const PipelineOptions& options);
 
 // The names of the passes, in the order in which they run. --dump-after and --stop-after accept

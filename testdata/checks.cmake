@@ -4,7 +4,9 @@ if(CLIPC_SANITIZE OR CLIPC_FUZZ)
   return()
 endif()
 add_test(NAME layers COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_layers.py)
+add_test(NAME circles COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_circles.py)
 add_test(NAME format COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_format.py)
+add_test(NAME sizes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_sizes.py)
 add_test(NAME scripts COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_scripts.py)
 set_tests_properties(scripts PROPERTIES SKIP_RETURN_CODE 77)
 add_test(NAME pages COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_pages.py)
@@ -25,6 +27,13 @@ if(TARGET clipc)
     -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/outside_mistakes -DGENERATOR=${CMAKE_GENERATOR} -DCOMPILER=${CMAKE_CXX_COMPILER}
     -P ${clipc_SOURCE_DIR}/cmake/test_outside_mistakes.cmake)
   set_tests_properties(outside_mistakes PROPERTIES TIMEOUT 300)
+  # The counts are of what Debian 12 compiles.
+  if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CLIPC_STATIC AND CLIPC_LLVM EQUAL 19 AND NOT CLIPC_PROFILE AND
+     CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.")
+    add_test(NAME instructions COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_instructions.py $<TARGET_FILE:clipc>
+      release)
+    set_tests_properties(instructions PROPERTIES SKIP_RETURN_CODE 77)
+  endif()
   add_test(NAME packaging COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/check_packaging.py $<TARGET_FILE:clipc>
     ${CMAKE_CURRENT_BINARY_DIR}/packaging)
   add_test(NAME snippets COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_snippets.py ${clipc_BINARY_DIR}

@@ -11,11 +11,6 @@ using namespace ir;
 
 namespace {
 
-bool IsOfPlace(ObjectOp op) {
-  return op == ObjectOp::kTextureLoad || op == ObjectOp::kImageLoad ||
-         op == ObjectOp::kBufferLoad || op == ObjectOp::kStructuredLoad;
-}
-
 bool IsInteger(const Program& program, ExprId expr) {
   const Type& type = TypeOf(program, expr);
   return type.IsNumeric() && ir::IsInteger(type.scalar);
@@ -52,10 +47,9 @@ void IndexUses::MarkPlaces() {
   ForEachLiveExpr(program_, [&](ExprId expr) {
     if (const auto* index = As<Index>(program_, expr)) {
       Mark(index->index);
-    } else if (const auto* call = As<ObjectCall>(program_, expr); call && IsOfPlace(call->op)) {
-      Mark(program_.expr_lists[call->arguments][1]);
-      const bool has_level = call->op == ObjectOp::kTextureLoad;
-      if (has_level) Mark(program_.expr_lists[call->arguments][2]);
+    } else if (const auto* call = As<ObjectCall>(program_, expr); call && LoadsElement(call->op)) {
+      Mark(OperandOf(program_, *call, OperandKind::kPlace));
+      if (const ExprId level = OperandOf(program_, *call, OperandKind::kLevel)) Mark(level);
     }
   });
 }

@@ -12,6 +12,7 @@ namespace {
 constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-operand-order", LowerOperandOrder, Form::kInlined},
     {"split-arrays", SplitArrays, Form::kInlined},
+    {"flatten-arrays", FlattenArrays, Form::kInlined},
     {"lower-indices", LowerIndices, Form::kInlined},
     {"lower-to-es100", LowerToEs100, Form::kInlined},
     {"lower-assignments", LowerAssignments, Form::kInlined},
@@ -21,6 +22,7 @@ constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-conversions", LowerConversions, Form::kInlined},
     {"lower-divisions", LowerDivisions, Form::kInlined},
     {"lower-choices", LowerChoices, Form::kInlined},
+    {"lower-sample-operands", LowerSampleOperands, Form::kInlined},
     {"lower-arithmetic", LowerArithmetic, Form::kInlined},
     {"lower-components", LowerComponents, Form::kLegalized},
 };

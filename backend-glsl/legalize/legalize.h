@@ -24,6 +24,13 @@ void LowerOperandOrder(Legalizer& legalizer);
 //   t.Sample(samplers[1], uv)  =>  t.Sample(samplers_1, uv)
 void SplitArrays(Legalizer& legalizer);
 
+// Makes one dimension of the several of an array of textures, samplers or buffers, where the target
+// has no arrays of arrays of them: Vulkan, whose arrays of resources have one dimension
+// (VUID-StandaloneSpirv-UniformConstant-04655), and GLSL before 4.30 and ES 3.10.
+//
+//   Texture2D maps[2][3]; maps[i][1]  =>  Texture2D maps[6]; maps[i * 3 + 1]
+void FlattenArrays(Legalizer& legalizer);
+
 // Evaluates indices that have effects and that GLSL does without before the expression that has
 // them: a matrix of one row is a vector, float1 a scalar.
 //
@@ -38,7 +45,8 @@ void LowerIndices(Legalizer& legalizer);
 //   a[i]                                =>  element(a, i)
 void LowerToEs100(Legalizer& legalizer);
 
-// Replaces `a op= b` where GLSL has no such operator: of matrices, and % that is not on uint.
+// Replaces `a op= b` where GLSL has no such operator: of matrices, % that is not on uint, and
+// divisions that LowerDivisions replaces.
 //
 //   m *= n;       =>  m = m * n;
 //   a[i++] %= b;  =>  assign_modulo(a[i++], b);
@@ -72,10 +80,13 @@ void LowerWrittenArguments(Legalizer& legalizer);
 //   (int)x  =>  to_int(x) with abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0
 void LowerConversions(Legalizer& legalizer);
 
-// Replaces signed divisions of the least integer by -1, which has no result in GLSL and ends Mesa's
-// compiler; in Direct3D it is the least integer again, and the remainder is 0: fxc divides the
-// magnitudes by udiv and sets the sign (vkd3d's arithmetic-int.shader_test, line 95).
+// Replaces divisions of integers by what may be 0, and signed ones of the least integer by -1,
+// which have no result in GLSL; the latter ends Mesa's compiler. In Direct3D the quotient and the
+// remainder of udiv by 0 are 0xffffffff; for signed numbers fxc divides the magnitudes by udiv and
+// sets the sign (vkd3d's arithmetic-int.shader_test, line 95), so 5 / 0 is -1, -5 / 0 is 1, and the
+// least integer by -1 is itself, with the remainder 0.
 //
+//   u / v             =>  divide(u, v) with y == 0u ? ~0u : x / (y == 0u ? 1u : y)
 //   x / -1            =>  -x
 //   0x80000000 / y    =>  divide(0x80000000, y) with y == -1 ? -x : x / (y == -1 ? 1 : y)
 void LowerDivisions(Legalizer& legalizer);
@@ -86,6 +97,13 @@ void LowerDivisions(Legalizer& legalizer);
 //   a && b      =>  a and_then b, or all(bool2(a, b)) when b has effects
 //   select(..)  =>  c ? a : b for each component, where the target has no mix() for it
 void LowerChoices(Legalizer& legalizer);
+
+// Evaluates the operands of a sample before it where one has a choice in it, for Vulkan: glslang
+// makes the texture with its sampler before the choice, which SPIR-V has in another block, and
+// SPIR-V asks for both in one (OpSampledImage).
+//
+//   t.Sample(s, c ? a : b)  =>  operand = c ? a : b, t.Sample(s, operand)
+void LowerSampleOperands(Legalizer& legalizer);
 
 // Replaces operators and functions that are short for others, and bounds the counts of shifts.
 //

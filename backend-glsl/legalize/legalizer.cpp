@@ -89,6 +89,10 @@ bool MayChange(const Program& program, const Target& target, const Expr& expr) {
                    (IsOnlyElement(program, node) || TypeOf(program, node.base).count == 1 ||
                     As<Swizzle>(program, node.base) != nullptr);
           },
+          [&](const Conditional&) {
+            return IsMatrix(program, expr.type) ||
+                   program.types[expr.type].kind == TypeKind::kArray;
+          },
           [](const OneOf<Select, MatrixTruncate> auto&) { return true; },
           [](const auto&) { return false; },
       },
@@ -106,7 +110,7 @@ HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(
 }
 
 Legalizer::Legalizer(Program& program, const Target& target)
-    : program(program), target(target), first_new_(program.exprs.size()) {
+    : program(program), target(target), first_new_(program.exprs.size()), divisors_(program) {
   for (const ExprId expr : program.exprs.ids())
     if (MayChange(program, target, program.exprs[expr])) operations_.push_back(expr);
 }
@@ -118,6 +122,17 @@ bool Legalizer::NamesLeastInteger() {
     found = found || (expr.index < first_new_ && IsLeastInteger(program, expr));
   names_least_integer_ = found;
   return found;
+}
+
+bool Legalizer::GuardsDivisions() const {
+  return program.profile.IsAtLeast(4, 0) && program.profile.level9 == Level9::kNone;
+}
+
+bool Legalizer::MayDivideByZero(ExprId divisor) {
+  const Type& type = TypeOf(divisor);
+  if (!GuardsDivisions() || !type.IsNumeric() || IsFloat(type.scalar)) return false;
+  if (IsUnsigned(type.scalar) && !target.Has(Feature::kUnsigned)) return false;
+  return divisors_.MayBeZero(divisor);
 }
 
 bool Legalizer::MayBeSkipped(ExprId expr) {

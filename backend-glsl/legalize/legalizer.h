@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "backend-glsl/legalize/divisors.h"
 #include "backend-glsl/shape.h"
 #include "backend-glsl/target.h"
 #include "ir/access.h"
@@ -62,6 +63,13 @@ class Legalizer {
   // names are not known to a GLSL compiler, so it does not divide them.
   bool NamesLeastInteger();
 
+  // Whether divisions by 0 have Direct3D's results: those of Direct3D 10 and later, whose udiv has
+  // them; before, an int is a float without a fraction. dxc's udiv of DXIL has them too in drivers
+  // (dxil-spirv, pull request 300), and SPIR-V leaves more than the value undefined.
+  bool GuardsDivisions() const;
+  // Whether a division by the integers `divisor` needs a guard.
+  bool MayDivideByZero(ir::ExprId divisor);
+
   // Component `i` of a vector, a matrix of one row or one column, or a scalar.
   ir::ExprId Component(ir::Builder b, ir::ExprId expr, int i);
 
@@ -106,6 +114,7 @@ class Legalizer {
 
   std::vector<ir::ExprId> operations_;  // original ones that a pass may change, in order of ExprId
   std::uint32_t first_new_;             // the first expression that a pass added
+  Divisors divisors_;
   std::optional<bool> names_least_integer_;        // none: nothing has asked for it
   std::map<std::string, ir::FunctionId> helpers_;  // by name and types of parameters
   std::optional<ir::Effects> effects_;

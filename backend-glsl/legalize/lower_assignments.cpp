@@ -18,6 +18,8 @@ bool IsNative(Legalizer& legalizer, BinaryOp op, const Shape& shape, ExprId valu
   // LowerDivisions has such a division.
   const bool is_signed = !IsFloat(shape.scalar) && !IsUnsigned(shape.scalar);
   if (op == BinaryOp::kDiv && is_signed && legalizer.NamesLeastInteger()) return false;
+  const bool divides = op == BinaryOp::kDiv || op == BinaryOp::kMod;
+  if (divides && legalizer.MayDivideByZero(value)) return false;
   if (op == BinaryOp::kMod) return !shape.HasRows() && is_modulo_of_uint;
   if (shape.kind != Shape::kMatrix) return true;
   const auto& node = legalizer.program.exprs[value].node;

@@ -50,6 +50,32 @@ void LowerSelect(Legalizer& legalizer, ExprId expr, const Select& node) {
   });
 }
 
+// Whether glslang's SPIR-V of a choice between two values of the type is not valid: it takes arrays
+// of vectors for vectors, and SPIR-V before 1.4 has no OpSelect of arrays.
+bool IsMistakenForVector(const Legalizer& legalizer, TypeId type) {
+  if (!legalizer.target.IsVulkan()) return false;
+  const TypeTable& types = legalizer.program.types;
+  const Type& element = types[types.Innermost(type)];
+  if (!element.IsNumeric()) return false;
+  const Shape shape = ShapeOf(element, legalizer.target);
+  return shape.kind == Shape::kRows || (types[type].kind == TypeKind::kArray && shape.IsVector());
+}
+
+void LowerConditional(Legalizer& legalizer, ExprId expr, const Conditional& node) {
+  const TypeId type = legalizer.program.exprs[expr].type;
+  if (!IsMistakenForVector(legalizer, type) || !legalizer.MayBeSkipped(node.when_true) ||
+      !legalizer.MayBeSkipped(node.when_false)) {
+    return;
+  }
+  const Parameter parameters[] = {
+      {"condition", legalizer.program.exprs[node.condition].type}, {"a", type}, {"b", type}};
+  const ExprId arguments[] = {node.condition, node.when_true, node.when_false};
+  legalizer.BecomeCall(expr, "choose", parameters, arguments, [&](HelperBody& body) {
+    body.Add(body.b.Stmt(If{body[0], body.b.Stmt(Return{body[1]}), {}}));
+    body.Return(body[2]);
+  });
+}
+
 }  // namespace
 
 void LowerChoices(Legalizer& legalizer) {
@@ -59,6 +85,8 @@ void LowerChoices(Legalizer& legalizer) {
       LowerLogical(legalizer, expr, Binary(*binary));
     } else if (const auto* select = As<Select>(legalizer.program, expr)) {
       LowerSelect(legalizer, expr, Select(*select));
+    } else if (const auto* choice = As<Conditional>(legalizer.program, expr)) {
+      LowerConditional(legalizer, expr, Conditional(*choice));
     }
   });
 }

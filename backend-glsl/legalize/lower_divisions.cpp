@@ -11,36 +11,82 @@ using namespace ir;
 
 namespace {
 
-// Makes `expr` a call of a function that divides by 1 where `y` is -1.
+// What a helper function treats as special: divisors that are 0, and those that are -1.
+struct Special {
+  bool zero = false, minus_one = false;
+  bool computes_both = false;  // whether a choice between scalars may compute what it drops
+};
+
+// The body of `divide(x, y)` or `modulo(x, y)`, for scalars or vectors.
+class DivisionBody {
+ public:
+  DivisionBody(const Program& program, HelperBody& body, TypeId type, bool divides)
+      : body_(body),
+        type_(type),
+        kind_(program.types[type].scalar),
+        is_scalar_(program.types[type].kind == TypeKind::kScalar),
+        divides_(divides) {}
+
+  void Write(BinaryOp op, Special special) {
+    Builder& b = body_.b;
+    ExprId divisor = body_[1];
+    const bool computes_both = special.computes_both || !is_scalar_;
+    if (special.zero && computes_both) divisor = Choose(Is(0), Number(1), divisor);
+    // The remainder by 1 is that by -1.
+    if (special.minus_one && (computes_both || !divides_))
+      divisor = Choose(Is(-1), Number(1), divisor);
+    ExprId result = b.BinaryOf(op, body_[0], divisor);
+    if (special.minus_one && divides_)
+      result = Choose(Is(-1), b.UnaryOf(UnaryOp::kNegate, body_[0]), result);
+    if (special.zero) result = Choose(Is(0), OfZero(), result);
+    body_.Return(result);
+  }
+
+ private:
+  ExprId Number(int value) { return body_.b.SplatTo(type_, body_.b.LiteralOf(kind_, value)); }
+  ExprId Is(int value) { return body_.b.BinaryOf(BinaryOp::kEqual, body_[1], Number(value)); }
+  ExprId Choose(ExprId condition, ExprId when_true, ExprId when_false) {
+    return is_scalar_ ? body_.b.Add(type_, Conditional{condition, when_true, when_false})
+                      : body_.b.Add(type_, Select{condition, when_true, when_false});
+  }
+  // Direct3D's quotient by 0 and the remainder: all bits, with the sign of the dividend.
+  ExprId OfZero() {
+    Builder& b = body_.b;
+    if (IsUnsigned(kind_)) return b.UnaryOf(UnaryOp::kComplement, Number(0));
+    return Choose(b.BinaryOf(BinaryOp::kLess, body_[0], Number(0)), Number(1), Number(-1));
+  }
+
+  HelperBody& body_;
+  TypeId type_;
+  Scalar kind_;
+  bool is_scalar_, divides_;
+};
+
+// Makes `expr` a call of a function that divides by no special divisor.
 void BecomeSafe(Legalizer& legalizer, ExprId expr, const Binary& node) {
   const TypeId type = legalizer.program.exprs[expr].type;
   const Parameter parameters[] = {{"x", type}, {"y", type}};
   const ExprId arguments[] = {node.left, node.right};
   const bool divides = node.op == BinaryOp::kDiv;
+  // Mesa's compiler computes both sides of a choice between constants.
+  const Special special{.zero = legalizer.GuardsDivisions(),
+                        .minus_one = !IsUnsigned(legalizer.TypeOf(expr).scalar),
+                        .computes_both = legalizer.NamesLeastInteger()};
   legalizer.BecomeCall(
       expr, divides ? "divide" : "modulo", parameters, arguments, [&](HelperBody& body) {
-        const bool is_scalar = legalizer.program.types[type].kind == TypeKind::kScalar;
-        const Scalar kind = legalizer.program.types[type].scalar;
-        const auto number = [&](int value) {
-          return body.b.SplatTo(type, body.b.LiteralOf(kind, value));
-        };
-        const auto choose = [&](ExprId when_true, ExprId when_false) {
-          const ExprId is_minus_one = body.b.BinaryOf(BinaryOp::kEqual, body[1], number(-1));
-          return is_scalar ? body.b.Add(type, Conditional{is_minus_one, when_true, when_false})
-                           : body.b.Add(type, Select{is_minus_one, when_true, when_false});
-        };
-        const ExprId result = body.b.BinaryOf(node.op, body[0], choose(number(1), body[1]));
-        if (!divides) return body.Return(result);
-        body.Return(choose(body.b.UnaryOf(UnaryOp::kNegate, body[0]), result));
+        DivisionBody(legalizer.program, body, type, divides).Write(node.op, special);
       });
 }
 
-// Rewrites a division of signed integers whose divisor may be -1. `may_be_least`: whether the
-// dividend may be a constant that has no opposite.
-void Lower(Legalizer& legalizer, ExprId expr, const Binary& node, bool may_be_least) {
+// Rewrites a division of integers whose divisor may be 0 or -1.
+void Lower(Legalizer& legalizer, ExprId expr, const Binary& node) {
   const Program& program = legalizer.program;
   const TypeId type = program.exprs[expr].type;
   const Scalar kind = program.types[type].scalar;
+  if (legalizer.MayDivideByZero(node.right)) return BecomeSafe(legalizer, expr, node);
+  if (IsUnsigned(kind)) return;
+  // Whether the dividend may be a constant that has no opposite.
+  const bool may_be_least = legalizer.NamesLeastInteger();
   Builder b = legalizer.At(expr);
   const auto divisor = ConstantBits(program, node.right);
   const auto is_minus_one = [&](std::uint64_t bits) { return NumberOf(bits, kind) == -1; };
@@ -61,13 +107,11 @@ void Lower(Legalizer& legalizer, ExprId expr, const Binary& node, bool may_be_le
 void LowerDivisions(Legalizer& legalizer) {
   const std::uint32_t old = legalizer.program.exprs.size();
   legalizer.ForEach([&](ExprId expr) {
-    if (expr.index >= old) return;  // in a function that divides by no -1
-    const Program& program = legalizer.program;
-    const auto* binary = As<Binary>(program, expr);
+    if (expr.index >= old) return;  // in a function that divides by no special divisor
+    const auto* binary = As<Binary>(legalizer.program, expr);
     if (!binary || (binary->op != BinaryOp::kDiv && binary->op != BinaryOp::kMod)) return;
-    const Scalar kind = legalizer.TypeOf(expr).scalar;
-    if (!legalizer.IsNumeric(expr) || IsFloat(kind) || IsUnsigned(kind)) return;
-    Lower(legalizer, expr, Binary(*binary), legalizer.NamesLeastInteger());
+    if (!legalizer.IsNumeric(expr) || IsFloat(legalizer.TypeOf(expr).scalar)) return;
+    Lower(legalizer, expr, Binary(*binary));
   });
 }
 

@@ -80,7 +80,7 @@ class OuterWrites {
       ForEachWrite(program_, expr, [&](ExprId target) { Add(found, RootOf(program_, target)); });
       const auto* object = As<ObjectCall>(program_, expr);
       if (object && WritesObject(object->op))
-        Add(found, RootOf(program_, program_.expr_lists[object->arguments][0]));
+        Add(found, RootOf(program_, OperandOf(program_, *object, OperandKind::kObject)));
       if (const auto* call = As<Call>(program_, expr)) {
         const Set& inner = Of(call->function);
         found.is_all |= inner.is_all;
@@ -425,7 +425,7 @@ class OperandOrder {
   void VisitObjectCall(ExprId expr, const ObjectCall& node) {
     const std::size_t size = reads_.size();
     for (const ExprId operand : OperandsOf(program_, expr)) Visit(operand);
-    const VarId object = RootOf(program_, program_.expr_lists[node.arguments][0]);
+    const VarId object = RootOf(program_, OperandOf(program_, node, OperandKind::kObject));
     if (WritesObject(node.op)) {
       Pop(size);
       Write(object);

@@ -157,11 +157,13 @@ std::string WordOf(Code& code, Scalar kind, const std::string& value) {
 
 // Stores an element that lies tighter than std430 can say, or a part of one, word by word.
 Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
-  const auto arguments = code[node.arguments];
-  const VarId buffer = RootOf(code.program, arguments[0]);
-  const BufferInHelper named = InHelper(code, arguments[0]);
-  const TypeId stored_type = code.program.exprs[arguments.back()].type;
-  const auto steps = StepsOf(code.program, node);
+  const ExprId object = code.Operand(node, OperandKind::kObject);
+  const ExprId place = code.Operand(node, OperandKind::kPlace);
+  const ExprId stored_value = code.Operand(node, OperandKind::kValue);
+  const VarId buffer = RootOf(code.program, object);
+  const BufferInHelper named = InHelper(code, object);
+  const TypeId stored_type = code.program.exprs[stored_value].type;
+  const auto steps = code[OperandsOf(node, OperandKind::kStep)];
   const WordAlong part = WordTo(code, ObjectTypeOf(code, buffer).element, steps);
   const bool moves = !part.rest.empty();
   const std::string name = Concat(named.name, "_store",
@@ -189,7 +191,7 @@ Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
     }
     return text + "}\n";
   });
-  const std::string index = IntIndex(code, arguments[1]);
+  const std::string index = IntIndex(code, place);
   const std::string known = part.known > 0 ? Concat(" + ", std::to_string(part.known)) : "";
   const std::string from = moves ? Concat(part.rest, known, ", ") : "";
   return Called(helper, {named.argument + index, from + value});
@@ -198,14 +200,15 @@ Text StoreWords(Code& code, const ObjectCall& node, const std::string& value) {
 }  // namespace
 
 Text StructuredLoad(Code& code, const ObjectCall& node) {
-  const auto arguments = code[node.arguments];
-  const VarId buffer = RootOf(code.program, arguments[0]);
+  const ExprId object = code.Operand(node, OperandKind::kObject);
+  const ExprId place = code.Operand(node, OperandKind::kPlace);
+  const VarId buffer = RootOf(code.program, object);
   if (HasElements(code, buffer)) {
-    return {Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "]")};
+    return {Concat(ElementsOf(code, object), "[", IndexValue(code, place), "]")};
   }
   // Elements that lie tighter than std430 can say are put together from words.
-  const BufferInHelper named = InHelper(code, arguments[0]);
-  const std::string index = IntIndex(code, arguments[1]);
+  const BufferInHelper named = InHelper(code, object);
+  const std::string index = IntIndex(code, place);
   const std::string helper = Helper(code, named.name + "_at", "", [&](const std::string& function) {
     const TypeId element = ObjectTypeOf(code, buffer).element;
     const std::string i = Fresh(code, "i"), type = TypeName(code, element);
@@ -219,8 +222,9 @@ Text StructuredLoad(Code& code, const ObjectCall& node) {
 
 // The text of Load, Load2, Load3 or Load4 of a ByteAddressBuffer.
 Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
-  const auto arguments = code[node.arguments];
-  const BufferInHelper named = InHelper(code, arguments[0]);
+  const ExprId object = code.Operand(node, OperandKind::kObject);
+  const ExprId place = code.Operand(node, OperandKind::kPlace);
+  const BufferInHelper named = InHelper(code, object);
   const std::string& name = named.elements;
   const Shape shape = ShapeOf(code[type], code.target);
   const std::string helper =
@@ -234,20 +238,22 @@ Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
                            result, function, named.parameter, address, i, address,
                            shape.IsScalar() ? words : Called(result, {words}).text);
       });
-  return Called(helper, {named.argument + Argument(code, arguments[1])});
+  return Called(helper, {named.argument + Argument(code, place)});
 }
 
 Text BufferStore(Code& code, const ObjectCall& node) {
-  const auto arguments = code[node.arguments];
-  const std::string value = Argument(code, arguments.back());
-  if (const VarId buffer = RootOf(code.program, arguments[0]);
+  const ExprId object = code.Operand(node, OperandKind::kObject);
+  const ExprId place = code.Operand(node, OperandKind::kPlace);
+  const ExprId stored_value = code.Operand(node, OperandKind::kValue);
+  const std::string value = Argument(code, stored_value);
+  if (const VarId buffer = RootOf(code.program, object);
       IsStructured(ObjectTypeOf(code, buffer).object)) {
     if (!HasElements(code, buffer)) return StoreWords(code, node, value);
     return {Concat(BufferWord(code, node), " = ", value), Binding::kAssignment};
   }
-  const BufferInHelper named = InHelper(code, arguments[0]);
+  const BufferInHelper named = InHelper(code, object);
   const std::string& name = named.elements;
-  const Shape shape = code.ShapeAt(arguments[2]);
+  const Shape shape = code.ShapeAt(stored_value);
   const std::string helper =
       Helper(code, NameFor(named.name, "_store", shape.size), "", [&](const std::string& function) {
         const std::string address = Fresh(code, "address"), stored = Fresh(code, "value");
@@ -260,21 +266,22 @@ Text BufferStore(Code& code, const ObjectCall& node) {
         }
         return text + "}\n";
       });
-  return Called(helper, {named.argument + Argument(code, arguments[1]), value});
+  return Called(helper, {named.argument + Argument(code, place), value});
 }
 
 std::string BufferWord(Code& code, const ObjectCall& node) {
-  const auto arguments = code[node.arguments];
-  const bool is_bytes =
-      IsByteAddress(ObjectTypeOf(code, RootOf(code.program, arguments[0])).object);
-  const std::string index = is_bytes ? ExprText(code, arguments[1]).At(Binding::kProduct) + " / 4u"
-                                     : IndexValue(code, arguments[1]);
-  const std::string element = Concat(ElementsOf(code, arguments[0]), "[", index, "]");
-  const auto steps = StepsOf(code.program, node);
+  const ExprId object = code.Operand(node, OperandKind::kObject);
+  const ExprId place = code.Operand(node, OperandKind::kPlace);
+  const ExprId value = code.Operand(node, OperandKind::kValue);
+  const bool is_bytes = IsByteAddress(ObjectTypeOf(code, RootOf(code.program, object)).object);
+  const std::string index =
+      is_bytes ? ExprText(code, place).At(Binding::kProduct) + " / 4u" : IndexValue(code, place);
+  const std::string element = Concat(ElementsOf(code, object), "[", index, "]");
+  const auto steps = code[OperandsOf(node, OperandKind::kStep)];
   if (steps.empty()) return element;
-  const std::size_t count = code.TypeOf(arguments.back()).Components();
-  return element + PathAlong(code, ObjectTypeOf(code, RootOf(code.program, arguments[0])).element,
-                             steps, count);
+  const std::size_t count = code.TypeOf(value).Components();
+  return element +
+         PathAlong(code, ObjectTypeOf(code, RootOf(code.program, object)).element, steps, count);
 }
 
 Text BufferSize(Code& code, ExprId object) {

@@ -74,6 +74,10 @@ struct WriterContext {
   const ir::Function& operator[](ir::FunctionId id) const { return program.functions[id]; }
   const ir::Cbuffer& operator[](ir::CbufferId id) const { return program.cbuffers[id]; }
   const ir::Type& operator[](ir::TypeId id) const { return types[id]; }
+  // The operand of a call of an object; none where it has none.
+  ir::ExprId Operand(const ir::ObjectCall& call, ir::OperandKind kind) const {
+    return OperandOf(program, call, kind);
+  }
   std::span<const ir::ExprId> operator[](List<ir::ExprId> list) const {
     return program.expr_lists[list];
   }

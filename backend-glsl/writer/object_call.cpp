@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "backend-glsl/needs.h"
 #include "backend-glsl/writer/buffer_call.h"
 #include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/objects.h"
 #include "backend-glsl/writer/types.h"
 #include "ir/evaluate.h"
@@ -30,8 +32,8 @@ class ObjectCaller {
       : code_(code),
         type_(type),
         node_(node),
-        arguments_(code[node.arguments]),
-        object_(RootOf(code.program, arguments_[0])),
+        path_(code.Operand(node, OperandKind::kObject)),
+        object_(RootOf(code.program, path_)),
         kind_(ObjectTypeOf(code, object_).object) {}
 
   Text Write() {
@@ -59,13 +61,13 @@ class ObjectCaller {
       case ObjectOp::kGatherCmp: return Gather();
       case ObjectOp::kTextureLoad: return Texel();
       case ObjectOp::kBufferLoad:
-        if (IsImage(kind_)) return Rest("imageLoad", 1);
+        if (IsImage(kind_)) return Plain("imageLoad");
         RequireSamplerless();
-        return Rest("texelFetch", 1);
+        return Plain("texelFetch");
       case ObjectOp::kStructuredLoad: return StructuredLoad(code_, node_);
       case ObjectOp::kByteLoad: return ByteLoad(code_, type_, node_);
       case ObjectOp::kSubpassLoad: return SubpassLoad();
-      case ObjectOp::kImageLoad: return Rest("imageLoad", 1);
+      case ObjectOp::kImageLoad: return Plain("imageLoad");
       case ObjectOp::kStore: return IsImage(kind_) ? ImageStore() : BufferStore(code_, node_);
       case ObjectOp::kAtomicAdd: return Atomic("Add");
       case ObjectOp::kAtomicAnd: return Atomic("And");
@@ -86,15 +88,28 @@ class ObjectCaller {
   }
 
  private:
-  std::string ArgumentAt(std::size_t i) { return Argument(code_, arguments_[i]); }
+  ExprId At(OperandKind kind) const { return code_.Operand(node_, kind); }
+  bool Has(OperandKind kind) const { return !OperandsOf(node_, kind).empty(); }
+  std::string ArgumentAt(OperandKind kind) { return Argument(code_, At(kind)); }
+  // ", operand" for each operand of that kind.
+  void Add(std::string& text, OperandKind kind) {
+    for (const ExprId operand : code_[OperandsOf(node_, kind)])
+      Append(text, ", ", Argument(code_, operand));
+  }
+  std::string More(OperandKind kind) {
+    std::string text;
+    Add(text, kind);
+    return text;
+  }
+  // The texture, and the sampler that goes with it if there is one.
+  std::string Object() { return ObjectName(code_, path_, At(OperandKind::kSampler)); }
 
-  // The call function(object, the arguments from `first` on and `more`). GLSL reads four
-  // components, whatever the texture's element type is.
-  Text Rest(std::string_view function, std::size_t first, ExprId sampler = {},
-            std::string_view more = "") {
-    std::string text = Concat(TiledName(function), "(", ObjectName(code_, arguments_[0], sampler));
-    for (const ExprId argument : arguments_.subspan(first)) {
-      Append(text, ", ", Argument(code_, argument));
+  // The call function(object, operands, more). GLSL reads four components, whatever the texture's
+  // element type is.
+  Text Plain(std::string_view function, std::string_view more = "") {
+    std::string text = Concat(TiledName(function), "(", Object());
+    for (const OperandSlot& slot : InfoOf(node_.op).Slots()) {
+      if (slot.kind > OperandKind::kSampler) Add(text, slot.kind);
     }
     Append(text, TiledArguments(), more, ")");
     return Narrow(std::move(text));
@@ -118,8 +133,8 @@ class ObjectCaller {
   // The arguments of such a function that come after the offset and before a bias or a component.
   std::string TiledArguments() {
     std::string text;
-    if (node_.has_clamp) Append(text, ", ", Argument(code_, ClampOf(code_.program, node_)));
-    if (node_.has_texel) Append(text, ", ", Argument(code_, TexelOf(code_.program, node_)));
+    Add(text, OperandKind::kClamp);
+    Add(text, OperandKind::kTexel);
     return text;
   }
 
@@ -137,46 +152,28 @@ class ObjectCaller {
     return {std::move(four)};
   }
 
-  // The way in which a call samples: the parts of the GLSL function's name, and the number of
-  // arguments between the coordinate and the offset.
-  struct Way {
-    std::string_view suffix;
-    std::size_t more = 0;
-  };
-  Way WayOf() const {
-    switch (node_.op) {
-      case ObjectOp::kSampleLevel:
-      case ObjectOp::kD3d9SampleLevel: return {"Lod", 1};
-      case ObjectOp::kSampleGrad:
-      case ObjectOp::kD3d9SampleGrad: return {"Grad", 2};
-      case ObjectOp::kSampleBias:
-      case ObjectOp::kD3d9SampleBias: return {"", 1};
-      case ObjectOp::kD3d9SampleProjected: return {"Proj", 0};
-      default: return {"", 0};
-    }
-  }
-
   Text Sample() {
-    const bool is_d3d9 = !TakesSampler(node_.op);
-    const Way way = WayOf();
     const bool is_modern = code_.Has(Feature::kTextureFunctions);
-    const bool is_explicit = way.suffix == "Lod" || way.suffix == "Grad";
-    const std::size_t first = is_d3d9 ? 1 : 2;
-    const ExprId sampler = is_d3d9 ? ExprId{} : arguments_[1];
-    const bool has_offset = arguments_.size() > first + 1 + way.more;
+    const bool has_level = Has(OperandKind::kLevel), has_gradient = Has(OperandKind::kDdx);
+    const bool has_offset = Has(OperandKind::kOffset);
     const std::string_view stem = InfoOf(kind_).compares ? "shadow" : "texture";
     std::string function = is_modern ? "texture" : TextureType(code_, object_, stem);
     const bool has_neighbours = InfoOf(code_.program.stage).has_neighbours;
     const bool is_level_zero = node_.op == ObjectOp::kD3d9Sample && !has_neighbours && is_modern;
-    Append(function, is_level_zero ? "Lod" : way.suffix, has_offset ? "Offset" : "");
-    if (!is_modern) function += OldSuffix(is_explicit, way.suffix == "Grad");
+    Append(function,
+           is_level_zero || has_level                   ? "Lod"
+           : has_gradient                               ? "Grad"
+           : node_.op == ObjectOp::kD3d9SampleProjected ? "Proj"
+                                                        : "",
+           has_offset ? "Offset" : "");
+    if (!is_modern) function += OldSuffix(has_level || has_gradient, has_gradient);
     // GLSL has the bias after all other arguments.
     if (node_.op == ObjectOp::kSampleBias) {
-      return Narrow(Concat(TiledName(function), "(", ObjectName(code_, arguments_[0], sampler),
-                           ", ", ArgumentAt(2), has_offset ? ", " + ArgumentAt(4) : "",
-                           TiledArguments(), ", ", ArgumentAt(3), ")"));
+      return Narrow(Concat(TiledName(function), "(", Object(), More(OperandKind::kCoordinate),
+                           More(OperandKind::kOffset), TiledArguments(), More(OperandKind::kBias),
+                           ")"));
     }
-    return Rest(function, first, sampler, is_level_zero ? ", 0.0" : "");
+    return Plain(function, is_level_zero ? ", 0.0" : "");
   }
 
   // Names the extension that an older target's function with an explicit level needs. Returns the
@@ -193,38 +190,74 @@ class ObjectCaller {
     return is_es ? "EXT" : is_gradient ? "ARB" : "";
   }
 
+  // Compares by SPIR-V's own instruction where GLSL has no function for it, as glslang 12 does not
+  // know GL_EXT_texture_shadow_lod. A bias, a level, gradients and an offset are bits of its
+  // operands.
+  Text CompareBySpirv() {
+    constexpr int kImplicitLod = 89, kExplicitLod = 90;  // OpImageSampleDrefImplicitLod, ..
+    constexpr int kBias = 1, kLod = 2, kGrad = 4, kConstOffset = 8;
+    code_.Require("GL_EXT_spirv_intrinsics");
+    const bool has_bias = Has(OperandKind::kBias);
+    const bool is_zero = node_.op == ObjectOp::kSampleCmpLevelZero;
+    const int operands = (has_bias                 ? kBias
+                          : Has(OperandKind::kDdx) ? kGrad
+                                                   : kLod) |
+                         (Has(OperandKind::kOffset) ? kConstOffset : 0);
+    std::string types = Concat(TextureType(code_, object_, "sampler"), "Shadow sampled, ");
+    Append(types, TypeName(code_, code_.ShapeAt(At(OperandKind::kCoordinate))),
+           " place, float reference, spirv_literal int operands");
+    std::string values = fmt::format("{}{}{}, {}", Object(), More(OperandKind::kCoordinate),
+                                     More(OperandKind::kReference), operands);
+    const auto add = [&](std::string_view type, std::string_view name, const std::string& value) {
+      Append(types, ", ", type, " ", name);
+      Append(values, ", ", value);
+    };
+    if (is_zero) add("float", "level", "0.0");
+    constexpr std::pair<OperandKind, std::string_view> kRest[] = {{OperandKind::kLevel, "level"},
+                                                                  {OperandKind::kBias, "level"},
+                                                                  {OperandKind::kDdx, "d1"},
+                                                                  {OperandKind::kDdy, "d2"},
+                                                                  {OperandKind::kOffset, "offset"}};
+    for (const auto& [kind, name] : kRest) {
+      if (Has(kind)) add(TypeName(code_, code_.ShapeAt(At(kind))), name, ArgumentAt(kind));
+    }
+    const std::string name = has_bias ? "sample_compare_bias" : "sample_compare_level";
+    const std::string function = Helper(code_, name, types, [&](const std::string& named) {
+      return fmt::format("spirv_instruction(id = {}) float {}({});\n",
+                         has_bias ? kImplicitLod : kExplicitLod, named, types);
+    });
+    return {Concat(function, "(", values, ")")};
+  }
+
   // Level zero is what texture() reads in a vertex shader; textureLod does not exist for arrays and
   // cubes, where gradients of zero ask for it.
   Text Compare() {
-    const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
-    const std::string coordinate = ArgumentAt(2), reference = ArgumentAt(3);
+    if (!HasComparison(node_.op, kind_, InfoOf(code_.program.stage))) return CompareBySpirv();
+    const std::string object = Object();
+    const std::string coordinate = ArgumentAt(OperandKind::kCoordinate),
+                      reference = ArgumentAt(OperandKind::kReference);
     if (kind_ == ObjectKind::kTextureCubeArray) {
       return Status(Concat(TiledName("texture"), "(", object, ", ", coordinate, ", ", reference,
                            TiledArguments(), ")"));
     }
     // A one-dimensional shadow lookup has an unused second component.
-    const int components = code_.ShapeAt(arguments_[2]).size;
+    const int components = code_.ShapeAt(At(OperandKind::kCoordinate)).size;
     const std::string place =
         components == 1 ? fmt::format("vec3({}, 0.0, {})", coordinate, reference)
                         : fmt::format("vec{}({}, {})", components + 1, coordinate, reference);
-    const std::size_t more = node_.op == ObjectOp::kSampleCmpGrad    ? 2
-                             : node_.op == ObjectOp::kSampleCmpLevel ? 1
-                             : node_.op == ObjectOp::kSampleCmpBias  ? 1
-                                                                     : 0;
-    const bool has_offset = arguments_.size() > 4 + more;
-    const std::string offset = has_offset ? Concat(", ", ArgumentAt(4 + more)) : "";
+    const bool has_offset = Has(OperandKind::kOffset);
     const std::string_view end = has_offset ? "Offset" : "";
-    const auto call = [&](std::string_view function, std::string_view values,
-                          std::string_view bias = "") {
-      return Status(Concat(TiledName(Concat(function, end)), "(", object, ", ", place, values,
-                           offset, TiledArguments(), bias, ")"));
+    const auto call = [&](std::string_view function, std::string_view level) {
+      return Status(Concat(TiledName(Concat(function, end)), "(", object, ", ", place, level,
+                           More(OperandKind::kOffset), TiledArguments(), More(OperandKind::kBias),
+                           ")"));
     };
     switch (node_.op) {
-      case ObjectOp::kSampleCmp: return call("texture", "");
-      case ObjectOp::kSampleCmpLevel: return call("textureLod", Concat(", ", ArgumentAt(4)));
+      case ObjectOp::kSampleCmp:
+      case ObjectOp::kSampleCmpBias: return call("texture", "");
+      case ObjectOp::kSampleCmpLevel: return call("textureLod", More(OperandKind::kLevel));
       case ObjectOp::kSampleCmpGrad:
-        return call("textureGrad", Concat(", ", ArgumentAt(4), ", ", ArgumentAt(5)));
-      case ObjectOp::kSampleCmpBias: return call("texture", "", Concat(", ", ArgumentAt(4)));
+        return call("textureGrad", Concat(More(OperandKind::kDdx), More(OperandKind::kDdy)));
       default: break;
     }
     if (HasShadowLevels(kind_)) return call("textureLod", ", 0.0");
@@ -234,27 +267,23 @@ class ObjectCaller {
   }
 
   Text LevelOfDetail(std::string_view component) {
-    Text query = Rest("textureQueryLod", 2, arguments_[1]);
+    Text query = Plain("textureQueryLod");
     query.text = Concat(query.text.substr(0, query.text.rfind(')') + 1), component);
     return query;
   }
 
   Text Gather() {
     const bool compares = node_.op == ObjectOp::kGatherCmp;
-    const int component =
-        compares ? 0 : static_cast<int>(node_.op) - static_cast<int>(ObjectOp::kGather);
+    const int component = ComponentOf(node_.op);
+    const auto offsets = code_[OperandsOf(node_, OperandKind::kOffset)];
     const std::string last = component > 0 ? fmt::format(", {}", component) : "";
-    const std::size_t first = compares ? 4 : 3;  // the first offset
-    if (arguments_.size() != first + 4) {
-      const bool has_offset = arguments_.size() > first;
-      if (has_offset && !ConstantBits(code_.program, arguments_[first]))
-        code_.Require(Feature::kGatherOffsets);
-      return Rest(has_offset ? "textureGatherOffset" : "textureGather", 2, arguments_[1], last);
-    }
-    code_.Require(Feature::kGatherOffsets);
-    const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
-    const std::string place = compares ? Concat(ArgumentAt(2), ", ", ArgumentAt(3)) : ArgumentAt(2);
-    return FourGathers(Concat(object, ", ", place, ", "), arguments_.subspan(first), last);
+    code_.Require(compares || component > 0 ? Feature::kGatherComponents : Feature::kGather);
+    if (HasVaryingOffset(code_.program, node_)) code_.Require(Feature::kGatherOffsets);
+    if (offsets.size() != 4)
+      return Plain(offsets.empty() ? "textureGather" : "textureGatherOffset", last);
+    const std::string object = Object();
+    const std::string place = Concat(More(OperandKind::kCoordinate), More(OperandKind::kReference));
+    return FourGathers(Concat(object, place, ", "), offsets, last);
   }
 
   // Component i of Direct3D's result is component i of the gather with offset i: the four calls of
@@ -276,7 +305,8 @@ class ObjectCaller {
       constants.push_back(x == y ? fmt::format("ivec2({})", x)
                                  : fmt::format("ivec2({}, {})", x, y));
     }
-    if (constants.size() == 4) {
+    if (constants.size() == 4 && code_.Has(Feature::kGatherOffsets)) {
+      code_.Require(Feature::kGatherOffsets);
       return {fmt::format("textureGatherOffsets({}ivec2[4]({}){})", leading,
                           fmt::join(constants, ", "), last)};
     }
@@ -286,59 +316,58 @@ class ObjectCaller {
 
   Text Texel() {
     RequireSamplerless();
-    return Rest(arguments_.size() > 3 ? "texelFetchOffset" : "texelFetch", 1);
+    return Plain(Has(OperandKind::kOffset) ? "texelFetchOffset" : "texelFetch");
   }
 
   // OpenGL has no subpasses: the host binds what was drawn as a texture. Its rows are counted as
   // gl_FragCoord is unless that is declared anew.
   Text SubpassLoad() {
-    const std::string name = ObjectName(code_, arguments_[0]);
-    const bool has_sample = arguments_.size() > 1;
-    if (code_.target.IsVulkan())
-      return Narrow(Concat("subpassLoad(", name, has_sample ? ", " + ArgumentAt(1) : "", ")"));
+    const std::string name = Object();
+    const bool has_sample = Has(OperandKind::kSample);
+    const std::string sample = More(OperandKind::kSample);
+    if (code_.target.IsVulkan()) return Narrow(Concat("subpassLoad(", name, sample, ")"));
     const std::string place = code_.has_upper_left_origin
                                   ? Concat("ivec2(gl_FragCoord.x, float(textureSize(", name,
                                            has_sample ? ").y" : ", 0).y", ") - gl_FragCoord.y)")
                                   : "ivec2(gl_FragCoord.xy)";
-    return Narrow(
-        Concat("texelFetch(", name, ", ", place, ", ", has_sample ? ArgumentAt(1) : "0", ")"));
+    return Narrow(Concat("texelFetch(", name, ", ", place, has_sample ? sample : ", 0", ")"));
   }
 
   Text Query() {
-    if (IsByteAddress(kind_) || IsStructured(kind_)) return BufferSize(code_, arguments_[0]);
-    if (IsImage(kind_)) return Called("imageSize", {ObjectName(code_, arguments_[0])});
+    if (IsByteAddress(kind_) || IsStructured(kind_)) return BufferSize(code_, path_);
+    const std::string object = Object();
+    if (IsImage(kind_)) return Called("imageSize", {object});
     RequireSamplerless();
-    const std::string object = ObjectName(code_, arguments_[0]);
     if (node_.op == ObjectOp::kTextureLevels) return Called("textureQueryLevels", {object});
     if (node_.op == ObjectOp::kTextureSamples) return Called("textureSamples", {object});
     const bool has_level = kind_ != ObjectKind::kBuffer && !InfoOf(kind_).is_multisampled;
     if (!has_level) return Called("textureSize", {object});
-    return Called("textureSize", {object, IntIndex(code_, arguments_[1])});
+    return Called("textureSize", {object, IntIndex(code_, At(OperandKind::kLevel))});
   }
 
   // The call imageAtomicAdd(image, place, value) or atomicAdd(buffer[place], value).
   Text Atomic(std::string_view what) {
     const bool is_image = IsImage(kind_);
     if (is_image) code_.Require(Feature::kImageAtomics);
-    std::string text = is_image ? Concat("imageAtomic", what, "(", ObjectName(code_, arguments_[0]),
-                                         ", ", ArgumentAt(1))
-                                : Concat("atomic", what, "(", BufferWord(code_, node_));
-    for (const ExprId value : arguments_.last(ValuesOf(node_.op)))
-      Append(text, ", ", Argument(code_, value));
+    std::string text = is_image
+                           ? Concat("imageAtomic", what, "(", Object(), More(OperandKind::kPlace))
+                           : Concat("atomic", what, "(", BufferWord(code_, node_));
+    Add(text, OperandKind::kComparand);
+    Add(text, OperandKind::kValue);
     return {text + ")"};
   }
 
   // An image is written four components at a time; those that its format lacks are dropped.
   Text ImageStore() {
-    const std::string image = ObjectName(code_, arguments_[0]);
-    std::string value = ArgumentAt(2);
-    const Shape shape = code_.ShapeAt(arguments_[2]);
+    const std::string image = Object();
+    std::string value = ArgumentAt(OperandKind::kValue);
+    const Shape shape = code_.ShapeAt(At(OperandKind::kValue));
     if (shape.size < 4) {
       const std::string zero = LiteralText(0, shape.scalar, code_.target).text;
       for (int i = shape.size; i < 4; ++i) Append(value, ", ", zero);
       value = Called(TypeName(code_, ShapeOf(shape.scalar, 1, 4)), {value}).text;
     }
-    return Called("imageStore", {image, ArgumentAt(1), value});
+    return Called("imageStore", {image, ArgumentAt(OperandKind::kPlace), value});
   }
 
   // Requires the extension for calls without a sampler: Vulkan's textures have none of their own.
@@ -349,7 +378,7 @@ class ObjectCaller {
   Code& code_;
   TypeId type_;
   const ObjectCall& node_;
-  std::span<const ExprId> arguments_;
+  ExprId path_;  // to the object
   VarId object_;
   ObjectKind kind_;
 };

@@ -246,9 +246,11 @@ std::vector<TextureUse> FindTextureUses(WriterContext& context) {
     ForEachExpr(context.program, context[function].body, [&](ExprId id) {
       const auto* call = context.As<ObjectCall>(id);
       if (!call) return;
-      const auto arguments = context[call->arguments];
-      TextureUse use{RootOf(context.program, arguments[0]), {}, {}};
-      if (TakesSampler(call->op)) use.sampler = RootOf(context.program, arguments[1]);
+      const auto root = [&](OperandKind kind) {
+        const ExprId path = context.Operand(*call, kind);
+        return path ? RootOf(context.program, path) : VarId{};
+      };
+      TextureUse use{root(OperandKind::kObject), root(OperandKind::kSampler), {}};
       const ObjectKind kind = ObjectTypeOf(context, use.texture).object;
       if (!IsStorageBuffer(kind) && !IsImage(kind)) uses.push_back(std::move(use));
     });

@@ -215,19 +215,31 @@ void WriteFunction(Code& code, FunctionId id, std::string_view name) {
   code.namer.CloseScope();
 }
 
+// Whether `main` chooses a component of the color by an index that is not constant. OpenGL ES lets
+// it, but glslang and ANGLE's ParseContext.cpp refuse such an index of an output of a fragment
+// shader, and with ANGLE the browsers.
+bool IsIndexed(const Code& code, VarId color) {
+  return code.target.IsEs() && AnyExpr(code.program, code[code.program.main].body, [&](ExprId of) {
+           const auto* index = code.As<Index>(of);
+           return index && !code.As<Literal>(index->index) && RootOf(code.program, of) == color;
+         });
+}
+
 void WriteMain(Code& code, std::span<const LateGlobal> late) {
   code.namer.OpenScope();
   code.Line("void main() {");
   ++code.indent;
   for (const auto& [name, value] : late) code.Line(name, " = ", value, ";");
   // Outputs that are uint in HLSL and int in GLSL get a variable of their own first, which is
-  // converted at the end. So does gl_FragData, which OpenGL ES keeps in less than 32 bits.
+  // converted at the end. So does gl_FragData, which OpenGL ES keeps in less than 32 bits, and a
+  // color that an index chooses a component of.
   std::vector<std::pair<std::string, std::string>> last;
   for (const IoVar& output : code.program.outputs) {
     const bool is_int = IsIntOutput(output.builtin);
-    const bool is_data = output.builtin == Builtin::kNone && !code.Has(Feature::kInAndOut) &&
-                         !InfoOf(code.program.stage).has_stage_after;
-    if (!is_int && !is_data) continue;
+    const bool is_color =
+        output.builtin == Builtin::kNone && !InfoOf(code.program.stage).has_stage_after;
+    const bool is_kept = is_color && (!code.Has(Feature::kInAndOut) || IsIndexed(code, output.var));
+    if (!is_int && !is_kept) continue;
     const std::string name = code.NameOf(output.var);
     const std::string& local = code.names.vars[output.var.index] = code.namer.Local(
         is_int ? code[output.var].name : Concat("SV_Target", std::to_string(output.location)));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# `clang_slice`, `glslang_slice` and `glslang_spirv`, compiled from Debian's sources; cmake/cross/libraries.cmake includes this file.
+# `clang_slice`, `glslang_slice`, `glslang_spirv` and `spirv_listing`, compiled from Debian's sources; cmake/cross/libraries.cmake includes this file.
 if(NOT EXISTS ${LLVM_SOURCE}/clang/lib/Lex/Lexer.cpp OR NOT EXISTS ${GLSLANG_SOURCE}/SPIRV/GlslangToSpv.cpp)
   message(FATAL_ERROR "no sources of LLVM and glslang in ${CLIPC_SOURCES}; cmake/cross/fetch_sources.sh puts them there")
 endif()
@@ -65,8 +65,7 @@ add_library(glslang_slice STATIC ${machine}
   ${GLSLANG_SOURCE}/OGLCompilersDLL/InitializeDll.cpp ${GLSLANG_SOURCE}/StandAlone/ResourceLimits.cpp
   ${glslang_system})
 add_library(glslang_spirv STATIC ${GLSLANG_SOURCE}/SPIRV/GlslangToSpv.cpp ${GLSLANG_SOURCE}/SPIRV/InReadableOrder.cpp
-  ${GLSLANG_SOURCE}/SPIRV/Logger.cpp ${GLSLANG_SOURCE}/SPIRV/SpvBuilder.cpp ${GLSLANG_SOURCE}/SPIRV/SpvPostProcess.cpp
-  ${GLSLANG_SOURCE}/SPIRV/disassemble.cpp ${GLSLANG_SOURCE}/SPIRV/doc.cpp)
+  ${GLSLANG_SOURCE}/SPIRV/Logger.cpp ${GLSLANG_SOURCE}/SPIRV/SpvBuilder.cpp ${GLSLANG_SOURCE}/SPIRV/SpvPostProcess.cpp)
 target_link_libraries(glslang_spirv PUBLIC glslang_slice)
 foreach(library glslang_slice glslang_spirv)
   set_target_properties(${library} PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
@@ -74,3 +73,48 @@ foreach(library glslang_slice glslang_spirv)
   target_include_directories(${library} PRIVATE ${GLSLANG_SOURCE} ${GLSLANG_SOURCE}/StandAlone)
   target_compile_definitions(${library} PRIVATE ENABLE_OPT=0)
 endforeach()
+
+# ---- SPIRV-Tools' listing, whose tables are made of the grammar that Debian's spirv-headers has
+
+set(spirv_tables ${CMAKE_BINARY_DIR}/spirv_tables)
+set(grammars /usr/include/spirv/unified1)
+file(MAKE_DIRECTORY ${spirv_tables})
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+function(spirv_table script)
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${SPIRV_TOOLS_SOURCE}/utils/${script} ${ARGN}
+    WORKING_DIRECTORY ${spirv_tables} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+spirv_table(generate_grammar_tables.py --output-language=c++
+  --spirv-core-grammar=${grammars}/spirv.core.grammar.json
+  --extinst-debuginfo-grammar=${grammars}/extinst.debuginfo.grammar.json
+  --extinst-cldebuginfo100-grammar=${grammars}/extinst.opencl.debuginfo.100.grammar.json
+  --core-insts-output=core.insts-unified1.inc --operand-kinds-output=operand.kinds-unified1.inc
+  --extension-enum-output=extension_enum.inc --enum-string-mapping-output=enum_string_mapping.inc)
+spirv_table(generate_grammar_tables.py --output-language=c++
+  --extinst-glsl-grammar=${grammars}/extinst.glsl.std.450.grammar.json --glsl-insts-output=glsl.std.450.insts.inc)
+spirv_table(generate_grammar_tables.py
+  --extinst-opencl-grammar=${grammars}/extinst.opencl.std.100.grammar.json --opencl-insts-output=opencl.std.insts.inc)
+foreach(row "spv-amd-shader-explicit-vertex-parameter," "spv-amd-shader-trinary-minmax," "spv-amd-gcn-shader,"
+            "spv-amd-shader-ballot," "debuginfo," "nonsemantic.clspvreflection," "opencl.debuginfo.100,CLDEBUG100_"
+            "nonsemantic.shader.debuginfo.100,SHDEBUG100_")
+  string(REGEX MATCH "(.*),(.*)" row ${row})
+  spirv_table(generate_grammar_tables.py --extinst-vendor-grammar=${grammars}/extinst.${CMAKE_MATCH_1}.grammar.json
+    --vendor-insts-output=${CMAKE_MATCH_1}.insts.inc --vendor-operand-kind-prefix=${CMAKE_MATCH_2})
+endforeach()
+spirv_table(generate_registry_tables.py --xml=${grammars}/../spir-v.xml --generator-output=generators.inc)
+foreach(row DebugInfo,debuginfo OpenCLDebugInfo100,opencl.debuginfo.100
+            NonSemanticShaderDebugInfo100,nonsemantic.shader.debuginfo.100)
+  string(REGEX MATCH "(.*),(.*)" row ${row})
+  spirv_table(generate_language_headers.py --extinst-grammar=${grammars}/extinst.${CMAKE_MATCH_2}.grammar.json
+    --extinst-output-path=${CMAKE_MATCH_1}.h)
+endforeach()
+theirs(spirv_listing ${SPIRV_TOOLS_SOURCE}/source
+  assembly_grammar binary diagnostic disassemble enum_string_mapping ext_inst extensions name_mapper opcode operand
+  parsed_operand print spirv_endian spirv_target_env table text text_handler util/parse_number util/string_utils)
+set_target_properties(spirv_listing PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
+target_compile_options(spirv_listing PRIVATE -fno-exceptions -fno-rtti)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/spirv_headers)
+file(CREATE_LINK /usr/include/spirv ${CMAKE_BINARY_DIR}/spirv_headers/spirv SYMBOLIC)
+target_include_directories(spirv_listing
+  PRIVATE ${SPIRV_TOOLS_SOURCE} ${spirv_tables} ${CMAKE_BINARY_DIR}/spirv_headers
+  PUBLIC ${SPIRV_TOOLS_SOURCE}/include)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Puts the sources of Debian's LLVM 19 and glslang, as far as cmake/cross/libraries.cmake takes them, into a folder.
+# Puts the sources of Debian's LLVM 19, glslang and SPIRV-Tools, as far as cmake/cross/libraries.cmake takes them, into a folder.
 #   cmake/cross/fetch_sources.sh [FOLDER]       build/sources
 # They come by apt from where this machine's packages come from; its own lists of packages are left as they are. Nothing is
 # done when they are there.
@@ -22,7 +22,7 @@ done
 options=(-qq -o "Dir::Etc::SourceList=/dev/null" -o "Dir::Etc::SourceParts=$places/parts" -o "Dir::State::Lists=$places/lists"
   -o "APT::Get::Only-Source=true" -o "APT::Sandbox::User=$(id -un)")
 apt-get "${options[@]}" update
-(cd "$places/download" && apt-get "${options[@]}" source --download-only llvm-toolchain-19 glslang)
+(cd "$places/download" && apt-get "${options[@]}" source --download-only llvm-toolchain-19 glslang spirv-tools)
 
 # unpack ARCHIVE FOLDER PATTERN...
 unpack() {
@@ -36,5 +36,6 @@ unpack "$places"/download/llvm-toolchain-19_*.orig.tar.xz llvm-toolchain-19 '*/l
   '*/llvm/lib/TargetParser/*' '*/clang/lib/Basic/*' '*/clang/lib/Lex/*' '*/clang/lib/Edit/*' '*/clang/lib/Frontend/*' \
   '*/libcxx/src/*' '*/libcxxabi/*' '*/libunwind/*'
 unpack "$places"/download/glslang_*.orig.tar.gz glslang '*/glslang/*' '*/SPIRV/*' '*/StandAlone/*' '*/OGLCompilersDLL/*'
+unpack "$places"/download/spirv-tools_*.orig.tar.gz spirv-tools '*/include/*' '*/source/*' '*/utils/*'
 rm -r "$places"
 touch "$folder/complete"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# For WebAssembly and for Windows: `clang_slice`, `glslang_slice` and `glslang_spirv`, which a native build takes from installed
-# archives, compiled from Debian's sources, and the header-only libraries. What is compiled is kept by ccache, by content.
+# For WebAssembly and for Windows: `clang_slice`, `glslang_slice`, `glslang_spirv` and `spirv_listing`, which a native build takes
+# from installed archives, compiled from Debian's sources, and the header-only libraries. What is compiled is kept by ccache, by content.
 # CLIPC_SOURCES is where cmake/cross/fetch_sources.sh has unpacked the sources. With CLIPC_COMPILE_ONLY, which takes half a minute,
 # nobody needs them: clipc's own sources are compiled with the headers of LLVM and glslang, and no program is linked.
 option(CLIPC_COMPILE_ONLY "compile clipc's own sources, and link nothing" OFF)
@@ -9,13 +9,14 @@ set(LLVM_SOURCE ${CLIPC_SOURCES}/llvm-toolchain-19)
 set(CLIPC_LLVM 19)
 set(CLIPC_LLVM_PREFIX /usr/lib/llvm-19)  # its headers are for any system
 set(GLSLANG_SOURCE ${CLIPC_SOURCES}/glslang)
+set(SPIRV_TOOLS_SOURCE ${CLIPC_SOURCES}/spirv-tools)
 if(NOT CLIPC_WASM)
   find_package(Threads REQUIRED)
 endif()
 
 if(CLIPC_COMPILE_ONLY)
   set(CMAKE_CXX_FLAGS_RELEASE "-O0 -DNDEBUG")
-  foreach(library clang_slice glslang_slice glslang_spirv)
+  foreach(library clang_slice glslang_slice glslang_spirv spirv_listing)
     add_library(${library} INTERFACE)
   endforeach()
   target_include_directories(clang_slice SYSTEM INTERFACE ${CLIPC_LLVM_CONFIG} ${CLIPC_LLVM_PREFIX}/include)
@@ -38,7 +39,7 @@ add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
 if(NOT CLIPC_WASM)
   set(any_system ${CMAKE_BINARY_DIR}/any_system)
   file(MAKE_DIRECTORY ${any_system})
-  foreach(folder fmt nlohmann glslang gtest gmock)
+  foreach(folder fmt nlohmann glslang spirv-tools gtest gmock)
     file(CREATE_LINK /usr/include/${folder} ${any_system}/${folder} SYMBOLIC)
   endforeach()
   foreach(library fmt::fmt-header-only nlohmann_json::nlohmann_json)

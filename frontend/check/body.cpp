@@ -7,8 +7,8 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/emit.h"
+#include "frontend/check/ends.h"
 #include "frontend/check/enum_class.h"
-#include "frontend/check/flow.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/scope.h"
@@ -54,10 +54,7 @@ void CheckBody(Context& context, FunctionInfoId id) {
   const StmtId block = context.At(context[decl.body].span).Stmt(Block{TakeStmts(context, mark)});
   context[info.function].body = block;
   const bool is_whole = context.diagnostics.error_count() == errors_before;
-  if (is_whole && info.return_type != context.types.Void() && FallsThrough(context, block)) {
-    context.Report(decl.name_span, diag::NotAllPathsReturn, context[decl.name],
-                   context.TypeName(info.return_type));
-  }
+  if (is_whole) CheckEnd(context, info.function, decl.name_span);
 }
 
 }  // namespace

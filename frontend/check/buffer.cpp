@@ -39,6 +39,11 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   if (context.IsError(type) || type == context.types.String()) return;
   if (HoldsObjects(context, type)) {
     if (buffer.kind == CbufferKind::kGlobals) return;
+    if (buffer.kind == CbufferKind::kConstantBuffer) {  // a push constant
+      context.Report(symbol.span, diag::PushConstantNotStruct, context[var.name],
+                     context.TypeName(type));
+      return;
+    }
     return ResolveObject(context, id, var, type);
   }
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
@@ -130,13 +135,98 @@ void CheckMixedPlaces(Context& context, const Buffer& buffer) {
     context.Report(without->name_span, diag::PackOffsetMixed, context[without->name]);
 }
 
-// The variables that an expression of the program is, by VarId.
-std::vector<bool> UsedVars(const Context& context) {
-  std::vector<bool> used(context.program.vars.size());
-  for (const ExprId expr : context.program.exprs.ids()) {
-    if (const auto* ref = context.GetIf<VarRef>(expr)) used[ref->var.index] = true;
+// How much of a variable the program uses.
+struct Use {
+  bool is_used = false;
+  std::uint32_t elements = 0;  // of an array: those that are used for certain
+};
+
+// By VarId. A loop that is unrolled may use few elements of an array, so an index that is not a
+// constant counts only where it follows from uniforms and the inputs of the entry function alone.
+std::vector<Use> UsesOf(const Context& context) {
+  const Program& program = context.program;
+  std::vector<Use> uses(program.vars.size());
+  for (const ExprId expr : program.exprs.ids()) {
+    if (const auto* ref = context.GetIf<VarRef>(expr)) uses[ref->var.index].is_used = true;
+    const auto* index = context.GetIf<Index>(expr);
+    const auto* array = index ? context.GetIf<VarRef>(index->base) : nullptr;
+    if (!array || program.types[program.vars[array->var].type].kind != TypeKind::kArray) continue;
+    Use& use = uses[array->var.index];
+    const std::uint32_t count = program.types[program.vars[array->var].type].count;
+    if (const auto bits = ConstantBits(program, index->index)) {
+      const auto least =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>(bits->front(), count - 1));
+      use.elements = std::max(use.elements, least + 1);
+      continue;
+    }
+    const auto& inputs = program.functions[program.entry].parameters;
+    const bool is_unknown = AnyExpr(program, index->index, [&](ExprId part) {
+      const auto* ref = As<VarRef>(program, part);
+      if (!ref) return As<Call>(program, part) != nullptr;
+      return program.vars[ref->var].storage != Storage::kUniform &&
+             std::ranges::find(inputs, ref->var) == inputs.end();
+    });
+    if (!is_unknown) use.elements = count;
   }
-  return used;
+  return uses;
+}
+
+// The bytes from the member's first on that are used for certain: the first of them for what is not
+// an array, whose last columns or fields may be unused.
+std::uint64_t UsedBytes(const Context& context, const Var& var, const Use& use) {
+  const Type& type = context[var.type];
+  if (type.kind != TypeKind::kArray || use.elements == 0) return use.is_used ? 1 : 0;
+  const std::uint64_t step =
+      (PackedExtent(context.types, type.element, var.row_major).size + 15) / 16 * 16;
+  return step * (use.elements - 1) + 1;
+}
+
+// Calls `report(first, second)` for members that have components in common.
+void ForEachOverlap(const Context& context, std::vector<const CbufferMember*> placed,
+                    auto&& report) {
+  std::ranges::stable_sort(placed, {}, &CbufferMember::offset);
+  std::uint64_t end = 0;
+  const CbufferMember* last = nullptr;  // the one that reaches as far as `end`
+  for (const CbufferMember* member : placed) {
+    if (last && member->offset < end) report(*last, *member);
+    const Var& var = context[member->var];
+    const std::uint64_t size = PackedExtent(context.types, var.type, var.row_major).size;
+    if (last && member->offset + size < end) continue;
+    end = member->offset + size;
+    last = member;
+  }
+}
+
+// "c2.y", the place of the byte in the registers.
+std::string PlaceOf(std::uint32_t byte) {
+  return fmt::format("c{}.{}", byte / 16, "xyzw"[byte % 16 / 4]);
+}
+
+// Reports members of a cbuffer or tbuffer whose `packoffset` gives them components in common: fxc
+// does where the buffer is used (vkd3d's cbuffer.shader_test, checked against native), dxc
+// everywhere. In Direct3D 9 both must be used, as with register(c#).
+void CheckOverlaps(Context& context, const Buffer& buffer, const Cbuffer& made) {
+  if (!buffer.decl || !context.GetIf<ast::BufferDecl>(buffer.decl)) return;
+  std::vector<const CbufferMember*> placed;
+  std::size_t i = 0;
+  for (const CbufferMember& member : made.members) {
+    while (VarId{context[buffer.members[i]].value} != member.var) ++i;
+    if (context.Get<ast::VarDecl>(context[buffer.members[i]].decl).packoffset)
+      placed.push_back(&member);
+  }
+  if (placed.size() < 2) return;
+  std::vector<Use> uses;
+  if (context.program.profile.IsDirect3D9()) uses = UsesOf(context);
+  ForEachOverlap(context, placed, [&](const CbufferMember& first, const CbufferMember& second) {
+    if (!uses.empty() && !(uses[first.var.index].is_used && uses[second.var.index].is_used)) return;
+    const Var &one = context[first.var], &other = context[second.var];
+    const std::uint32_t last =
+        first.offset + PackedExtent(context.types, one.type, one.row_major).size - 4;
+    context
+        .Report(other.span, diag::PackOffsetOverlap, other.name, PlaceOf(second.offset), one.name,
+                fmt::format("{} to {}", PlaceOf(first.offset), PlaceOf(last)))
+        .Note(one.span, diag::DeclaredHere, one.name);
+  });
 }
 
 // Reports members of $Globals with registers in common. fxc does so from 4.0 on where one of them
@@ -149,29 +239,20 @@ void CheckCommonRegisters(Context& context, const Cbuffer& globals) {
   std::vector<const CbufferMember*> placed;
   for (const CbufferMember& member : globals.members)
     if (member.has_packoffset) placed.push_back(&member);
-  std::ranges::stable_sort(placed, {}, &CbufferMember::offset);
-  std::vector<bool> used;
-  std::uint64_t end = 0;
-  const CbufferMember* last = nullptr;  // the one that reaches as far as `end`
-  for (const CbufferMember* member : placed) {
-    const Var& var = context[member->var];
-    if (last && member->offset < end &&
-        (!profile.IsDirect3D9() || member->offset == last->offset)) {
-      if (used.empty()) used = UsedVars(context);
-      const int count = used[last->var.index] + used[member->var.index];
-      if (count > (profile.IsDirect3D9() ? 1 : 0)) {
-        const Var& other = context[last->var];
-        context
-            .Report(var.span, diag::RegisterTwice, other.name, var.name,
-                    fmt::format("c{}", member->offset / 16))
-            .Note(other.span, diag::DeclaredHere, other.name);
-      }
+  std::vector<Use> uses;
+  ForEachOverlap(context, placed, [&](const CbufferMember& first, const CbufferMember& second) {
+    if (uses.empty()) uses = UsesOf(context);
+    const Var &one = context[first.var], &other = context[second.var];
+    const Use &use = uses[first.var.index], &other_use = uses[second.var.index];
+    const std::uint64_t used = first.offset + UsedBytes(context, one, use);
+    if (profile.IsDirect3D9() ? other_use.is_used && second.offset < used
+                              : use.is_used || other_use.is_used) {
+      context
+          .Report(other.span, diag::RegisterTwice, one.name, other.name,
+                  fmt::format("c{}", second.offset / 16))
+          .Note(one.span, diag::DeclaredHere, one.name);
     }
-    const std::uint64_t size = PackedExtent(context.types, var.type, var.row_major).size;
-    if (last && member->offset + size < end) continue;
-    end = member->offset + size;
-    last = member;
-  }
+  });
 }
 
 void FinishBuffer(Context& context, const Buffer& buffer) {
@@ -220,9 +301,15 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
       result.count = RegisterCount(context.types, context[var].type);
       member.has_packoffset = false;
     }
+    // GLSL's uniform block has no array without a size in it.
+    const Type& type = context[context[var].type];
+    if (buffer.kind == CbufferKind::kTbuffer && type.kind == TypeKind::kArray && type.count == 0)
+      context.Report(context[var].span, diag::Unsupported,
+                     "a `TextureBuffer` array without a size");
     result.members.push_back(std::move(member));
   }
   CheckMixedPlaces(context, buffer);
+  CheckOverlaps(context, buffer, result);
   if (buffer.kind == CbufferKind::kGlobals) CheckCommonRegisters(context, result);
   context.program.cbuffers.Add(std::move(result));
 }

@@ -339,8 +339,15 @@ ExprId FinishCall(Context& context, ExprId call, ExprSpan before, ExprSpan after
 ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span) {
   const ast::Expr& callee = context[expr.callee];
   if (const auto* type = std::get_if<ast::TypeExpr>(&callee.node)) {
-    const ExprId value =
-        CheckConstructor(context, ResolveType(context, type->type), expr.arguments, span);
+    const TypeId made = ResolveType(context, type->type);
+    // GLSL's texture(map, uv) and texture2D(map, uv): in HLSL the words are types.
+    const std::string_view word = context[context[type->type].name.name];
+    if (context[made].kind == TypeKind::kObject && word.starts_with("texture")) {
+      return context.Fail(callee.span, diag::UnknownFunction, word,
+                          "; in HLSL it is `map.Sample(sampler, uv)`, for Direct3D 9 "
+                          "`tex2D(sampler, uv)`");
+    }
+    const ExprId value = CheckConstructor(context, made, expr.arguments, span);
     NoteCastTo(context, value, type->type);
     return value;
   }

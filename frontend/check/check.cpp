@@ -8,25 +8,16 @@
 #include "frontend/check/clip_planes.h"
 #include "frontend/check/declare.h"
 #include "frontend/check/describe_entry.h"
+#include "frontend/check/ends.h"
 #include "frontend/check/entry.h"
 #include "frontend/check/entry_point.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
+#include "frontend/check/static_local.h"
 #include "frontend/rules/build_main.h"
-#include "frontend/rules/check_gradients.h"
-#include "frontend/rules/check_level9.h"
-#include "frontend/rules/check_written.h"
-#include "frontend/rules/compare_samplers.h"
-#include "frontend/rules/counters.h"
-#include "frontend/rules/fold_arguments.h"
-#include "frontend/rules/known_offsets.h"
-#include "frontend/rules/mark_nonuniform.h"
-#include "frontend/rules/push_constants.h"
-#include "frontend/rules/registers.h"
-#include "frontend/rules/resolve_objects.h"
-#include "frontend/rules/settle_samplers.h"
+#include "frontend/rules/resolve.h"
 #include "ir/packing.h"
 
 namespace clipc {
@@ -50,12 +41,13 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
     LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckUniformCalls(context);
+  JudgeEnds(context);
   if (InfoOf(program.stage).draws_pixels)
     program.tests_early = HasAttribute(context, attributes, "earlydepthstencil");
   CheckClipPlanes(context, entry, attributes);
 }
 
-void Run(Context& context) {
+void Run(Context& context, const ir::PassOptions& passes) {
   DeclareAll(context, context.file.top_level, context.names.global());
   const FunctionInfoId entry = FindEntry(context);
   if (!entry || context[entry].is_broken) return;
@@ -63,26 +55,15 @@ void Run(Context& context) {
   const AttributeLists attributes = AttributesOf(context, entry);
   CheckEntry(context, entry, attributes, EntryBodies::kCheck);
   CheckUnusedClipPlanes(context, attributes);
+  if (!context.diagnostics.has_errors()) SettleStaticLocals(context);
   FinishGlobals(context);
-  // Before FoldArguments, since a parameter that only a removed branch would write is written, for
-  // fxc too, and before KnowOffsets, since what one iteration of a loop writes the next may read.
-  if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
-  const bool is_specialised = !context.options.entry_call.empty();
-  if (is_specialised && !context.diagnostics.has_errors()) FoldArguments(program);
-  if (!context.diagnostics.has_errors()) FoldObjectChoices(program);
-  if (!context.diagnostics.has_errors())
-    ResolveObjects(program, context.globals.struct_registers, context.diagnostics);
-  if (!context.diagnostics.has_errors()) SettleSamplers(program, context.diagnostics);
-  if (!context.diagnostics.has_errors())
-    CompareSamplers(program, context.options.shadow_samplers, context.diagnostics);
-  if (!context.diagnostics.has_errors()) MakeCounters(program, context.diagnostics);
-  if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
-  if (!context.diagnostics.has_errors()) MarkNonUniform(program);
-  CheckPushConstants(program, context.diagnostics);
-  AssignRegisters(program, RegistersOfUnused(context), context.diagnostics);
-  if (!context.diagnostics.has_errors())
-    CheckLevel9(program, context.options.has_preshader, context.diagnostics);
-  if (!context.diagnostics.has_errors()) CheckGradients(program, context.diagnostics);
+  rules::Resolve(program,
+                 {.is_specialised = !context.options.entry_call.empty(),
+                  .has_preshader = context.options.has_preshader,
+                  .shadow_samplers = context.options.shadow_samplers,
+                  .struct_registers = context.globals.struct_registers,
+                  .registers_of_unused = [&] { return RegistersOfUnused(context); }},
+                 passes, context.diagnostics);
 }
 
 }  // namespace
@@ -95,6 +76,7 @@ CheckOptions CheckOptions::For(ir::Profile profile, LanguageVersion language) {
   options.has_templates = !has_versions || language >= LanguageVersion::k2021;
   options.has_enums = !has_versions || language >= LanguageVersion::k2017;
   options.casts_structs = has_versions && language >= LanguageVersion::k2021;
+  options.scopes_loops = has_versions && language >= LanguageVersion::k2021;
   options.short_circuits = has_versions && language >= LanguageVersion::k2021;
   options.stores_any_type = has_versions && language >= LanguageVersion::k2018;
   options.profile = std::move(profile);
@@ -115,9 +97,10 @@ EntryPoint CheckEntryPoint(const ast::File& file, const CheckOptions& options, E
   return described;
 }
 
-ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics) {
+ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics,
+                  const ir::PassOptions& passes) {
   check::Context context(file, options, diagnostics);
-  check::Run(context);
+  check::Run(context, passes);
   return std::move(context.program);
 }
 

@@ -11,6 +11,7 @@
 #include "frontend/rules/semantics.h"
 #include "ir/profile.h"
 #include "ir/program.h"
+#include "ir/run_passes.h"
 
 namespace clipc {
 
@@ -46,10 +47,11 @@ struct CheckOptions {
   // dxc.
   bool byte_matrices_by_row = false;
   // What the versions of the language differ in: whether there are templates (from 2021 on) and
-  // enums (from 2017 on), and whether a struct becomes another only by a cast (from 2021 on).
+  // enums (from 2017 on), whether a struct becomes another only by a cast, and whether a variable
+  // of a loop's head ends with the loop, as in C++ (both from 2021 on).
   LanguageVersion language = LanguageVersion::k2021;
   bool has_templates = true, has_enums = true;
-  bool casts_structs = false;
+  bool casts_structs = false, scopes_loops = false;
   // The names of the samplers of a pixel shader that Direct3D 9's driver compares:
   // rules::CompareSamplers.
   std::vector<std::string> shadow_samplers;
@@ -58,10 +60,12 @@ struct CheckOptions {
 };
 
 // Resolves the names, types and overloads of everything that the entry point reaches. Returns the
-// program that the shader means, in Form::kTyped. Every error about the shader is reported here,
+// program that the shader means, in Form::kResolved. Every error about the shader is reported here,
 // except errors of the syntax, which the parser reports. The program is meaningful only when
 // `diagnostics` has no errors afterwards. Bodies of functions that the entry point does not reach
 // are not looked at, so the same file may hold pixel shaders and other stages.
-ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics);
+// `passes` sees the passes of rules::Resolve, and may end them.
+ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics,
+                  const ir::PassOptions& passes = {});
 
 }  // namespace clipc

@@ -17,6 +17,7 @@ Context::Context(const ast::File& file, const CheckOptions& options, Diagnostics
   program.profile = options.profile;
   // After the error about another stage's profile, the rules of a vertex shader find more errors.
   program.stage = options.profile.stage.value_or(Stage::kVertex);
+  program.form = Form::kTyped;
   program.is_interface_only = options.is_interface_only;
   program.keeps_third_coordinate = !options.shadow_samplers.empty();
   view.scope = names.global();

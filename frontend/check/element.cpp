@@ -59,13 +59,13 @@ ExprId ValueOf(Context& context, const Piece& piece, ExprId value) {
 // The store object[place] = value, of a part of the element if there are steps to it.
 ExprId Store(Context& context, ExprId element, ExprSpan steps, ExprId value, Span span) {
   const auto load = context.Get<ObjectCall>(element);
-  Exprs arguments;
-  for (const ExprId argument : context[load.arguments])
-    arguments.push_back(Clone(context.program, argument));
-  for (const ExprId step : steps) arguments.push_back(Clone(context.program, step));
-  arguments.push_back(value);
-  const auto list = context.program.expr_lists.Add(std::span<const ExprId>(arguments));
-  return context.At(span).Add(context.types.Void(), ObjectCall{ObjectOp::kStore, list});
+  std::vector<NamedOperand> operands;
+  for (const OperandKind kind : {OperandKind::kObject, OperandKind::kPlace})
+    operands.push_back({kind, Clone(context.program, OperandOf(context.program, load, kind))});
+  for (const ExprId step : steps)
+    operands.push_back({OperandKind::kStep, Clone(context.program, step)});
+  operands.push_back({OperandKind::kValue, value});
+  return context.At(span).ObjectCallOf(ObjectOp::kStore, context.types.Void(), operands);
 }
 
 // The stores of `value` to `target`, a part of `element`. Empty if no steps lead to it.
@@ -112,10 +112,9 @@ ExprId ElementIn(const Context& context, ExprId expr) {
   while (const ExprId whole = WholeOf(context.program, expr)) expr = whole;
   const auto* call = context.GetIf<ObjectCall>(expr);
   if (!call) return {};
-  const bool is_element = call->op == ObjectOp::kBufferLoad ||
-                          call->op == ObjectOp::kStructuredLoad || call->op == ObjectOp::kImageLoad;
-  const ExprId object = context[call->arguments][0];
-  return is_element && IsWritable(context.TypeOf(object).object) ? expr : ExprId{};
+  const ExprId object = OperandOf(context.program, *call, OperandKind::kObject);
+  const bool is_element = LoadsElement(call->op) && IsWritable(context.TypeOf(object).object);
+  return is_element ? expr : ExprId{};
 }
 
 void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, Exprs& prologue) {
@@ -126,9 +125,9 @@ void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, 
   };
   if (path == element) {
     const auto load = context.Get<ObjectCall>(element);
-    const ExprId object = context[load.arguments][0];
-    const ExprId place = fixed(context[load.arguments][1]);
-    context[element].node = ObjectCall{load.op, context.program.expr_lists.Add({object, place})};
+    const List<ExprId> place = OperandsOf(load, OperandKind::kPlace);
+    const ExprId index = fixed(context[place][0]);
+    context.program.expr_lists[place][0] = index;
     return;
   }
   FixIndices(context, WholeOf(context.program, path), element, may_change, prologue);

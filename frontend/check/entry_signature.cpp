@@ -98,6 +98,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   const FunctionInfo& info = context[entry];
   const ast::FunctionDecl& decl = DeclOf(context, info);
   EntrySignature signature;
+  signature.has_later_stage = context.file.has_later_stage;
   const std::span<const ast::ExprId> arguments = context[context.file.entry_arguments];
   std::size_t uniforms = 0;
   for (const Parameter& parameter :

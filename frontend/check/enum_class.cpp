@@ -72,7 +72,13 @@ void NoteValue(Context& context, ExprId value, SymbolId symbol) {
 }
 
 void NoteEnumerator(Context& context, ExprId value, SymbolId enumeration) {
-  Note(context, value, ClassOf(context, enumeration) ? Known(enumeration) : std::nullopt);
+  const ast::EnumDecl* decl = ClassOf(context, enumeration);
+  if (!decl) return Note(context, value, std::nullopt);
+  // Up to the closing brace an enumerator has the underlying type (C++ 7.2, dcl.enum).
+  const auto known = context.structs.enum_values.find(enumeration.index);
+  const bool is_open =
+      known != context.structs.enum_values.end() && known->second.size() < decl->enumerators.size;
+  Note(context, value, is_open ? SymbolId{} : enumeration);
 }
 
 void NoteCastTo(Context& context, ExprId value, ast::TypeId type) {

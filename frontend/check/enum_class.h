@@ -12,7 +12,7 @@ namespace clipc::check {
 void NoteType(Context& context, SymbolId symbol, const ast::VarDecl& var);
 // Notes that the value is that of the symbol, which has a type.
 void NoteValue(Context& context, ExprId value, SymbolId symbol);
-// Notes that the value is of the enum, if that is a class.
+// Notes that the value is of the enum, if that is a class; between its braces it is a number.
 void NoteEnumerator(Context& context, ExprId value, SymbolId enumeration);
 // Notes that the value is what a cast to the type makes.
 void NoteCastTo(Context& context, ExprId value, ast::TypeId type);

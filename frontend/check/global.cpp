@@ -25,8 +25,13 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   const ViewSwitch in(context, ViewOf(context, id));
   if (IsBuffer(context, var)) return ResolveBuffer(context, id, var);
   if ((var.qualifiers & (ast::kStatic | ast::kGroupShared)) ||
-      HasConstantId(context, var.attributes))
+      HasConstantId(context, var.attributes)) {
+    // Files share such memory between their compute shaders and others, which do not use it.
+    if (var.qualifiers & ast::kGroupShared)
+      context.Report(context[id].span, diag::GroupShared, context[var.name],
+                     InfoOf(context.program.stage).name);
     return ResolveStatic(context, id, var);
+  }
   const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
   if (type == context.types.String()) {
@@ -140,6 +145,18 @@ const ast::RegisterBinding* OfAnyProfile(Context& context, std::string_view name
   return taken;
 }
 
+// Reports an object that the profile does not have.
+void CheckObjectModel(Context& context, TypeId type, Span span) {
+  const Program& program = context.program;
+  const int model = InfoOf(context[type].object).model;
+  if (context[type].kind != TypeKind::kObject || program.is_interface_only ||
+      program.profile.HasModel(model))
+    return;
+  context.Report(span, diag::TypeProfile, context.TypeName(type),
+                 fmt::format("{}_{}_{}", InfoOf(program.stage).prefix, model / 10, model % 10),
+                 program.profile.name);
+}
+
 }  // namespace
 
 bool ResolveVar(Context& context, SymbolId id) {
@@ -190,6 +207,10 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
     }
     return;
   }
+  AddStatic(context, id, var, type, init);
+}
+
+VarId AddStatic(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type, ExprId init) {
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
   const bool is_const = (qualifiers & ast::kConst) != 0;
   const auto constant_id = ConstantIdOf(context, var.attributes);
@@ -207,6 +228,7 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   if (is_const || constant_id) MarkConst(context, result);
   context[id].value = result.index;
   context.globals.reached.push_back({OrderOf(context, id), result});
+  return result;
 }
 
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
@@ -218,6 +240,7 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   context[id].value = result.index;
   context.globals.resources.push_back({OrderOf(context, id), result});
   const TypeId element = context.types.Innermost(type);
+  CheckObjectModel(context, element, context[id].span);
   const char letter = RegisterLetter(context[element].object);
   context.globals.registers.emplace(
       result.index, RegisterOf(context, context[var.name], var.registers, var.attributes, letter));

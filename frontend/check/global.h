@@ -17,6 +17,8 @@ VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span spa
 // local, the place of the current view.
 std::uint32_t OrderOf(const Context& context, SymbolId id);
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var);
+// Adds the static variable of a numeric type, a struct or an array, with its initial value or none.
+VarId AddStatic(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type, ExprId init);
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type);
 // The register of the resource or buffer `name`: the register of the binding that counts, if there
 // is one, and [[vk::binding]] among the attributes.

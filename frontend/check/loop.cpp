@@ -64,6 +64,11 @@ void CheckNode(Context& context, const ast::ForStmt& stmt, Span span) {
     loop.body = CheckLoopBody(context, stmt.body);
   }
   Emit(context, span, loop);
+  if (context.options.scopes_loops) {
+    std::vector<SymbolId>& ended = context.view.body->ended;
+    ended.insert(ended.end(), variables.begin(), variables.end());
+    return;
+  }
   // In fxc the variables are visible after the loop (it warns of conflicts with X3078).
   for (SymbolId id : variables) {
     const Symbol variable = context[id];

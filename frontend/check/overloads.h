@@ -71,6 +71,12 @@ struct Overloads {
     Span span;
   };
   std::vector<UniformCall> uniform_calls;
+  // The functions that may reach their ends without a `return`, which JudgeEnds judges.
+  struct OpenEnd {
+    FunctionId function;
+    Span name;
+  };
+  std::vector<OpenEnd> open_ends;
 };
 
 }  // namespace clipc::check

@@ -4,6 +4,7 @@
 #include "frontend/check/buffer.h"
 #include "frontend/check/global.h"
 #include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
 #include "frontend/parse/keywords.h"
 
 namespace clipc::check {
@@ -27,9 +28,7 @@ void Add(Context& context, List<ast::RegisterBinding> bindings, char letter, std
   list.push_back({{letter, number, binding->space, true}, count});
 }
 
-void AddObject(Context& context, SymbolId id, const ast::VarDecl& var,
-               std::vector<ReservedRegisters>& list) {
-  const ViewSwitch in(context, ViewOf(context, id));
+void AddObject(Context& context, const ast::VarDecl& var, std::vector<ReservedRegisters>& list) {
   const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type) || !HoldsObjects(context, type)) return;
   const ObjectKind kind = context[context.types.Innermost(type)].object;
@@ -50,9 +49,15 @@ std::vector<ReservedRegisters> RegistersOfUnused(Context& context) {
   for (const SymbolId id : context.names.symbol_ids()) {
     if (!IsUnusedGlobal(context, context[id])) continue;
     const auto* var = context.GetIf<ast::VarDecl>(context[id].decl);
-    if (var && !var->registers.empty() && !(var->qualifiers & (ast::kStatic | ast::kGroupShared)) &&
-        IsWrittenObject(context, context[var->type]))
-      AddObject(context, id, *var, list);
+    if (!var) continue;
+    const ast::Type& type = context[var->type];
+    const bool has_register =
+        !var->registers.empty() && !(var->qualifiers & (ast::kStatic | ast::kGroupShared));
+    const bool may_misfit = MayMisfit(context, type);
+    if (!has_register && !may_misfit) continue;
+    const ViewSwitch in(context, ViewOf(context, id));
+    if (may_misfit && !CheckTypeArgument(context, type)) continue;
+    if (has_register && IsWrittenObject(context, type)) AddObject(context, *var, list);
   }
   for (const BufferId id : context.globals.buffers.ids()) {
     const Buffer& buffer = context[id];

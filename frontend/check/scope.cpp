@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/scope.h"
 
+#include <algorithm>
+
 #include "base/spelling.h"
 #include "frontend/check/glsl_names.h"
 #include "frontend/check/struct.h"
@@ -31,6 +33,15 @@ SymbolId FindLater(const Context& context, Name name) {
     if (const SymbolId id = context.names.NewestIn(scope, name)) return id;
   }
   return {};
+}
+
+// The variable of that name of a loop before; none if there is none.
+SymbolId FindEnded(const Context& context, const ast::QualifiedName& name) {
+  if (!context.view.body || !name.scopes.empty()) return {};
+  const std::vector<SymbolId>& ended = context.view.body->ended;
+  const auto found = std::ranges::find(ended.rbegin(), ended.rend(), name.name,
+                                       [&](SymbolId id) { return context[id].name; });
+  return found == ended.rend() ? SymbolId{} : *found;
 }
 
 // The names that can be seen from here and are spelt nearly like `name`: "`a`, `b`".
@@ -98,11 +109,12 @@ void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& nam
     return;
   }
   const SymbolId later = name.scopes.empty() ? FindLater(context, name.name) : SymbolId{};
+  const SymbolId ended = later ? SymbolId{} : FindEnded(context, name);
   const std::string_view hlsl = later || !name.scopes.empty() ? "" : HlslNameOf(context[name.name]);
   const bool is_glsl = context[name.name].starts_with("gl_");
-  const std::string near = later || is_glsl ? ""
-                           : !hlsl.empty()  ? fmt::format("`{}`", hlsl)
-                                            : NearText(context, name.name, use);
+  const std::string near = later || ended || is_glsl ? ""
+                           : !hlsl.empty()           ? fmt::format("`{}`", hlsl)
+                                                     : NearText(context, name.name, use);
   const std::string tail = later           ? "; a name must be declared before its use"
                            : !hlsl.empty() ? fmt::format("; in HLSL it is `{}`", hlsl)
                            : !near.empty() ? fmt::format("; did you mean {}?", near)
@@ -112,6 +124,7 @@ void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& nam
                        : use == NameUse::kFunction
                            ? context.Report(span, diag::UnknownFunction, text, tail)
                            : context.Report(span, diag::UndeclaredName, text, tail);
+  if (ended) report.Note(context[ended].span, diag::LoopVariableEnded, context[name.name]);
   if (later) report.Note(context[later].span, diag::DeclaredHere, context[name.name]);
   const bool is_one = !near.empty() && near.find(',') == std::string::npos && name.scopes.empty();
   if (is_one) report.Fix(span, near.substr(1, near.size() - 2));

@@ -13,6 +13,7 @@
 #include "frontend/check/init.h"
 #include "frontend/check/loop.h"
 #include "frontend/check/scope.h"
+#include "frontend/check/static_local.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/switch.h"
 #include "frontend/check/type.h"
@@ -28,16 +29,6 @@ std::string_view JumpOf(const Context& context, ast::StmtId stmt) {
   if (context.Is<ast::ReturnStmt>(stmt)) return "return";
   if (context.Is<ast::BreakStmt>(stmt)) return "break";
   return context.Is<ast::ContinueStmt>(stmt) ? "continue" : "";
-}
-
-// Checks a static variable of a function, which only this function can name.
-void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
-  const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
-  context[symbol].resolution = Resolution::kDone;
-  View view = context.view;
-  view.body = nullptr;
-  const ViewSwitch in(context, view);
-  ResolveStatic(context, symbol, var);
 }
 
 void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {

@@ -9,6 +9,7 @@
 #include "frontend/check/enum.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
 #include "frontend/check/vulkan.h"
 #include "ir/packing.h"
 
@@ -104,6 +105,7 @@ void MeasureStruct(Context& context, TypeId type, Span span) {
     info.components += ComponentsOf(context, field.type);
     info.fields_of_all += FieldsOf(context, field.type) + 1;
     info.holds_bits |= HoldsBits(context, field.type);
+    info.holds_objects |= IsOrHoldsObject(context, field.type);
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
   for (const BitField& bits : info.bits) info.components += bits.name && bits.first != 0 ? 1 : 0;

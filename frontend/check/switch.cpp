@@ -53,7 +53,7 @@ ExprId NumberOfLabel(Context& context, ExprId value, const std::vector<std::int6
 // every profile.
 bool RunsOn(const Context& context, List<StmtId> body) {
   return body.size != 0 && std::ranges::all_of(context[body], [&](StmtId stmt) {
-           return FallsThrough(context, stmt);
+           return ExitsOf(context.program, stmt).falls;
          });
 }
 

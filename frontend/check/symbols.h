@@ -115,6 +115,7 @@ struct StructInfo {
   std::vector<Name> fields;         // in the order of ir::Struct::fields
   std::vector<BitField> bits;       // in the order of the text
   bool holds_bits = false;          // whether it or a struct in it has bit-fields
+  bool holds_objects = false;       // whether it or a struct in it has textures and the like
   std::uint64_t components = 0;     // the number in a value of this type; a bit-field is one
   std::uint64_t fields_of_all = 0;  // the number of fields, those of the fields' structs included
   int depth = 1;                    // the levels of structs and arrays in it

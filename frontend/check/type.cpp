@@ -64,15 +64,19 @@ ast::Qualifiers WithAliases(Context& context, ast::Qualifiers qualifiers, ast::T
   return NamesPatch(context, of) ? qualifiers | ast::kConst : qualifiers;
 }
 
-// The type, or the error type where the profile has no integers of 64 bits (fxc X3653), which is
-// reported.
+// The type, or the error type where the profile has no integers of 64 bits or no doubles, which is
+// reported (fxc X3653, "vs_4_0 does not support doubles as a storage type"). In Direct3D 9's
+// profiles a double is a float.
 TypeId OfProfile(Context& context, TypeId type, Span span) {
   const Scalar kind = context[type].scalar;
   const Profile& profile = context.program.profile;
-  if ((kind != Scalar::kInt64 && kind != Scalar::kUint64) || profile.IsAtLeast(6, 0)) return type;
-  return context.FailType(span, diag::TypeProfile, context.TypeName(type),
-                          fmt::format("{}_6_0", InfoOf(context.program.stage).prefix),
-                          profile.name);
+  const bool is_wide = kind == Scalar::kInt64 || kind == Scalar::kUint64;
+  const bool lacks =
+      is_wide ? !profile.IsAtLeast(6, 0) : kind == Scalar::kDouble && profile.major == 4;
+  if (!lacks || context.program.is_interface_only) return type;
+  return context.FailType(
+      span, diag::TypeProfile, context.TypeName(type),
+      fmt::format("{}_{}_0", InfoOf(context.program.stage).prefix, is_wide ? 6 : 5), profile.name);
 }
 
 // The unsigned type of `unsigned` before a typedef of integers, as DXC's

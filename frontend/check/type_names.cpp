@@ -51,6 +51,35 @@ TypeId ArrayArgument(Context& context, const ast::IndexExpr& array, Span span) {
   return ArrayOf(context, TypeArgument(context, element), sizes, span);
 }
 
+bool IsConstantBufferName(std::string_view text) {
+  return text == "ConstantBuffer" || text == "TextureBuffer";
+}
+
+// The type argument of a ConstantBuffer or TextureBuffer, or the error type if it is not a struct,
+// which is reported: fxc says "can only be a struct" even of a class, dxc takes both (DXC's
+// cbuffer_struct.hlsl and cbufferArray.hlsl under HLSLFileCheck/hlsl/types/cbuffer).
+TypeId ConstantBufferArgument(Context& context, const ast::Type& type, std::string_view text) {
+  if (type.arguments.size != 1) return context.FailType(type.span, diag::MissingTypeArgument, text);
+  const ast::ExprId argument = context[type.arguments][0];
+  const TypeId contents = TypeArgument(context, argument);
+  if (context.IsError(contents) || context[contents].kind == TypeKind::kStruct) return contents;
+  return context.FailType(context[argument].span, diag::ConstantBufferType, text,
+                          context.TypeName(contents));
+}
+
+// The type argument of a texture or buffer, or the error type if a value of it is not made of
+// numbers, which is reported.
+TypeId ElementArgument(Context& context, const ast::Type& type, std::string_view text) {
+  if (type.arguments.empty()) return context.types.Vector(Scalar::kFloat, 4);
+  const ast::ExprId argument = context[type.arguments][0];
+  const TypeId element = TypeArgument(context, argument);
+  const Span span = context[argument].span;
+  if (element == context.types.Void())
+    return context.FailType(span, diag::VoidValue, fmt::format("`{}` of `void`", text));
+  if (!IsOrHoldsObject(context, element)) return element;
+  return context.FailType(span, diag::ElementHoldsObject, text, context.TypeName(element));
+}
+
 }  // namespace
 
 std::optional<TypeId> NumericType(Context& context, Name name) {
@@ -132,10 +161,7 @@ bool IsPatchName(std::string_view text) {
 
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text) {
   // The type is a plain T if the declaration is not a global.
-  if (text == "ConstantBuffer" || text == "TextureBuffer") {
-    if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
-    return context.FailType(type.span, diag::MissingTypeArgument, text);
-  }
+  if (IsConstantBufferName(text)) return ConstantBufferArgument(context, type, text);
   if (IsPatchName(text)) {
     if (type.arguments.size != 2)
       return context.FailType(type.span, diag::MissingTypeArgument, text);
@@ -145,8 +171,7 @@ std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::s
   for (const auto& object : kObjectNames) {
     if (!EqualIgnoringCase(object.text, text)) continue;
     if (!HasElement(object.kind)) return context.types.Object(object.kind);
-    TypeId element = context.types.Vector(Scalar::kFloat, 4);
-    if (!type.arguments.empty()) element = TypeArgument(context, context[type.arguments][0]);
+    const TypeId element = ElementArgument(context, type, text);
     if (context.IsError(element)) return element;
     if (HasTexels(object.kind) && !context[element].IsScalarOrVector()) {
       context.Report(type.span, diag::TexelType, text, context.TypeName(element));
@@ -155,6 +180,29 @@ std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::s
     return context.types.Object(object.kind, element);
   }
   return std::nullopt;
+}
+
+bool IsOrHoldsObject(const Context& context, TypeId id) {
+  const Type& type = context[context.types.Innermost(id)];
+  return type.kind == TypeKind::kObject || type.kind == TypeKind::kString ||
+         (type.kind == TypeKind::kStruct &&
+          context.structs.infos[type.structure.index].holds_objects);
+}
+
+bool MayMisfit(const Context& context, const ast::Type& type) {
+  if (type.struct_definition || !type.name.name || !type.name.scopes.empty()) return false;
+  return type.has_arguments || IsConstantBufferName(context[type.name.name]);
+}
+
+bool CheckTypeArgument(Context& context, const ast::Type& type) {
+  if (context.names.FindUnqualified(type.name.name, true)) return true;
+  const std::string_view text = context[type.name.name];
+  if (IsConstantBufferName(text))
+    return !context.IsError(ConstantBufferArgument(context, type, text));
+  const auto* object = std::ranges::find_if(
+      kObjectNames, [&](const auto& each) { return EqualIgnoringCase(each.text, text); });
+  return object == std::end(kObjectNames) || !HasElement(object->kind) ||
+         !context.IsError(ElementArgument(context, type, text));
 }
 
 }  // namespace clipc::check

@@ -21,6 +21,14 @@ std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type
 // The type of a texture, sampler or buffer; ConstantBuffer<T> inside a function is T. Returns
 // nullopt for other types.
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text);
+// Whether a value of the type is an object or a string, or holds one.
+bool IsOrHoldsObject(const Context& context, TypeId id);
+// Whether CheckTypeArgument may report something: a quick look at the text of the type.
+bool MayMisfit(const Context& context, const ast::Type& type);
+// Whether the type argument is one that the texture or buffer may have, or the type is something
+// else; reports it otherwise. An argument that no object has is an error of a declaration that
+// nothing uses, too.
+bool CheckTypeArgument(Context& context, const ast::Type& type);
 // Whether the name is that of a patch of control points, which is a constant array in the stages
 // that clipc compiles (vkd3d's patch-syntax.shader_test, checked against native).
 bool IsPatchName(std::string_view text);

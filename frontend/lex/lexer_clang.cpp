@@ -416,7 +416,7 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
 Tokens Lex(Source& source, Diagnostics& diagnostics) {
   Source::State& state = source.state();
   Tokens tokens;
-  TokenWriter writer(tokens, diagnostics);
+  TokenWriter writer(tokens, diagnostics, state.input.shader_model_major >= 6);
   const clang::Token end = RunPreprocessor(
       state, diagnostics, [&](const clang::Token& token, const clang::Preprocessor& preprocessor) {
         if (tokens.list.empty())  // untouched pages cost nothing

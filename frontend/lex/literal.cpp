@@ -16,6 +16,7 @@ namespace clipc {
 namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+bool IsBinaryDigit(char c) { return c == '0' || c == '1'; }
 bool IsHexDigit(char c) { return IsDigit(c) || (ToLower(c) >= 'a' && ToLower(c) <= 'f'); }
 bool IsWordChar(char c) {
   return IsDigit(c) || (ToLower(c) >= 'a' && ToLower(c) <= 'z') || c == '_' ||
@@ -155,12 +156,20 @@ Number ReadHexadecimal(std::string_view text) {
   return number;
 }
 
+Number ReadBinary(std::string_view text) {
+  Number number = ReadInteger(text, 2, SkipDigits(text, 2, IsBinaryDigit), 2);
+  number.is_binary = true;
+  return number;
+}
+
 }  // namespace
 
 Number ReadNumber(std::string_view text) {
   if (text.size() == 1)
     return {LiteralKind::kInt, static_cast<std::uint64_t>(text[0] - '0'), 1, NumberProblem::kNone};
   if (text[0] == '0' && ToLower(text[1]) == 'x') return ReadHexadecimal(text);
+  if (text[0] == '0' && ToLower(text[1]) == 'b' && IsBinaryDigit(At(text, 2)))
+    return ReadBinary(text);
   const std::size_t integer_end = SkipDigits(text, 0, IsDigit);
   std::size_t end = integer_end;
   if (At(text, end) == '.') end = SkipDigits(text, end + 1, IsDigit);

@@ -24,13 +24,15 @@ struct Number {
   std::uint64_t value = 0;  // encoded as in Token::value
   std::size_t length = 0;   // the characters that are part of the number
   NumberProblem problem = NumberProblem::kNone;
+  bool is_binary = false;  // 0b101, which is a number from shader model 6 on
 };
 
 // Reads the number at the start of `text`, which begins with a digit, or with `.` and a digit, and
-// has no line continuations in it. Decimal, octal (0..), hexadecimal; suffixes u l ul ll ull, f h l
-// in either case. Without a suffix an integer that needs the 32nd bit is a uint (fxc: 0xFFFFFFFF is
-// 4294967295), a longer one an int64, a hexadecimal one below that is kHexadecimal; a
-// floating-point number is a float whose value keeps the precision of a double until it is used.
+// has no line continuations in it. Decimal, octal (0..), hexadecimal, binary (0b..); suffixes u l
+// ul ll ull, f h l in either case. Without a suffix an integer that needs the 32nd bit is a uint
+// (fxc: 0xFFFFFFFF is 4294967295), a longer one an int64, a hexadecimal one below that is
+// kHexadecimal; a floating-point number is a float whose value keeps the precision of a double
+// until it is used.
 //
 // A number ends where a swizzle starts (`1.0.yyy`), and at an operator that C's lexer makes part of
 // a number (`0x1e+2`).

@@ -34,6 +34,9 @@ TEST(ReadNumber, Integers) {
       {"2147483647", LiteralKind::kInt, 2147483647},
       {"2147483648", LiteralKind::kInt, 2147483648},
       {"0xFFFFFFFF", LiteralKind::kHexadecimal, 0xFFFFFFFF},
+      {"0b101", LiteralKind::kInt, 5},
+      {"0B11u", LiteralKind::kUint, 3},
+      {"0b1ll", LiteralKind::kInt64, 1},
       {"4294967296", LiteralKind::kInt64, 4294967296},
       {"18446744073709551615", LiteralKind::kUint64, std::numeric_limits<std::uint64_t>::max()},
   };
@@ -79,7 +82,8 @@ TEST(ReadNumber, StopsWhereHlslDoes) {
 }
 
 TEST(ReadNumber, Problems) {
-  for (const char* text : {"1abc", "0x", "0xg", "1.0q", "1uu", "1lul", "1.0ff", "1e", "1.0e+"}) {
+  for (const char* text :
+       {"1abc", "0x", "0xg", "0b", "0b2", "0b12", "1.0q", "1uu", "1lul", "1.0ff", "1e", "1.0e+"}) {
     EXPECT_EQ(ReadNumber(text).problem, NumberProblem::kNotANumber) << text;
   }
   EXPECT_EQ(ReadNumber("089").problem, NumberProblem::kBadOctal);

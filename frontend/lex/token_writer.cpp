@@ -48,9 +48,10 @@ void TokenWriter::AddNumber(Token token, std::string_view text) {
 
 std::size_t TokenWriter::AddOneNumber(Token token, std::string_view text) {
   Number number = ReadNumber(text);
-  if (number.problem != NumberProblem::kNone) {
+  const bool is_foreign = number.is_binary && !has_binary_;
+  if (number.problem != NumberProblem::kNone || is_foreign) {
     if (number.problem == NumberProblem::kNotANumber) number.length = text.size();
-    ReportNumber(token.span(), text.substr(0, number.length), number.problem);
+    ReportNumber(token.span(), text.substr(0, number.length), number);
   }
   token.kind = IsFloatingPoint(number.kind) ? TokenKind::kFloatLiteral : TokenKind::kIntLiteral;
   token.literal = number.kind;
@@ -60,10 +61,10 @@ std::size_t TokenWriter::AddOneNumber(Token token, std::string_view text) {
   return number.length;
 }
 
-void TokenWriter::ReportNumber(Span where, std::string_view text, NumberProblem problem) {
+void TokenWriter::ReportNumber(Span where, std::string_view text, const Number& number) {
   const char* reason = "";
-  switch (problem) {
-    case NumberProblem::kNone: return;
+  switch (number.problem) {
+    case NumberProblem::kNone: reason = "binary numbers begin with shader model 6.0"; break;
     case NumberProblem::kInfinite:
       diagnostics_.Report(where, diag::FloatLiteralRange, text);
       return;

@@ -16,8 +16,9 @@ namespace clipc {
 // location and after_space; the writer fills in the rest.
 class TokenWriter {
  public:
-  TokenWriter(Tokens& tokens, Diagnostics& diagnostics)
-      : tokens_(tokens), diagnostics_(diagnostics) {}
+  // `has_binary`: whether 0b101 is a number.
+  TokenWriter(Tokens& tokens, Diagnostics& diagnostics, bool has_binary)
+      : tokens_(tokens), diagnostics_(diagnostics), has_binary_(has_binary) {}
 
   void AddPunctuator(Token token) { Add(token, After::kOther); }
   void AddHash(Token token);
@@ -44,10 +45,11 @@ class TokenWriter {
   bool EndSpecialNumber(std::string_view text);
   void EndString();
   std::size_t AddOneNumber(Token token, std::string_view text);
-  void ReportNumber(Span where, std::string_view text, NumberProblem problem);
+  void ReportNumber(Span where, std::string_view text, const Number& number);
 
   Tokens& tokens_;
   Diagnostics& diagnostics_;
+  bool has_binary_;
   After after_ = After::kOther;
   Token string_;
   std::string string_text_;

@@ -12,20 +12,17 @@ namespace {
 
 // The known attributes of declarations, in lower case. Sources: the attribute pages of Microsoft's
 // HLSL reference; DXC's table of attributes for the stages that came later.
+constexpr std::string_view kOfLaterStages[] = {
+    "domain",         "instance",     "maxtessfactor",     "maxvertexcount", "outputcontrolpoints",
+    "outputtopology", "partitioning", "patchconstantfunc",
+};
 constexpr std::string_view kKnown[] = {
     // of functions
-    "domain",
     "earlydepthstencil",
     "experimental",
-    "instance",
-    "maxtessfactor",
-    "maxvertexcount",
     "noinline",
     "numthreads",
-    "outputcontrolpoints",
-    "outputtopology",
-    "partitioning",
-    "patchconstantfunc",
+    "rootsignature",  // how a Direct3D 12 application binds: GLSL has layouts
     "shader",
     "waveopsincludehelperlanes",
     "wavesensitive",
@@ -119,14 +116,14 @@ bool Contradict(std::string_view one, std::string_view other) {
 AttributeMeaning MeaningOfAttribute(std::string_view name) {
   const std::string lower = ToLower(name);
   if (lower == kClipPlanesAttribute) return AttributeMeaning::kClipPlanes;
+  if (std::ranges::find(kOfLaterStages, lower) != std::end(kOfLaterStages))
+    return AttributeMeaning::kLaterStage;
   if (std::ranges::find(kKnown, lower) != std::end(kKnown) ||
       std::ranges::find(kOfStatements, lower, &StatementAttribute::name) != std::end(kOfStatements))
     return AttributeMeaning::kKnown;
   if (VulkanAttributeOf(name)) return AttributeMeaning::kVulkan;
-  // The rest are Vulkan's other attributes, as DXC and as glslang spells them, and Direct3D 12's
-  // root signature.
-  if (lower.starts_with("vk::") || lower == "layout" || lower == "rootsignature")
-    return AttributeMeaning::kWithoutEffect;
+  // The rest are Vulkan's other attributes, as DXC and as glslang spells them.
+  if (lower.starts_with("vk::") || lower == "layout") return AttributeMeaning::kWithoutEffect;
   std::string bare = lower;
   std::erase(bare, '_');
   return EditDistance(bare, kClipPlanesAttribute, 2) <= 2 ? AttributeMeaning::kLikeClipPlanes

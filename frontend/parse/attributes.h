@@ -17,6 +17,7 @@ enum class AttributeMeaning : std::uint8_t {
   // A hint to an optimiser, or a property that only other stages have: clipc does what the
   // attribute asks for by compiling the shader.
   kKnown,
+  kLaterStage,     // as kKnown, of a hull, domain or geometry shader only
   kVulkan,         // a VulkanAttribute
   kWithoutEffect,  // an attribute whose effect is lost in GLSL
 };

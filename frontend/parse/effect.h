@@ -7,13 +7,24 @@
 
 #include "base/span.h"
 #include "frontend/parse/ast.h"
+#include "frontend/parse/effect_value.h"
 
 // An effect as data: techniques with their passes, and the variables with what only effects have.
-// Values are the text of the effect, after preprocessing.
+// Texts are those of the effect, after preprocessing.
 namespace clipc::ast {
 
 struct NamedText {
   std::string name, value;
+};
+// A state of a pass or of a block of states: ZEnable and "true", BlendEnable[0] and "TRUE". A call
+// such as SetBlendState has the text "(Blend, ...)", and its arguments as the value.
+struct EffectState {
+  std::string name, text;
+  std::string word;         // the name without its index
+  bool has_index = false;   // it has one in brackets, perhaps not a number
+  std::uint32_t index = 0;  // of a name with a number in brackets
+  EffectValue value;
+  Span span;
 };
 struct Annotation {
   std::string type, name, value;
@@ -40,8 +51,7 @@ struct EffectPass {
   std::vector<Annotation> annotations;
   EffectShader vertex, pixel;
   std::vector<NamedText> other_shaders;  // SetGeometryShader and the like, unless NULL
-  // ZEnable and "true"; a call such as SetBlendState has the value "(Blend, ...)".
-  std::vector<NamedText> states;
+  std::vector<EffectState> states;
   std::vector<std::string> not_read;  // statements of no known form
 };
 
@@ -57,7 +67,7 @@ struct EffectParameter {
   std::string name, type, semantic;
   std::vector<Annotation> annotations;
   std::string value;                  // the default value; empty without one
-  std::vector<NamedText> states;      // of a block of states
+  std::vector<EffectState> states;    // of a block of states
   std::vector<EffectShader> shaders;  // of a shader variable: one, or the elements of an array
 };
 

@@ -17,8 +17,11 @@ using TokenSpan = std::span<const Token>;
 
 // A statement of a pass or of a block of states.
 struct Statement {
-  NamedText text;   // the name is empty for a statement of no known form
-  TokenSpan value;  // after the `=`, or in the parentheses of a call
+  NamedText text;       // the name is empty for a statement of no known form
+  TokenSpan name = {};  // that, with its index
+  TokenSpan value;      // after the `=`, or in the parentheses of a call
+  bool is_call = false;
+  Span span = {};
 };
 
 class EffectReader {
@@ -63,11 +66,11 @@ class EffectReader {
   }
 
   // { Filter = LINEAR; ... }
-  std::vector<NamedText> ReadStates() {
-    std::vector<NamedText> states;
+  std::vector<EffectState> ReadStates() {
+    std::vector<EffectState> states;
     if (At(kLeftBrace)) Take();
     while (!AtEnd() && !At(kRightBrace)) {
-      if (auto statement = TakeStatement()) states.push_back(std::move(statement->text));
+      if (auto statement = TakeStatement()) states.push_back(State(std::move(*statement)));
     }
     return states;
   }
@@ -121,13 +124,30 @@ class EffectReader {
         all, [](const Token& t) { return t.kind == kEqual || t.kind == kLeftParen; });
     const auto left = all.first(static_cast<std::size_t>(at - all.begin()));
     if (at == all.end() || left.empty() || left[0].kind != kIdentifier)
-      return Statement{{{}, Text(all)}, {}};
+      return Statement{{{}, Text(all)}, {}, {}};
     const bool is_call = at->kind == kLeftParen;
     if (is_call && (all.back().kind != kRightParen || left.size() != 1))
-      return Statement{{{}, Text(all)}, {}};
+      return Statement{{{}, Text(all)}, {}, {}};
     const TokenSpan value = all.subspan(left.size() + (is_call ? 0 : 1));
     return Statement{{Text(left), Text(value)},
-                     is_call ? value.subspan(1, value.size() - 2) : value};
+                     left,
+                     is_call ? value.subspan(1, value.size() - 2) : value,
+                     is_call,
+                     Cover(all.front().span(), all.back().span())};
+  }
+
+  EffectState State(Statement statement) const {
+    EffectState state;
+    state.name = std::move(statement.text.name);
+    state.text = std::move(statement.text.value);
+    if (!statement.name.empty()) state.word = Text(statement.name.first(1));
+    state.has_index = statement.name.size() > 1;
+    if (statement.name.size() == 4 && statement.name[2].kind == kIntLiteral)
+      state.index = static_cast<std::uint32_t>(statement.name[2].value);
+    state.value = statement.is_call ? ReadEffectArguments(statement.value, names_)
+                                    : ReadEffectValue(statement.value, names_);
+    state.span = statement.span;
+    return state;
   }
 
   // technique10 Name <annotations> { pass ... }
@@ -186,7 +206,7 @@ class EffectReader {
       if (ReadShader(statement.value).kind != EffectShader::Kind::kNone)
         pass.other_shaders.push_back(std::move(statement.text));
     } else {
-      pass.states.push_back(std::move(statement.text));
+      pass.states.push_back(State(std::move(statement)));
     }
   }
 

@@ -247,6 +247,7 @@ bool Parser::ParseAttribute(Collector<Attr>& attributes, std::size_t start) {
 
 void Parser::NoteAttribute(const Attr& attribute) {
   const AttributeMeaning meaning = MeaningOfAttribute(Text(attribute.name));
+  file_.has_later_stage |= meaning == AttributeMeaning::kLaterStage;
   const bool is_unknown = meaning == AttributeMeaning::kUnknown;
   if (!is_unknown && meaning != AttributeMeaning::kWithoutEffect) return;
   if (noted_attributes_.size() <= attribute.name.index) noted_attributes_.resize(names_.size());
@@ -284,6 +285,8 @@ void Parser::CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span s
                         SpellingsOf(second)[0]);
   if ((qualifiers & kCentroid) && (qualifiers & kSample))
     diagnostics_.Report(span, diag::CentroidOverridden);
+  if ((qualifiers & kNoInterpolation) && (qualifiers & kSample))
+    diagnostics_.Report(span, diag::SampleOverridden);
 }
 
 // Parses any number of `[n]` and `[]`.

@@ -49,11 +49,10 @@ AtomicPlace PlaceOf(const IntrinsicCheck& call) {
   if (!steps) return {};
   const auto* load = As<ObjectCall>(call.program, element);
   if (!load) return {};
-  const bool is_structured = load->op == kStructuredLoad;
-  const bool is_element = is_structured || load->op == kBufferLoad || load->op == kImageLoad;
-  const ExprId object = call.program.expr_lists[load->arguments][0];
-  const bool has_steps = !steps->empty();
-  if (!is_element || !IsWritable(call.TypeOf(object).object) || (has_steps && !is_structured))
+  const ExprId object = OperandOf(call.program, *load, OperandKind::kObject);
+  const bool may_step = load->op == kStructuredLoad;
+  if (!LoadsElement(load->op) || !IsWritable(call.TypeOf(object).object) ||
+      (!steps->empty() && !may_step))
     return {};
   return {load, std::move(*steps)};
 }
@@ -68,28 +67,27 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
   if (!call.HasCount(least + (atomic->must_give ? 1 : 0), least + (has_no_result ? 0 : 1)))
     return call.Error();
   TypeId type = call.program.types.Make(Scalar::kUint);
-  std::vector<ExprId> arguments;
-  AtomicPlace changed;
+  std::vector<NamedOperand> operands;
   if (object) {
     const auto address = call.Converted(0, type);
     if (!address) return call.Error();
-    arguments = {object, *address};
+    operands = {{OperandKind::kObject, object}, {OperandKind::kPlace, *address}};
   } else {
-    changed = PlaceOf(call);
+    const AtomicPlace changed = PlaceOf(call);
     if (!changed.load) {
       return call.Fail(call.SpanOf(call.arguments[0]), diag::IntrinsicAtomicTarget, call.name);
     }
-    const auto place = call.program.expr_lists[changed.load->arguments];
-    arguments = {place[0], place[1]};
-    arguments.insert(arguments.end(), changed.steps.begin(), changed.steps.end());
+    for (const OperandKind kind : {OperandKind::kObject, OperandKind::kPlace})
+      operands.push_back({kind, OperandOf(call.program, *changed.load, kind)});
+    for (const ExprId step : changed.steps) operands.push_back({OperandKind::kStep, step});
     type = call.ArgumentTypeId(0);
   }
   for (std::size_t i = 1; i < least; ++i) {
     const auto value = call.Converted(i, type);
     if (!value) return call.Error();
-    arguments.push_back(*value);
+    operands.push_back({i + 1 < least ? OperandKind::kComparand : OperandKind::kValue, *value});
   }
-  const ExprId original = MakeObjectCall(call.Make(), call.program, type, atomic->op, arguments);
+  const ExprId original = call.Make().ObjectCallOf(atomic->op, type, operands);
   if (call.arguments.size() == least) return original;
   if (!call.IsTarget(least)) return call.Error();
   const ExprId target = call.arguments[least];

@@ -52,7 +52,8 @@ class MainBuilder {
     WriteDistances(Builtin::kClipDistance, clip_, writes_gaps);
     WriteDistances(Builtin::kCullDistance, cull_, writes_gaps);
     CheckDistanceCount();
-    semantics_.CheckPosition();
+    leaves_.ReportMissing();
+    semantics_.CheckPosition(signature_.has_later_stage);
     for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
     const StmtId body = builder_.BlockOf(body_);
     program_.main = program_.functions.Add({"main", program_.types.Void(), {}, body, entry.span});
@@ -146,6 +147,7 @@ class MainBuilder {
   // The input's value in the leaf's own type; none after an error.
   ExprId Input(const Carrier& leaf) {
     const SystemValue value = semantics_.LookUp(leaf, Direction::kInput);
+    if (stage_.has_stage_before) semantics_.CheckInterpolation(leaf);
     using Use = SystemValue::Use;
     // No output of the stage before matches what the rasterizer makes.
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
@@ -216,8 +218,9 @@ class MainBuilder {
                             ? known->var
                             : AddIo(program_.inputs, leaf, TypeOf(builtin), builtin);
     if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
-    if (value.builtin == Builtin::kFrontFacing) return FrontFacing(input, leaf);
     const ExprId read = builder_.Ref(input);
+    if (value.builtin == Builtin::kFrontFacing)
+      return Fit(FacingOf(builder_, read, kind), leaf.type);
     return Fit(is_first ? FirstBitOf(program_, read) : read, leaf.type);
   }
 
@@ -234,20 +237,12 @@ class MainBuilder {
       diagnostics_.Report(leaf.span, diag::QualifierWithoutEffect, "centroid",
                           "the position, which GLSL has at the pixel's center");
     if (count < 4) value = builder_.SwizzledRun(value, 0, count);
-    if (form == SystemValue::Form::kCorner) {
-      const TypeId type = builder_.TypeOf(value);
-      const std::vector<ExprId> half = {builder_.Float(0.5f), builder_.Float(0.5f),
-                                        builder_.Float(0), builder_.Float(0)};
-      const ExprId offset = count == 1   ? half[0]
-                            : count == 2 ? builder_.SplatTo(type, half[0])
-                                         : builder_.ConstructOf(type, std::span(half).first(count));
-      value = builder_.BinaryOf(BinaryOp::kSub, value, offset);
-    }
+    if (form == SystemValue::Form::kCorner) value = CornerOf(builder_, value, count);
     return Fit(value, leaf.type);
   }
 
   // The position of the sample: GLSL has it where the shader runs for each, which reading the
-  // sample's number asks for. There are at most 32 samples, so that 0 is added.
+  // sample's number asks for.
   ExprId BySample(ExprId position, const Carrier& leaf) {
     constexpr auto kNumber = Builtin::kSampleIndex;
     auto number = std::ranges::find(program_.inputs, kNumber, &IoVar::builtin);
@@ -256,11 +251,7 @@ class MainBuilder {
       number = program_.inputs.end() - 1;
       number->semantic = "SV_SampleIndex", number->index = 0;
     }
-    const ExprId zero =
-        builder_.BinaryOf(BinaryOp::kShiftRight, builder_.Ref(number->var), builder_.Uint(5));
-    const TypeId type = builder_.TypeOf(position);
-    return builder_.BinaryOf(BinaryOp::kAdd, position,
-                             builder_.SplatTo(type, builder_.ConvertTo(Scalar::kFloat, zero)));
+    return AfterSampleNumber(builder_, position, builder_.Ref(number->var));
   }
 
   // Direct3D's position is the center of the pixel also where the shader runs for each sample
@@ -274,17 +265,6 @@ class MainBuilder {
       const ExprId whole = builder_.CopyOf(builder_.TypeOf(read), program_.exprs[read].node);
       program_.exprs[read].node = program_.exprs[CenterOf(program_, whole)].node;
     }
-  }
-
-  // A bool; the bits of an integer are all set or all clear; the sign of a float.
-  ExprId FrontFacing(VarId input, const Carrier& leaf) {
-    const Scalar kind = BaseOf(program_.types[leaf.type].scalar);
-    const ExprId is_front = builder_.Ref(input);
-    if (kind == Scalar::kBool) return Fit(is_front, leaf.type);
-    const bool is_sign = kind == Scalar::kFloat;
-    const ExprId front = is_sign ? builder_.Float(1) : builder_.Int(-1);
-    const ExprId back = is_sign ? builder_.Float(-1) : builder_.Int(0);
-    return Fit(builder_.Add(builder_.TypeOf(front), Conditional{is_front, front, back}), leaf.type);
   }
 
   // The type in which an input or output is stored: uint for bool, the base kind for half and for
@@ -309,6 +289,7 @@ class MainBuilder {
     // The outputs of a shader that is read for its interface match nothing.
     if (program_.is_interface_only) return WriteOutput(leaf, StoredType(leaf.type), Builtin::kNone);
     const SystemValue value = semantics_.LookUp(leaf, Direction::kOutput);
+    if (stage_.has_stage_after) semantics_.CheckInterpolation(leaf);
     if (value.use == SystemValue::Use::kRefused ||
         !semantics_.MayAdd(leaf, Direction::kOutput, value))
       return;
@@ -424,13 +405,6 @@ class MainBuilder {
     return Fit(count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
   }
 
-  // Direct3D counts components, so that 8 of them may lie in more than two registers with gaps
-  // between them (vkd3d's clip-cull-distance.shader_test, checked against native). GLSL's arrays
-  // have 8 elements: such distances lie without gaps, in both stages alike.
-  static bool FitWithGaps(Distances& clip, Distances& cull) {
-    return clip.Packed(true).size() + cull.Packed(true).size() <= kMaxDistances;
-  }
-
   void ReadDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
     if (pieces.empty()) return;
     const std::vector<ExprId> values = pieces.Packed(has_gaps);
@@ -493,8 +467,6 @@ class MainBuilder {
     if (distance_count_ <= kMaxDistances) return;
     diagnostics_.Report(distance_span_, diag::TooManyClipDistances, distance_count_);
   }
-
-  static constexpr std::uint32_t kMaxDistances = 8;
 
   Program& program_;
   const StageInfo& stage_;

@@ -35,6 +35,8 @@ struct EntrySignature {
   EntryParameter result;
   // Whether matrices between two stages are taken apart by row, as DXC and glslang do.
   bool stages_match_by_row = false;
+  // Whether the file has a hull or geometry shader too, which may write the position.
+  bool has_later_stage = false;
 };
 
 // Makes program.main, program.inputs and program.outputs for program.entry, and reports the errors

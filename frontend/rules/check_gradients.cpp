@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "frontend/rules/varying_graph.h"
 #include "ir/access.h"
 #include "ir/evaluate.h"
 #include "ir/walk.h"
@@ -12,49 +13,7 @@
 namespace clipc::rules {
 namespace {
 
-// A graph of what follows from what: variables, results of functions, and places in the flow. A
-// node varies if it follows from the node kVarying.
-class Graph {
- public:
-  using Node = std::uint32_t;
-  static constexpr Node kUniform = 0, kVarying = 1;
-
-  explicit Graph(std::size_t named) : edges_(2 + named) {}
-
-  Node Add() {
-    edges_.emplace_back();
-    return static_cast<Node>(edges_.size() - 1);
-  }
-  void Follow(Node from, Node to) {
-    if (from != kUniform && to != kUniform && from != to) edges_[from].push_back(to);
-  }
-  // A node that follows from both.
-  Node Join(Node a, Node b) {
-    if (a == kUniform || b == kUniform || a == b) return a == kUniform ? b : a;
-    const Node both = Add();
-    Follow(a, both);
-    Follow(b, both);
-    return both;
-  }
-  // By node: whether it varies.
-  std::vector<bool> Varying() const {
-    std::vector<bool> varies(edges_.size());
-    std::vector<Node> open = {kVarying};
-    varies[kVarying] = true;
-    while (!open.empty()) {
-      const Node from = open.back();
-      open.pop_back();
-      for (const Node to : edges_[from]) {
-        if (!varies[to]) open.push_back(to);
-        varies[to] = true;
-      }
-    }
-    return varies;
-  }
-
- private:
-  std::vector<std::vector<Node>> edges_;  // by node: those that follow from it
-};
+using Graph = VaryingGraph;
 
 class GradientCheck {
  public:
@@ -78,10 +37,11 @@ class GradientCheck {
 
  private:
   using Node = Graph::Node;
-  // A derivative, the flow in which it is taken, and the loop around it.
+  // A derivative, the flow in which it is taken, the loop around it, and what it is of: where that
+  // is the same for all pixels of a quad, the differences are 0 in any flow.
   struct Gradient {
     ExprId expr;
-    Node flow, loop;
+    Node flow, loop, place;
   };
 
   Node Of(VarId var) const { return 2 + var.index; }
@@ -117,7 +77,8 @@ class GradientCheck {
     Visit(Overloaded{
               [&](const Block& node) { List(node.body, flow); },
               [&](const Declare& node) {
-                if (node.init) Assigned(node.var, Value(node.init, flow), flow);
+                // Only pixels that are here see the variable.
+                if (node.init) graph_.Follow(Value(node.init, flow), Of(node.var));
               },
               [&](const Evaluate& node) { Value(node.expr, flow); },
               [&](const If& node) {
@@ -184,7 +145,8 @@ class GradientCheck {
 
   void Returned(ExprId value, Node flow) {
     if (value) graph_.Follow(Value(value, flow), ResultOf(function_));
-    graph_.Follow(Flow(flow), ResultOf(function_));
+    // Where this is the only way out, every pixel that called the function comes along it.
+    if (Flow(flow) != FlowInto(function_)) graph_.Follow(Flow(flow), ResultOf(function_));
     graph_.Follow(Flow(flow), loop_);
     returned_ = graph_.Join(returned_, flow);
   }
@@ -204,6 +166,7 @@ class GradientCheck {
   Node Value(ExprId id, Node flow) {
     if (const auto* ref = As<VarRef>(program_, id)) return Of(ref->var);
     if (const auto* call = As<Call>(program_, id)) return CallOf(*call, flow);
+    if (const auto* choice = As<Conditional>(program_, id)) return ChoiceOf(*choice, flow);
     Node value = Graph::kUniform;
     ForEachOperand(program_, id,
                    [&](ExprId operand) { value = graph_.Join(value, Value(operand, flow)); });
@@ -211,11 +174,21 @@ class GradientCheck {
       value = Graph::kVarying;
     const auto* call = As<IntrinsicCall>(program_, id);
     const bool is_quad = call && CategoryOf(call->op) == IntrinsicCategory::kQuad;
-    if (AsksNeighbours(program_, id) && !is_quad) gradients_.push_back({id, Flow(flow), loop_});
+    if (AsksNeighbours(program_, id) && !is_quad)
+      gradients_.push_back({id, Flow(flow), loop_, value});
     ForEachWrite(program_, id, [&](ExprId target) {
       if (const VarId root = RootOf(program_, target)) Assigned(root, value, flow);
     });
     return value;
+  }
+
+  // From 6.0 on a `?:` is a branch; before, what asks neighbours is computed before the choice.
+  Node ChoiceOf(const Conditional& choice, Node flow) {
+    const Node condition = Value(choice.condition, flow);
+    const Node inside = graph_.Join(flow, condition);
+    const Node sides =
+        graph_.Join(Value(choice.when_true, inside), Value(choice.when_false, inside));
+    return graph_.Join(condition, sides);
   }
 
   Node CallOf(const Call& call, Node flow) {
@@ -233,7 +206,8 @@ class GradientCheck {
 
   void Report() {
     const std::vector<bool> varies = graph_.Varying();
-    for (const auto& [expr, flow, loop] : gradients_) {
+    for (const auto& [expr, flow, loop, place] : gradients_) {
+      if (!varies[place]) continue;
       const char* what = As<IntrinsicCall>(program_, expr) ? "a derivative" : "a sample";
       const Span span = program_.exprs[expr].span;
       if (varies[loop])

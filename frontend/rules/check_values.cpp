@@ -92,7 +92,6 @@ ValueCheck::Sign ValueCheck::SignOf(ExprId expr) {
           },
           [&](const Binary& node) { return SignOfBinary(node); },
           [&](const IntrinsicCall& call) { return SignOfCall(call); },
-          [](const ObjectCall&) { return Sign::kMayBeNegative; },
           [&](const Conditional& node) {
             const bool neither = of(node.when_true) == Sign::kNotNegative &&
                                  of(node.when_false) == Sign::kNotNegative;

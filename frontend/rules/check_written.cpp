@@ -2,99 +2,17 @@
 #include "frontend/rules/check_written.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
-#include "frontend/rules/check_values.h"
+#include "base/overloaded.h"
 #include "frontend/rules/constant.h"
-#include "frontend/rules/written.h"
 #include "frontend/rules/written_messages.h"
+#include "frontend/rules/written_walk.h"
 #include "ir/access.h"
 #include "ir/call_order.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
-namespace {
-
-// What a function has written when it returns.
-struct Summary {
-  std::vector<WrittenComponents> result;                   // by slot of the type
-  std::vector<std::vector<WrittenComponents>> parameters;  // empty for those that are not kOut
-};
-
-// How control leaves a statement.
-enum class Flow : std::uint8_t { kNext, kJump, kReturn };  // kJump: break or continue
-
-// What all functions share.
-struct Shared {
-  const Program& program;
-  Diagnostics& diagnostics;
-  WrittenSlots slots;
-  ValueCheck values;
-  std::vector<Summary> summaries;  // by FunctionId
-  std::vector<bool> is_reported;   // by VarId
-  std::vector<IoVar*> outputs;     // by VarId
-};
-
-bool AreAllWritten(std::span<const WrittenComponents> values) {
-  return std::ranges::all_of(values, [](WrittenComponents value) { return value == kAllWritten; });
-}
-
-// Walks a function in the order in which it runs.
-class WrittenWalk {
- public:
-  WrittenWalk(Shared& shared, WrittenState& state, FunctionId function)
-      : shared_(shared), program_(shared.program), state_(state), function_(function) {}
-
-  void Run();
-
- private:
-  // A read of what nothing before it in the text has written; the rest of a loop around it may.
-  struct Read {
-    WrittenPlace place;
-    Span span;
-  };
-
-  bool IsMain() const { return function_ == program_.main; }
-  bool IsEntry() const { return function_ == program_.entry; }
-
-  // ---- statements
-  Flow WalkList(List<StmtId> list);
-  Flow Walk(StmtId stmt);
-  Flow WalkIf(const If& node);
-  Flow WalkSwitch(const Switch& node);
-  std::uint32_t ArmOf(const Switch& node, std::int64_t value) const;
-  Flow WalkLoop(StmtId stmt);
-  void WalkDeclare(const Declare& node);
-  void WalkReturn(ExprId value);
-  void Leave();
-
-  // ---- expressions
-  void Visit(ExprId expr);
-  bool VisitTarget(ExprId path);
-  void VisitAssign(const Assign& node);
-  void VisitCall(ExprId expr, const Call& node);
-  void CheckRead(ExprId path);
-  void Report(const Read& read);
-  void Track(VarId var);
-  void Unwrite(VarId var);
-  void WriteTo(ExprId target, std::span<const WrittenComponents> values);
-  void Write(const WrittenPlace& place, std::span<const WrittenComponents> values = {});
-  // What the parts of a value are that an assignment copies; empty: all are written.
-  std::vector<WrittenComponents> ValueOf(ExprId value);
-
-  // ---- main
-  void CheckOutput(const Assign& node);
-
-  Shared& shared_;
-  const Program& program_;
-  WrittenState& state_;
-  FunctionId function_;
-  bool has_returned_ = false;
-  int loops_ = 0;
-  std::vector<Read> reads_;  // in loops that have not ended
-  Summary summary_;
-};
 
 void WrittenWalk::Run() {
   const Function& function = program_.functions[function_];
@@ -103,25 +21,35 @@ void WrittenWalk::Run() {
     if (program_.vars[parameter].storage == Storage::kOut) Unwrite(parameter);
   }
   if (Walk(function.body) == Flow::kNext) Leave();
-  for (std::size_t i = 0; i < function.parameters.size() && !IsEntry(); ++i) {
-    const VarId parameter = function.parameters[i];
+  if (!IsEntry()) ReportParameters();
+  shared_.summaries[function_.index] = std::move(summary_);
+}
+
+// Reports the out parameters that are not written where the function returns.
+void WrittenWalk::ReportParameters() {
+  const std::vector<VarId>& parameters = program_.functions[function_].parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const VarId parameter = parameters[i];
     if (summary_.parameters[i].empty() || shared_.is_reported[parameter.index]) continue;
     const Var& var = program_.vars[parameter];
     const std::vector<std::uint16_t> masks = shared_.slots.MasksOf(var.type);
-    bool is_whole = true, is_any = false;
+    bool is_whole = true, is_any = false, is_safe = true;
     for (std::size_t slot = 0; slot < masks.size(); ++slot) {
-      is_whole &= (masks[slot] & summary_.parameters[i][slot].may) == masks[slot];
-      is_any |= (masks[slot] & summary_.parameters[i][slot].may) != 0;
+      const WrittenComponents& written = summary_.parameters[i][slot];
+      is_whole &= (masks[slot] & written.may) == masks[slot];
+      is_any |= (masks[slot] & written.may) != 0;
+      is_safe &= (masks[slot] & written.safe) == masks[slot];
     }
-    if (is_whole) continue;
-    ReportParameter(program_, var, is_any, shared_.diagnostics);
+    if (!is_whole)
+      ReportParameter(program_, var, is_any, shared_.diagnostics);
+    else if (!is_safe)
+      ReportPartly(var, shared_.diagnostics);
   }
-  shared_.summaries[function_.index] = std::move(summary_);
 }
 
 // ---- statements
 
-Flow WrittenWalk::WalkList(List<StmtId> list) {
+WrittenWalk::Flow WrittenWalk::WalkList(List<StmtId> list) {
   for (std::uint32_t i = 0; i < list.size; ++i) {
     const Flow flow = Walk(program_.stmt_lists[list][i]);
     if (flow != Flow::kNext) return flow;  // the rest cannot be reached
@@ -129,7 +57,7 @@ Flow WrittenWalk::WalkList(List<StmtId> list) {
   return Flow::kNext;
 }
 
-Flow WrittenWalk::Walk(StmtId stmt) {
+WrittenWalk::Flow WrittenWalk::Walk(StmtId stmt) {
   if (!stmt) return Flow::kNext;
   return clipc::Visit(Overloaded{
                           [&](const Block& node) { return WalkList(node.body); },
@@ -142,36 +70,44 @@ Flow WrittenWalk::Walk(StmtId stmt) {
                             return Flow::kReturn;
                           },
                           [&](const OneOf<Break, Continue> auto&) { return Flow::kJump; },
+                          [&](const Discard&) { return state_.MakeSafe(true), Flow::kNext; },
                           [&](const auto&) { return WalkLoop(stmt); },
                       },
                       program_.stmts[stmt].node);
 }
 
-Flow WrittenWalk::WalkIf(const If& node) {
+WrittenWalk::Flow WrittenWalk::WalkIf(const If& node) {
   Visit(node.condition);
   if (const auto known = EvaluateInteger(program_, node.condition))
     return Walk(*known != 0 ? node.then : node.otherwise);
   const std::size_t mark = state_.Mark();
+  ++choices_;
   const Flow then = Walk(node.then);
   const WrittenState::Changes one = state_.TakeSince(mark);
   const Flow otherwise = Walk(node.otherwise);
-  if (then == Flow::kReturn) return otherwise;
-  if (otherwise == Flow::kReturn) {
-    state_.TakeSince(mark);
-    state_.Apply(one);
+  --choices_;
+  if (then == otherwise) {
+    if (then == Flow::kReturn) return then;
+    const WrittenState::Changes other = state_.TakeSince(mark);
+    state_.Join(one, other, PointAfter(node.condition));
     return then;
   }
-  if (then != otherwise) {  // one of them jumps
-    const WrittenState::Changes other = state_.TakeSince(mark);
-    state_.Apply(then == Flow::kNext ? one : other);
-    state_.AddMay(then == Flow::kNext ? other : one);
-    return Flow::kNext;
+  const bool then_leaves = then == Flow::kReturn || otherwise == Flow::kNext;
+  const WrittenState::Changes other = state_.TakeSince(mark);
+  state_.Apply(then_leaves ? other : one);
+  if (then == Flow::kJump || otherwise == Flow::kJump) {
+    if (then != Flow::kReturn && otherwise != Flow::kReturn)
+      state_.AddMay(then_leaves ? one : other);
   }
-  state_.Join(one, state_.TakeSince(mark));
-  return then;
+  state_.MakeSafe(false);
+  return then_leaves ? otherwise : then;
 }
 
-Flow WrittenWalk::WalkSwitch(const Switch& node) {
+JoinPoint WrittenWalk::PointAfter(ExprId condition) {
+  return {loops_, choices_, &shared_.paths, condition};
+}
+
+WrittenWalk::Flow WrittenWalk::WalkSwitch(const Switch& node) {
   Visit(node.value);
   // What one arm declares, the arms after it may name, and control may come there without it.
   for (const SwitchCase& arm : program_.switch_cases[node.cases]) {
@@ -191,6 +127,7 @@ Flow WrittenWalk::WalkSwitch(const Switch& node) {
   WrittenState::Changes falling;
   Flow flow = Flow::kJump;
   const auto known = EvaluateInteger(program_, node.value);
+  choices_ += known ? 0 : 1;
   const std::uint32_t chosen = known ? ArmOf(node, *known) : 0;
   for (std::uint32_t i = chosen; i < node.cases.size; ++i) {
     if (known && i > chosen && flow != Flow::kNext) break;
@@ -203,8 +140,9 @@ Flow WrittenWalk::WalkSwitch(const Switch& node) {
     falling = state_.TakeSince(mark);
     if (flow == Flow::kJump || (is_last && flow == Flow::kNext)) leave(falling);
   }
+  choices_ -= known ? 0 : 1;
   if (known ? chosen == node.cases.size : !has_default) leave({});
-  state_.JoinAll(std::move(left), exits);
+  state_.JoinAll(std::move(left), exits, PointAfter(node.value));
   return exits > 0 ? Flow::kNext : Flow::kReturn;
 }
 
@@ -221,30 +159,34 @@ std::uint32_t WrittenWalk::ArmOf(const Switch& node, std::int64_t value) const {
   return chosen;
 }
 
-Flow WrittenWalk::WalkLoop(StmtId stmt) {
+WrittenWalk::Flow WrittenWalk::WalkLoop(StmtId stmt) {
   const std::size_t first = reads_.size();
   ++loops_;
-  // A loop runs at least once: fxc and dxc know the iterations of most loops.
-  Flow body = Flow::kNext;
+  std::size_t mark = 0;
+  const auto walk_body = [&](StmtId body, ExprId step) {
+    mark = state_.Mark();
+    ++choices_;
+    Walk(body);
+    if (step) Visit(step);
+    --choices_;
+  };
   clipc::Visit(Overloaded{
                    [&](const For& loop) {
                      WalkList(loop.init);
                      if (loop.condition) Visit(loop.condition);
-                     body = Walk(loop.body);
-                     if (loop.step) Visit(loop.step);
+                     walk_body(loop.body, loop.step);
                    },
                    [&](const While& loop) {
                      Visit(loop.condition);
-                     body = Walk(loop.body);
+                     walk_body(loop.body, {});
                    },
-                   [&](const DoWhile& loop) {
-                     body = Walk(loop.body);
-                     Visit(loop.condition);
-                   },
+                   [&](const DoWhile& loop) { walk_body(loop.body, loop.condition); },
                    [](const auto&) {},
                },
                program_.stmts[stmt].node);
   --loops_;
+  state_.LeaveLoop(state_.TakeSince(mark), PointAfter({}),
+                   [&] { return shared_.paths.MayNotRun(stmt); });
   // What is written later in the loop may be written when a read runs again.
   std::size_t kept = first;
   for (std::size_t i = first; i < reads_.size(); ++i) {
@@ -274,10 +216,11 @@ void WrittenWalk::WalkReturn(ExprId value) {
     std::vector<WrittenComponents> values = ValueOf(value);
     const std::size_t count = shared_.slots.CountOf(TypeIdOf(program_, value));
     values.resize(count, kAllWritten);
-    if (!has_returned_) summary_.result.assign(count, {0, 0xffff});
+    if (!has_returned_) summary_.result.assign(count, {0, 0xffff, 0xffff});
     for (std::size_t i = 0; i < count; ++i) {
       summary_.result[i].may |= values[i].may;
       summary_.result[i].must &= values[i].must;
+      summary_.result[i].safe &= values[i].safe;
     }
   }
   Leave();
@@ -285,204 +228,34 @@ void WrittenWalk::WalkReturn(ExprId value) {
 
 // Notes the out parameters where the function returns.
 void WrittenWalk::Leave() {
-  const std::vector<VarId>& parameters = program_.functions[function_].parameters;
+  const Function& function = program_.functions[function_];
+  const bool has_result = program_.types[function.return_type].kind != TypeKind::kVoid;
+  const std::vector<VarId>& parameters = function.parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (program_.vars[parameters[i]].storage != Storage::kOut) continue;
     const WrittenPlace place = shared_.slots.Whole(parameters[i]);
     std::vector<WrittenComponents>& all = summary_.parameters[i];
-    if (!has_returned_) all.assign(place.count, {0, 0xffff});
+    if (!has_returned_) all.assign(place.count, {0, 0xffff, 0xffff});
     for (std::size_t slot = 0; slot < place.count; ++slot) {
-      all[slot].may |= state_[place.first + slot].may;
-      all[slot].must &= state_[place.first + slot].must;
+      const WrittenComponents& now = state_[place.first + slot];
+      all[slot].may |= now.may;
+      all[slot].must &= now.must;
+      // A result may tell the caller which parameters it may read.
+      all[slot].safe &= static_cast<std::uint16_t>(has_result ? now.safe | ~now.may : now.safe);
     }
   }
   has_returned_ = true;
 }
 
-// ---- expressions
-
-void WrittenWalk::Visit(ExprId expr) {
-  clipc::Visit(Overloaded{
-                   [&](const OneOf<VarRef, FieldRef, Index, Swizzle, MatrixSwizzle> auto&) {
-                     if (VisitTarget(expr) && TypeOf(program_, expr).IsNumeric()) CheckRead(expr);
-                   },
-                   [&](const Unary& node) {
-                     Visit(node.operand);
-                     if (!ChangesOperand(node.op)) return;
-                     WriteTo(node.operand, {});
-                   },
-                   [&](const Assign& node) { shared_.values.Check(node), VisitAssign(node); },
-                   [&](const Call& node) { VisitCall(expr, node); },
-                   [&](const Conditional& node) {
-                     Visit(node.condition);
-                     const auto known = EvaluateInteger(program_, node.condition);
-                     if (known.value_or(1) != 0) Visit(node.when_true);
-                     if (known.value_or(0) == 0) Visit(node.when_false);
-                   },
-                   [&](const IntrinsicCall& node) {
-                     shared_.values.Check(node);
-                     std::size_t i = 0;
-                     for (const ExprId argument : program_.expr_lists[node.arguments]) {
-                       if (!WritesArgument(node.op, i++)) {
-                         Visit(argument);
-                         continue;
-                       }
-                       VisitTarget(argument);
-                       WriteTo(argument, {});
-                     }
-                   },
-                   [&](const ObjectCall& node) {
-                     for (const ExprId argument : program_.expr_lists[node.arguments])
-                       Visit(argument);
-                     if (node.has_clamp) Visit(ClampOf(program_, node));
-                     if (node.has_texel) WriteTo(TexelOf(program_, node), {});
-                   },
-                   [&]<typename Node>(const Node& node) {
-                     if constexpr (std::same_as<Node, Binary>) shared_.values.Check(node);
-                     ForEachSlot(
-                         node, [&](ExprId operand) { Visit(operand); },
-                         [&](List<ExprId> list) {
-                           for (const ExprId operand : program_.expr_lists[list]) Visit(operand);
-                         });
-                   },
-               },
-               program_.exprs[expr].node);
-}
-
-// Visits the indices of a path, and what it is a part of if that is not a variable. Returns whether
-// it is a variable that is tracked.
-bool WrittenWalk::VisitTarget(ExprId path) {
-  return clipc::Visit(Overloaded{
-                          [&](const VarRef& node) { return shared_.slots.IsTracked(node.var); },
-                          [&](const OneOf<FieldRef, Swizzle, MatrixSwizzle> auto& node) {
-                            return VisitTarget(node.base);
-                          },
-                          [&](const Index& node) {
-                            const bool is_tracked = VisitTarget(node.base);
-                            Visit(node.index);
-                            return is_tracked;
-                          },
-                          [&](const auto&) { return Visit(path), false; },
-                      },
-                      program_.exprs[path].node);
-}
-
-void WrittenWalk::VisitAssign(const Assign& node) {
-  if (IsMain()) CheckOutput(node);
-  VisitTarget(node.target);
-  if (!node.op) return WriteTo(node.target, ValueOf(node.value));
-  Visit(node.value);
-  if (TypeOf(program_, node.target).IsNumeric()) CheckRead(node.target);
-  WriteTo(node.target, {});
-}
-
-void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
-  const Summary& summary = shared_.summaries[node.function.index];
-  const bool is_of_entry = node.function == program_.entry;
-  std::size_t i = 0;
-  std::vector<std::pair<ExprId, std::size_t>> written;
-  ForEachOperand(program_, expr, [&](ExprId argument) {
-    const std::size_t number = i++;
-    if (!WritesOperand(program_, expr, number)) return Visit(argument);
-    VisitTarget(argument);
-    written.emplace_back(argument, number);
-  });
-  for (const auto& [target, number] : written) {
-    WriteTo(target, is_of_entry ? std::span<const WrittenComponents>(summary.parameters[number])
-                                : std::span<const WrittenComponents>());
-  }
-}
-
-std::vector<WrittenComponents> WrittenWalk::ValueOf(ExprId value) {
-  const bool is_numeric = TypeOf(program_, value).IsNumeric();
-  if (const auto* call = As<Call>(program_, value)) {
-    Visit(value);
-    return shared_.summaries[call->function.index].result;
-  }
-  const auto place =
-      is_numeric && !As<VarRef>(program_, value) ? std::nullopt : shared_.slots.Find(value);
-  const bool is_return = IsEntry() || !is_numeric;
-  if (!place || place->is_coarse || !is_return) {
-    Visit(value);
-    return {};
-  }
-  VisitTarget(value);
-  std::vector<WrittenComponents> values;
-  for (std::size_t i = 0; i < place->count; ++i) values.push_back(state_[place->first + i]);
-  return values;
-}
-
-void WrittenWalk::Track(VarId var) {
-  shared_.slots.Track(var);
-  state_.Grow(shared_.slots.size());
-}
-
-// Makes a variable what it is where it is declared without a value.
-void WrittenWalk::Unwrite(VarId var) {
-  Track(var);
-  if (!shared_.slots.IsTracked(var)) return;
-  const WrittenPlace place = shared_.slots.Whole(var);
-  for (std::size_t i = 0; i < place.count; ++i) state_.Set(place.first + i, {});
-}
-
-// Gives the values to a path; no values: it is written.
-void WrittenWalk::WriteTo(ExprId target, std::span<const WrittenComponents> values) {
-  const VarId root = AreAllWritten(values) ? VarId{} : RootOf(program_, target);
-  if (root) Track(root);
-  if (const auto place = shared_.slots.Find(target)) Write(*place, values);
-}
-
-void WrittenWalk::Write(const WrittenPlace& place, std::span<const WrittenComponents> values) {
-  if (place.count == 1 && (place.is_coarse || values.size() != 1))
-    return state_.Add(place.first, place.mask);
-  for (std::size_t i = 0; i < place.count; ++i)
-    state_.Set(place.first + i, values.size() == place.count ? values[i] : kAllWritten);
-}
-
-void WrittenWalk::CheckRead(ExprId path) {
-  if (IsMain()) return;  // CheckOutput has a message of its own
-  const auto place = shared_.slots.Find(path);
-  if (!place || place->count != 1 || place->mask == 0) return;
-  if (state_[place->first].may & place->mask) return;
-  if (shared_.is_reported[place->var.index]) return;
-  const Read read{*place, program_.exprs[path].span};
-  if (loops_ == 0) return Report(read);
-  // One read of a slot is enough.
-  const bool is_known = !reads_.empty() && reads_.back().place.first == place->first &&
-                        reads_.back().place.mask == place->mask;
-  if (!is_known) reads_.push_back(read);
-}
-
-void WrittenWalk::Report(const Read& read) {
-  if (shared_.is_reported[read.place.var.index]) return;
-  shared_.is_reported[read.place.var.index] = true;
-  ReportRead(read.span, program_.vars[read.place.var], shared_.diagnostics);
-}
-
-// ---- main
-
-void WrittenWalk::CheckOutput(const Assign& node) {
-  const auto* target = As<VarRef>(program_, node.target);
-  IoVar* output = target ? shared_.outputs[target->var.index] : nullptr;
-  const auto place = output ? shared_.slots.Find(node.value) : std::nullopt;
-  if (!place || place->count != 1) return;
-  const WrittenComponents& written = state_[place->first];
-  output->is_unwritten = (written.may & place->mask) == 0;
-  if ((written.may & written.must & place->mask) == place->mask) return;
-  output->may_be_unwritten = true;
-  ReportOutput(program_, *output, written, place->mask, shared_.diagnostics);
-}
-
-}  // namespace
-
 void CheckWritten(Program& program, Diagnostics& diagnostics) {
-  Shared shared{program,
-                diagnostics,
-                WrittenSlots(program),
-                ValueCheck(program, diagnostics),
-                std::vector<Summary>(program.functions.size()),
-                std::vector<bool>(program.vars.size()),
-                std::vector<IoVar*>(program.vars.size())};
+  WrittenShared shared{program,
+                       diagnostics,
+                       WrittenSlots(program),
+                       ValueCheck(program, diagnostics),
+                       WrittenPaths(program),
+                       std::vector<WrittenSummary>(program.functions.size()),
+                       std::vector<bool>(program.vars.size()),
+                       std::vector<IoVar*>(program.vars.size())};
   for (IoVar& output : program.outputs) shared.outputs[output.var.index] = &output;
   WrittenState state;
   for (const FunctionId function : CalleesFirst(program))

@@ -26,7 +26,8 @@ class Comparer {
     for (const ExprId id : program_.exprs.ids()) {
       if (id.index >= count) break;
       const auto* call = As<ObjectCall>(program_, id);
-      if (call && KindOf(program_.expr_lists[call->arguments][0]) == ObjectKind::kSampler2D)
+      if (call &&
+          KindOf(OperandOf(program_, *call, OperandKind::kObject)) == ObjectKind::kSampler2D)
         Read(id, *call);
     }
     for (const Resource& resource : program_.resources) {
@@ -65,13 +66,12 @@ class Comparer {
   // Settles a read of a sampler2D: one that compares has one component, for all four, and another
   // one has no third coordinate.
   void Read(ExprId id, const ObjectCall& call) {
-    const auto arguments = program_.expr_lists[call.arguments];
-    const ExprId object = arguments[0];
+    const ExprId object = OperandOf(program_, call, OperandKind::kObject);
     const bool has_level =
-        call.op == ObjectOp::kD3d9SampleLevel || call.op == ObjectOp::kD3d9SampleBias;
+        Takes(call.op, OperandKind::kLevel) || Takes(call.op, OperandKind::kBias);
     const VarId var = RootOf(program_, object);
     if (!var || !compares_[var.index]) {
-      if (has_level) DropThird(id, arguments[1]);
+      if (has_level) DropThird(OperandsOf(call, OperandKind::kCoordinate));
       return;
     }
     if (!has_level && call.op != ObjectOp::kD3d9SampleProjected) {
@@ -88,8 +88,9 @@ class Comparer {
     program_.exprs[id].type = four;
   }
 
-  // Takes the third component of the coordinate `place` from a call.
-  void DropThird(ExprId id, ExprId place) {
+  // Takes the third component from the coordinate of a call.
+  void DropThird(List<ExprId> coordinate) {
+    const ExprId place = program_.expr_lists[coordinate][0];
     Expr& expr = program_.exprs[place];
     if (auto* run = std::get_if<Swizzle>(&expr.node)) {
       run->count = 2, run->components[2] = 0;
@@ -97,7 +98,7 @@ class Comparer {
       return;
     }
     const ExprId flat = Builder(program_, expr.span).SwizzledRun(place, 0, 2);
-    program_.expr_lists[As<ObjectCall>(program_, id)->arguments][1] = flat;
+    program_.expr_lists[coordinate][0] = flat;
   }
 
   // Gives the expressions of a path to a sampler, an index of an array of them, their types.

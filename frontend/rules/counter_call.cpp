@@ -13,8 +13,8 @@ using enum ObjectOp;
 
 // The change of the counter: the index of the element that was free, or that was the last.
 ExprId Change(const IntrinsicCheck& call, ExprId object, ObjectOp op) {
-  return MakeObjectCall(call.Make(), call.program, call.program.types.Make(Scalar::kUint), op,
-                        {&object, 1});
+  return call.Make().ObjectCallOf(op, call.program.types.Make(Scalar::kUint),
+                                  {{OperandKind::kObject, object}});
 }
 
 // Makes the indices of the object variables where they have effects, so that it may be written
@@ -43,19 +43,19 @@ ExprId CheckCounter(const IntrinsicCheck& call, ExprId object) {
     return call.Fail(call.name_span, diag::Unsupported, "`Append` or `Consume` of a call's result");
   const ExprId step = NameOnce(call, object);
   const ExprId same = Clone(call.program, object);
-  std::vector<ExprId> arguments = {
-      object, Change(call, same, appends ? kIncrementCounter : kDecrementCounter)};
+  const ExprId place = Change(call, same, appends ? kIncrementCounter : kDecrementCounter);
+  std::vector<NamedOperand> operands = {{OperandKind::kObject, object},
+                                        {OperandKind::kPlace, place}};
   const TypeId element = ElementOf(call.program.types, call.TypeOf(object));
   TypeId result = element;
   if (appends) {
     const auto value = call.Converted(0, element);
     if (!value) return call.Error();
-    arguments.push_back(*value);
+    operands.push_back({OperandKind::kValue, *value});
     result = call.program.types.Void();
   }
   return After(call, {&step, 1},
-               MakeObjectCall(call.Make(), call.program, result, appends ? kStore : kStructuredLoad,
-                              arguments));
+               call.Make().ObjectCallOf(appends ? kStore : kStructuredLoad, result, operands));
 }
 
 }  // namespace clipc::rules

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/counters.h"
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <tuple>
@@ -43,7 +42,9 @@ class CounterMaker {
   const ObjectCall& CallAt(ExprId change) const {
     return std::get<ObjectCall>(program_.exprs[change].node);
   }
-  ExprId ObjectAt(ExprId change) const { return program_.expr_lists[CallAt(change).arguments][0]; }
+  ExprId ObjectAt(ExprId change) const {
+    return OperandOf(program_, CallAt(change), OperandKind::kObject);
+  }
 
   void Note(ExprId change) {
     const VarId buffer = RootOf(program_, ObjectAt(change));
@@ -96,9 +97,10 @@ class CounterMaker {
     Rename(object, counters_.at(RootOf(program_, object)).var);
     const bool is_up = CallAt(change).op == ObjectOp::kIncrementCounter;
     Builder at(program_, program_.exprs[change].span);
-    const std::array arguments = {object, at.Uint(0), at.Uint(is_up ? 1 : ~0u)};
-    const ExprId before =
-        MakeObjectCall(at, program_, program_.exprs[change].type, ObjectOp::kAtomicAdd, arguments);
+    const ExprId before = at.ObjectCallOf(ObjectOp::kAtomicAdd, program_.exprs[change].type,
+                                          {{OperandKind::kObject, object},
+                                           {OperandKind::kPlace, at.Uint(0)},
+                                           {OperandKind::kValue, at.Uint(is_up ? 1 : ~0u)}});
     const ExprId value = is_up ? before : at.BinaryOf(BinaryOp::kSub, before, at.Uint(1));
     program_.exprs[change].node = program_.exprs[value].node;
   }

@@ -3,6 +3,8 @@
 // Microsoft's HLSL reference on them, and fxc, which takes two more arguments of tex2D for
 // gradients.
 #include <array>
+#include <initializer_list>
+#include <vector>
 
 #include "frontend/rules/intrinsic_call.h"
 #include "frontend/rules/object_call.h"
@@ -29,31 +31,32 @@ class TexCheck : IntrinsicCheck {
     const auto object = Sampler(2);
     const auto place = object ? Converted(1, Coordinate()) : std::nullopt;
     if (!place) return Error();
-    return Finish(ObjectOp::kD3d9Sample, std::array{*object, *place});
+    return Finish(ObjectOp::kD3d9Sample, *object, *place);
   }
 
   ExprId Gradient() {
     const auto object = Sampler(4);
     if (!object) return Error();
-    std::array<ExprId, 4> values = {*object};
-    for (const std::size_t i : {1u, 2u, 3u}) {
-      const auto value = Converted(i, Coordinate());
+    std::array<ExprId, 3> values;
+    for (const std::size_t i : {0u, 1u, 2u}) {
+      const auto value = Converted(i + 1, Coordinate());
       if (!value) return Error();
       values[i] = *value;
     }
-    return Finish(ObjectOp::kD3d9SampleGrad, values);
+    const NamedOperand ddx{OperandKind::kDdx, values[1]}, ddy{OperandKind::kDdy, values[2]};
+    return Finish(ObjectOp::kD3d9SampleGrad, *object, values[0], {ddx, ddy});
   }
 
   // Checks tex2Dlod(sampler, float4(coordinate, level)) and tex2Dbias, where the last component is
   // a bias.
-  ExprId WithLast(ObjectOp op) {
+  ExprId WithLast(ObjectOp op, OperandKind kind) {
     const auto object = Sampler(2);
     const auto location = object ? Converted(1, Float4()) : std::nullopt;
     if (!location) return Error();
     const bool keeps_third = program.keeps_third_coordinate && sampler_ == ObjectKind::kSampler2D;
     const auto parts = Split(*location, keeps_third ? 3 : dimensions_, 3);
     return After(*this, {&parts.prologue, 1},
-                 Finish(op, std::array{*object, parts.leading, parts.last}));
+                 Finish(op, *object, parts.leading, {{kind, parts.last}}));
   }
 
   // Checks tex2Dproj(sampler, float4(coordinate, divisor)). GLSL projects on no cube.
@@ -62,13 +65,12 @@ class TexCheck : IntrinsicCheck {
     const auto location = object ? Converted(1, Float4()) : std::nullopt;
     if (!location) return Error();
     if (sampler_ != ObjectKind::kSamplerCube)
-      return Finish(ObjectOp::kD3d9SampleProjected, std::array{*object, *location});
+      return Finish(ObjectOp::kD3d9SampleProjected, *object, *location);
     const auto parts = Split(*location, dimensions_, 3);
     Builder builder = Make();
     const ExprId place =
         builder.BinaryOf(BinaryOp::kDiv, parts.leading, builder.SplatTo(Coordinate(), parts.last));
-    return After(*this, {&parts.prologue, 1},
-                 Finish(ObjectOp::kD3d9Sample, std::array{*object, place}));
+    return After(*this, {&parts.prologue, 1}, Finish(ObjectOp::kD3d9Sample, *object, place));
   }
 
  private:
@@ -84,8 +86,12 @@ class TexCheck : IntrinsicCheck {
     return std::nullopt;
   }
 
-  ExprId Finish(ObjectOp op, std::span<const ExprId> values) const {
-    return MakeObjectCall(Make(), program, Float4(), op, values);
+  ExprId Finish(ObjectOp op, ExprId object, ExprId coordinate,
+                std::initializer_list<NamedOperand> rest = {}) const {
+    std::vector<NamedOperand> operands = {{OperandKind::kObject, object},
+                                          {OperandKind::kCoordinate, coordinate}};
+    operands.insert(operands.end(), rest);
+    return Make().ObjectCallOf(op, Float4(), operands);
   }
 
   ObjectKind sampler_;
@@ -100,11 +106,11 @@ ExprId CheckTexLod(const IntrinsicCheck& call) {
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name,
                      fmt::format("{}_3_0", call.ThisStage().prefix), call.program.profile.name);
   }
-  return TexCheck(call).WithLast(ObjectOp::kD3d9SampleLevel);
+  return TexCheck(call).WithLast(ObjectOp::kD3d9SampleLevel, OperandKind::kLevel);
 }
 ExprId CheckTex(const IntrinsicCheck& call) { return TexCheck(call).Plain(); }
 ExprId CheckTexBias(const IntrinsicCheck& call) {
-  return TexCheck(call).WithLast(ObjectOp::kD3d9SampleBias);
+  return TexCheck(call).WithLast(ObjectOp::kD3d9SampleBias, OperandKind::kBias);
 }
 ExprId CheckTexGrad(const IntrinsicCheck& call) { return TexCheck(call).Gradient(); }
 ExprId CheckTexProj(const IntrinsicCheck& call) { return TexCheck(call).Projected(); }

@@ -15,4 +15,8 @@ std::vector<ExprId> Distances::Packed(bool has_gaps) {
   return elements;
 }
 
+bool FitWithGaps(Distances& clip, Distances& cull) {
+  return clip.Packed(true).size() + cull.Packed(true).size() <= kMaxDistances;
+}
+
 }  // namespace clipc::rules

@@ -35,4 +35,14 @@ class Distances {
   std::vector<Piece> pieces_;
 };
 
+// The elements of GLSL's arrays of distances, and the components that Direct3D has at most, clip
+// and cull together.
+constexpr std::uint32_t kMaxDistances = 8;
+
+// Whether the distances of a stage have the gaps that fxc leaves. Direct3D counts components, so
+// that 8 of them may lie in more than two registers with gaps between them (vkd3d's
+// clip-cull-distance.shader_test, checked against native). GLSL's arrays have 8 elements: such
+// distances lie without gaps, in both stages alike.
+bool FitWithGaps(Distances& clip, Distances& cull);
+
 }  // namespace clipc::rules

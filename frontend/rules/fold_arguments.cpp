@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/fold_arguments.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/overloaded.h"
+#include "frontend/rules/object_slots.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/call_order.h"
@@ -23,17 +26,6 @@ struct Value {
   enum class Kind : std::uint8_t { kNone, kConstant, kAny } kind = Kind::kNone;
   std::uint64_t bits = 0;
 };
-
-// Whether the expression is an element of an array of objects that is not a resource itself, at an
-// index that is not written as a number.
-bool ChoosesElement(const Program& program, ExprId expr) {
-  const auto* index = As<Index>(program, expr);
-  if (!index || As<Literal>(program, index->index)) return false;
-  const TypeTable& types = program.types;
-  if (types[types.Innermost(program.exprs[expr].type)].kind != TypeKind::kObject) return false;
-  const VarId root = RootOf(program, expr);
-  return root && program.vars[root].storage != Storage::kResource;
-}
 
 class Folder {
  public:
@@ -52,6 +44,11 @@ class Folder {
         if (const auto* call = As<Call>(program_, expr)) Note(*call);
       });
     }
+  }
+
+  void FoldBody(StmtId body) {
+    SubstituteLocals(body);
+    Fold(body);
   }
 
  private:
@@ -225,6 +222,8 @@ class Folder {
           }
         });
     program_.stmts[id] = changed;
+    if (const auto* choice = As<Switch>(program_, id); choice && folds_locals_)
+      FoldSwitch(id, Switch(*choice));
     const auto* branch = As<If>(program_, id);
     const auto chosen = branch ? Decided(branch->condition) : std::nullopt;
     if (!chosen) return;
@@ -236,6 +235,29 @@ class Folder {
       program_.stmts[id].node = Block{};
       program_.stmts[id].hint = {};
     }
+  }
+
+  // Removes the arms that a constant value of a `switch` does not run.
+  void FoldSwitch(StmtId id, const Switch& node) {
+    const auto value = ConstantOf(node.value);
+    if (!value) return;
+    const std::span<const SwitchCase> arms = program_.switch_cases[node.cases];
+    const auto has_value = [&](const SwitchCase& arm) {
+      return std::ranges::any_of(program_.expr_lists[arm.labels], [&](ExprId label) {
+        const auto* literal = As<Literal>(program_, label);
+        return literal && literal->bits == *value;
+      });
+    };
+    auto arm = std::ranges::find_if(arms, has_value);
+    if (arm == arms.end()) arm = std::ranges::find_if(arms, &SwitchCase::is_default);
+    std::vector<SwitchCase> left;
+    for (bool goes_on = true; goes_on && arm != arms.end(); ++arm) {
+      left.push_back(*arm);
+      const auto body = program_.stmt_lists[arm->body];
+      goes_on = body.empty() || !Ends(body.back());
+    }
+    program_.stmts[id].node = Switch{node.value, program_.switch_cases.Add(left)};
+    if (left.empty()) program_.stmts[id].node = Block{};
   }
 
   // The statements folded, without those that an arm before them keeps from running. An arm that
@@ -271,7 +293,7 @@ bool NamesObject(const Program& program, ExprId expr) {
   if (const auto* swizzle = As<Swizzle>(program, expr)) expr = swizzle->base;
   const auto* call = As<ObjectCall>(program, expr);
   if (!call) return false;
-  const VarId root = RootOf(program, program.expr_lists[call->arguments][0]);
+  const VarId root = RootOf(program, OperandOf(program, *call, OperandKind::kObject));
   return !root || program.vars[root].storage != Storage::kResource;
 }
 
@@ -291,6 +313,8 @@ bool ChoosesObject(const Program& program) {
 }  // namespace
 
 void FoldArguments(Program& program) { Folder(program, false).Run(); }
+
+void FoldBody(Program& program, StmtId body) { Folder(program, true).FoldBody(body); }
 
 void FoldObjectChoices(Program& program) {
   if (ChoosesObject(program)) Folder(program, true).Run();

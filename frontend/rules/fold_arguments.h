@@ -25,4 +25,8 @@ void FoldArguments(Program& program);
 // object-references.shader_test).
 void FoldObjectChoices(Program& program);
 
+// Removes from the body of a function what conditions that are constant do not choose. Local
+// variables that get one value, a constant, count as constants.
+void FoldBody(Program& program, StmtId body);
+
 }  // namespace clipc::rules

@@ -17,6 +17,7 @@
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/call_order.h"
+#include "ir/clone_body.h"
 #include "ir/counted_loop.h"
 #include "ir/evaluate.h"
 #include "ir/value_graph.h"
@@ -28,68 +29,27 @@ namespace {
 constexpr std::size_t kMaxCopies = 4096;          // of loops' bodies and of functions
 constexpr std::size_t kMaxExpressions = 1 << 22;  // of the program with its copies
 
-std::string_view MethodOf(ObjectOp op) {
-  using enum ObjectOp;
-  switch (op) {
-    case kSampleLevel: return "SampleLevel";
-    case kSampleGrad: return "SampleGrad";
-    case kSample: return "Sample";
-    case kSampleBias: return "SampleBias";
-    case kSampleCmp: return "SampleCmp";
-    case kSampleCmpLevelZero: return "SampleCmpLevelZero";
-    case kSampleCmpLevel: return "SampleCmpLevel";
-    case kSampleCmpBias: return "SampleCmpBias";
-    case kSampleCmpGrad: return "SampleCmpGrad";
-    case kGatherCmp: return "GatherCmp";
-    case kTextureLoad: return "Load";
-    case kGatherGreen: return "GatherGreen";
-    case kGatherBlue: return "GatherBlue";
-    case kGatherAlpha: return "GatherAlpha";
-    default: return "Gather";
-  }
+// Whether the expression is an element of an array of samplers, at an index that is not written as
+// a number.
+bool ChoosesSampler(const Program& program, ExprId expr) {
+  const auto* index = As<Index>(program, expr);
+  if (!index || As<Literal>(program, index->index)) return false;
+  const Type& type = program.types[program.types.Innermost(TypeIdOf(program, expr))];
+  return type.kind == TypeKind::kObject && InfoOf(type.object).category == ObjectCategory::kSampler;
 }
 
-// The number of the first argument that is an offset.
-std::uint32_t FirstOffset(ObjectOp op) {
-  using enum ObjectOp;
-  switch (op) {
-    case kSample: return 3;
-    case kSampleLevel:
-    case kSampleBias:
-    case kSampleCmp:
-    case kSampleCmpLevelZero:
-    case kGatherCmp: return 4;
-    case kSampleGrad:
-    case kSampleCmpLevel:
-    case kSampleCmpBias: return 5;
-    case kSampleCmpGrad: return 6;
-    case kTextureLoad: return 3;
-    default: return IsGather(op) ? 3 : ~0u;
-  }
-}
-
-// Whether a `break` or `continue` in the statement ends a loop, or an iteration of one, around it.
-bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
-  if (As<Break>(program, stmt)) return !in_switch;
-  if (As<Continue>(program, stmt)) return true;
-  if (As<For>(program, stmt) || As<While>(program, stmt) || As<DoWhile>(program, stmt))
-    return false;
-  bool leaves = false;
-  const bool is_switch = As<Switch>(program, stmt) != nullptr;
-  ForEachPart(
-      program, stmt, [](ExprId) {},
-      [&](StmtId part) { leaves = leaves || Leaves(program, part, in_switch || is_switch); });
-  return leaves;
-}
+// What must be known: the offsets of textures and the indices of samplers in arrays, which OpenGL
+// does not have, or the indices that choose local objects.
+enum class What : std::uint8_t { kOffsets, kLocalObjects };
 
 class OffsetFinder {
  public:
-  OffsetFinder(Program& program, Diagnostics& diagnostics)
-      : program_(program), diagnostics_(diagnostics) {}
+  OffsetFinder(Program& program, What what, Diagnostics& diagnostics)
+      : program_(program), what_(what), diagnostics_(diagnostics) {}
 
   void Run() {
-    const std::vector<FunctionId> functions = FunctionsWithOffsets();
-    if (functions.empty()) return;
+    FindParts();
+    if (!has_parts_) return;
     FindSources();
     // Callers first, since a call gives the parameters that its function's offsets depend on.
     std::vector<FunctionId> order = CalleesFirst(program_);
@@ -109,33 +69,39 @@ class OffsetFinder {
     return As<Literal>(program_, offset) || IsLiteralList(program_, offset);
   }
 
-  // The functions that have an offset that is not a literal. The variables in such offsets are
-  // marked.
-  std::vector<FunctionId> FunctionsWithOffsets() {
-    std::vector<FunctionId> found;
-    if (!program_.calls_objects) return found;
+  // Marks the variables in the offsets and indices that are not literals.
+  void FindParts() {
+    if (!program_.calls_objects) return;
     is_source_.resize(program_.vars.size());
     must_be_known_.resize(program_.vars.size());
-    for (const FunctionId id : program_.functions.ids()) {
-      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
-        const auto* call = As<ObjectCall>(program_, expr);
-        if (!call) return;
-        const auto arguments = program_.expr_lists[call->arguments];
-        for (std::size_t i = FirstOffset(call->op); i < arguments.size(); ++i) {
-          if (IsLiteralOffset(arguments[i])) continue;
-          if (found.empty() || found.back() != id) found.push_back(id);
-          const bool must_be_known =
-              call->op != ObjectOp::kTextureLoad && !MayVary(call->op, call->arguments.size);
-          ForEachExpr(program_, arguments[i], [&](ExprId part) {
-            const auto* ref = As<VarRef>(program_, part);
-            if (!ref) return;
-            is_source_[ref->var.index] = true;
-            if (must_be_known) must_be_known_[ref->var.index] = true;
-          });
-        }
-      });
+    for (const FunctionId id : program_.functions.ids())
+      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) { FindPart(expr); });
+  }
+
+  void FindPart(ExprId expr) {
+    if (ChoosesByIndex(expr))
+      return MarkSources(std::get<Index>(program_.exprs[expr].node).index, true);
+    const auto* call = what_ == What::kOffsets ? As<ObjectCall>(program_, expr) : nullptr;
+    if (!call) return;
+    for (const ExprId offset : program_.expr_lists[OperandsOf(*call, OperandKind::kOffset)]) {
+      if (!IsLiteralOffset(offset))
+        MarkSources(offset, call->op != ObjectOp::kTextureLoad && !MayVary(call->op));
     }
-    return found;
+  }
+
+  bool ChoosesByIndex(ExprId expr) const {
+    return what_ == What::kOffsets ? ChoosesSampler(program_, expr)
+                                   : ChoosesElement(program_, expr);
+  }
+
+  void MarkSources(ExprId part, bool must_be_known) {
+    has_parts_ = true;
+    ForEachExpr(program_, part, [&](ExprId inner) {
+      const auto* ref = As<VarRef>(program_, inner);
+      if (!ref) return;
+      is_source_[ref->var.index] = true;
+      if (must_be_known) must_be_known_[ref->var.index] = true;
+    });
   }
 
   // Marks all variables that offsets depend on. A counter depends on its loop's condition too.
@@ -206,54 +172,61 @@ class OffsetFinder {
 
   void ReadExpr(ExprId expr) {
     if (const auto* call = As<Call>(program_, expr)) return ReadCall(expr, Call(*call));
-    const auto* call = As<ObjectCall>(program_, expr);
+    if (ChoosesByIndex(expr)) {
+      const ExprId index = std::get<Index>(program_.exprs[expr].node).index;
+      if (const auto bits = ConstantBits(program_, index)) ReplaceBy(index, *bits);
+      return;
+    }
+    const auto* call = what_ == What::kOffsets ? As<ObjectCall>(program_, expr) : nullptr;
     if (!call) return;
-    const List<ExprId> arguments = call->arguments;
+    const List<ExprId> offsets = OperandsOf(*call, OperandKind::kOffset);
     const ObjectOp op = call->op;
-    for (std::uint32_t i = FirstOffset(op); i < arguments.size; ++i) {
-      const ExprId offset = program_.expr_lists[arguments][i];
+    for (std::uint32_t i = 0; i < offsets.size; ++i) {
+      const ExprId offset = program_.expr_lists[offsets][i];
       if (IsLiteralOffset(offset)) continue;
       if (op == ObjectOp::kTextureLoad && !ConstantBits(program_, offset)) {
-        AddToLocation(expr, arguments, offset);
+        AddToPlace(expr, ObjectCall(*call), offset);
       } else {
-        program_.expr_lists[arguments][i] = Known(offset, op, MayVary(op, arguments.size));
+        const ExprId known = Known(offset, op);
+        program_.expr_lists[offsets][i] = known;
       }
     }
   }
 
-  // Makes the offset of a Load a part of its location. From 6.7 on it may be any value
-  // ("Programmable Offsets" of the shader model's specification).
-  void AddToLocation(ExprId expr, List<ExprId> arguments, ExprId offset) {
-    const Span span = program_.exprs[offset].span;
-    if (!program_.profile.IsAtLeast(6, 7))
-      diagnostics_.Report(span, diag::TextureOffsetVaries, MethodOf(ObjectOp::kTextureLoad));
-    const auto given = program_.expr_lists[arguments];
-    const ExprId texture = given[0], location = given[1], level = given[2];
-    const ExprId moved = Moved(Builder(program_, span), program_, location, offset);
-    auto& call = std::get<ObjectCall>(program_.exprs[expr].node);
-    std::vector<ExprId> operands = {texture, moved, level};
-    if (call.has_texel) operands.push_back(TexelOf(program_, call));
-    call.arguments.begin = program_.expr_lists.Add(std::span<const ExprId>(operands)).begin;
-    call.arguments.size = 3;
+  // Makes the offset of a Load a part of its place. From 6.7 on it may be any value ("Programmable
+  // Offsets" of the shader model's specification).
+  void AddToPlace(ExprId expr, const ObjectCall& call, ExprId offset) {
+    Builder at(program_, program_.exprs[offset].span);
+    if (!program_.profile.IsAtLeast(6, 7)) {
+      diagnostics_.Report(program_.exprs[offset].span, diag::TextureOffsetVaries,
+                          InfoOf(call.op).method);
+    }
+    std::vector<NamedOperand> operands;
+    ForEachNamedOperand(program_, call, [&](OperandKind kind, ExprId operand) {
+      if (kind != OperandKind::kOffset) operands.push_back({kind, operand});
+    });
+    ExprId& place = std::ranges::find(operands, OperandKind::kPlace, &NamedOperand::kind)->expr;
+    place = Moved(at, program_, place, offset);
+    const ExprId moved = at.ObjectCallOf(call.op, program_.exprs[expr].type, operands);
+    program_.exprs[expr].node = program_.exprs[moved].node;
   }
 
   // Whether Direct3D 11 takes the offset as a number like any other, with gather4_po.
-  bool MayVary(ObjectOp op, std::uint32_t arguments) const {
-    return IsGather(op) && arguments > FirstOffset(op) && program_.profile.IsAtLeast(5, 0);
-  }
+  bool MayVary(ObjectOp op) const { return IsGather(op) && program_.profile.IsAtLeast(5, 0); }
 
-  ExprId Known(ExprId offset, ObjectOp op, bool may_vary) {
+  ExprId Known(ExprId offset, ObjectOp op) {
     const Span span = program_.exprs[offset].span;
     const auto bits = ConstantBits(program_, offset);
     if (!bits) {
-      if (!may_vary) diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
+      if (!MayVary(op))
+        diagnostics_.Report(span, diag::TextureOffsetNotConstant, InfoOf(op).method);
       return offset;
     }
     const OffsetRange range = OffsetsOf(IsGather(op), program_.profile);
     for (const std::uint64_t word : *bits) {
       const auto texels = static_cast<std::int32_t>(static_cast<std::uint32_t>(word));
       if (!range.Has(texels)) {
-        diagnostics_.Report(span, diag::TextureOffsetRange, texels, MethodOf(op), range.least,
+        diagnostics_.Report(span, diag::TextureOffsetRange, texels, InfoOf(op).method, range.least,
                             range.most);
         return offset;
       }
@@ -353,7 +326,7 @@ class OffsetFinder {
   bool IsPlain(const For& loop, const CountedLoop& parts) const {
     return loop.init.size == 1 && parts.start && parts.step &&
            program_.vars[parts.counter].storage == Storage::kLocal &&
-           IsPure(program_, loop.condition) && !Leaves(program_, loop.body, false) &&
+           IsPure(program_, loop.condition) && !LeavesIteration(program_, loop.body) &&
            !IsChangedInBody(program_, loop, parts.counter);
   }
 
@@ -450,7 +423,9 @@ class OffsetFinder {
   }
 
   Program& program_;
+  const What what_;
   Diagnostics& diagnostics_;
+  bool has_parts_ = false;
   // By VarId: offsets depend on it; it is assigned to; an offset that may not vary depends on it.
   std::vector<bool> is_source_, is_assigned_, must_be_known_;
   std::map<std::vector<std::uint64_t>, FunctionId> copies_;  // by function and constants
@@ -464,7 +439,11 @@ class OffsetFinder {
 }  // namespace
 
 void KnowOffsets(Program& program, Diagnostics& diagnostics) {
-  OffsetFinder(program, diagnostics).Run();
+  OffsetFinder(program, What::kOffsets, diagnostics).Run();
+}
+
+void KnowObjectIndices(Program& program, Diagnostics& diagnostics) {
+  OffsetFinder(program, What::kLocalObjects, diagnostics).Run();
 }
 
 }  // namespace clipc::rules

@@ -35,9 +35,6 @@ inline OffsetRange OffsetsOf(bool is_gather, const Profile& profile) {
 // The location of a texel moved by an offset, which does not choose the layer of an array.
 ExprId Moved(Builder builder, Program& program, ExprId location, ExprId offset);
 
-ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,
-                      std::span<const ExprId> arguments);
-
 // counter_call.cpp: checks Append, Consume, IncrementCounter or DecrementCounter of a structured
 // buffer.
 ExprId CheckCounter(const IntrinsicCheck& call, ExprId object);

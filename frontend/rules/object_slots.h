@@ -49,22 +49,8 @@ bool StartsWith(const SlotPath& path, const SlotPath& prefix);
 // Whether the type is an object or an array of objects.
 bool IsObjectType(const TypeTable& types, TypeId type);
 
-// A copier of statements with everything in them; the copies have variables of their own.
-class BodyCloner {
- public:
-  explicit BodyCloner(Program& program) : program_(program) {}
-  VarId CloneVar(VarId var);
-  StmtId Clone(StmtId stmt);
-  // The copies of variables, by the original.
-  const std::map<VarId, VarId>& vars() const { return vars_; }
-
- private:
-  ExprId Clone(ExprId expr);
-  List<StmtId> Clone(List<StmtId> list);
-  void Rename(ExprId expr);
-
-  Program& program_;
-  std::map<VarId, VarId> vars_;
-};
+// Whether the expression is an element of an array of objects that is not a resource itself, at an
+// index that is not written as a number.
+bool ChoosesElement(const Program& program, ExprId expr);
 
 }  // namespace clipc::rules

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "base/spelling.h"
 #include "frontend/rules/constant.h"
 #include "frontend/rules/object_call.h"
 #include "ir/access.h"
@@ -12,7 +13,7 @@
 namespace clipc::rules {
 namespace {
 
-// A method call in progress: the object, and the arguments of the ObjectCall made so far.
+// A method call in progress: the object, and the operands of the ObjectCall made so far.
 class MethodCheck : IntrinsicCheck {
  public:
   MethodCheck(const IntrinsicCheck& call, ExprId object, ObjectKind kind)
@@ -20,157 +21,174 @@ class MethodCheck : IntrinsicCheck {
         object_(object),
         kind_(kind),
         traits_(rules::TraitsOf(kind)),
-        arguments_{object} {}
+        operands_{{OperandKind::kObject, object}} {}
 
-  ExprId SampleLevel(int) {
-    if (!TakeSample(3) || !TakeFloats(2, 1) || !TakeOffset(3)) return Error();
-    return Finish(ObjectOp::kSampleLevel, Element());
+  // Checks a method whose arguments are the operands of `op`.
+  template <ObjectOp op>
+  ExprId SampleBy() {
+    return TakeSample(op) && TakeRest(op) ? Finish(op, ResultOf(op)) : Error();
   }
 
   // Checks a Sample. In a stage without neighbours to take a level of detail from, fxc and DXC
   // refuse (X4532), and OpenGL reads level 0.
-  ExprId Sample(int) {
-    if (!TakeSample(2) || !HasLevelToClamp()) return Error();
+  ExprId Sample() {
+    if (!TakeSample(ObjectOp::kSample)) return Error();
     const bool has_neighbours = ThisStage().has_neighbours;
-    if (!has_neighbours) arguments_.push_back(Make().Float(0));
-    if (!TakeOffset(2)) return Error();
+    if (!has_neighbours) operands_.push_back({OperandKind::kLevel, Make().Float(0)});
+    if (!TakeRest(ObjectOp::kSample)) return Error();
     WarnOfLevel("0");
     return Finish(has_neighbours ? ObjectOp::kSample : ObjectOp::kSampleLevel, Element());
   }
 
-  ExprId SampleBias(int) {
-    if (!TakeSample(3) || !HasLevelToClamp() || !TakeFloats(2, 1) || !TakeOffset(3)) return Error();
+  ExprId SampleBias() {
+    if (!TakeSample(ObjectOp::kSampleBias) || !TakeRest(ObjectOp::kSampleBias)) return Error();
     WarnOfLevel("0 plus the bias");
-    return Finish(ThisStage().has_neighbours ? ObjectOp::kSampleBias : ObjectOp::kSampleLevel,
-                  Element());
+    if (ThisStage().has_neighbours) return Finish(ObjectOp::kSampleBias, Element());
+    std::ranges::find(operands_, OperandKind::kBias, &NamedOperand::kind)->kind =
+        OperandKind::kLevel;
+    return Finish(ObjectOp::kSampleLevel, Element());
   }
 
-  ExprId SampleCmp(int) {
+  ExprId SampleCmp() {
     WarnOfLevel("0");
-    return Compare(ThisStage().has_neighbours ? ObjectOp::kSampleCmp
-                                              : ObjectOp::kSampleCmpLevelZero);
+    if (!TakeSample(ObjectOp::kSampleCmp) || !TakeRest(ObjectOp::kSampleCmp)) return Error();
+    const bool has_neighbours = ThisStage().has_neighbours;
+    return Finish(has_neighbours ? ObjectOp::kSampleCmp : ObjectOp::kSampleCmpLevelZero,
+                  program.types.Make(Scalar::kFloat));
   }
 
-  ExprId LevelOfDetail(int op) {
+  template <ObjectOp op>
+  ExprId LevelOfDetail() {
     if (!ThisStage().has_neighbours)
       return Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
     // An element of an array has the level of detail that every other has.
-    if (!HasCount(2, 2) || !TakeSampler(ObjectKind::kSampler) || !TakeFloats(1, traits_.gradient))
+    if (!HasCount(2, 2) || !TakeSampler(ObjectKind::kSampler) ||
+        !TakeFloats(OperandKind::kCoordinate, 1, traits_.gradient))
       return Error();
-    return Finish(static_cast<ObjectOp>(op), program.types.Make(Scalar::kFloat));
+    return Finish(op, ResultOf(op));
   }
 
-  ExprId SampleGrad(int) {
-    if (!TakeSample(4) || !TakeFloats(2, traits_.gradient) || !TakeFloats(3, traits_.gradient) ||
-        !TakeOffset(4))
-      return Error();
-    return Finish(ObjectOp::kSampleGrad, Element());
+  ExprId SampleCmpLevel() { return HasModel(67) ? SampleBy<ObjectOp::kSampleCmpLevel>() : Error(); }
+  ExprId SampleCmpGrad() { return HasModel(68) ? SampleBy<ObjectOp::kSampleCmpGrad>() : Error(); }
+  ExprId SampleCmpBias() {
+    if (!ThisStage().has_neighbours)
+      return Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
+    return HasModel(68) ? SampleBy<ObjectOp::kSampleCmpBias>() : Error();
   }
 
-  ExprId SampleCmpLevelZero(int) { return Compare(ObjectOp::kSampleCmpLevelZero); }
-
-  // Checks a SampleCmpLevel or SampleCmpBias, which take one number after the reference.
-  ExprId SampleCmpWith(int op) {
-    if (!IsAtLeast(6, op == static_cast<int>(ObjectOp::kSampleCmpLevel) ? 7 : 8) ||
-        !TakeCompare(4) || !TakeFloats(3, 1) || !TakeOffset(4))
-      return Error();
-    return Finish(static_cast<ObjectOp>(op), program.types.Make(Scalar::kFloat));
+  // Checks a gather: after its operands there may be an offset, or one for each of the four texels.
+  // GatherCmpGreen, GatherCmpBlue and GatherCmpAlpha are GatherCmp, since only formats of one
+  // component are compared (vkd3d's gather-cmp.shader_test, checked against native).
+  template <ObjectOp op>
+  ExprId Gather() {
+    return GatherBy(op);
   }
-
-  ExprId SampleCmpBias(int op) {
-    return ThisStage().has_neighbours
-               ? SampleCmpWith(op)
-               : Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
-  }
-
-  ExprId SampleCmpGrad(int) {
-    if (!IsAtLeast(6, 8) || !TakeCompare(5) || !TakeFloats(3, traits_.gradient) ||
-        !TakeFloats(4, traits_.gradient) || !TakeOffset(5))
-      return Error();
-    return Finish(ObjectOp::kSampleCmpGrad, program.types.Make(Scalar::kFloat));
-  }
-
-  // Checks a Gather, whose arguments are (sampler, coordinate), and perhaps an offset or an offset
-  // for each of the four texels.
-  ExprId Gather(int op) {
-    const Scalar kind = program.types[Element()].scalar;
-    return GatherAfter(2, ObjectKind::kSampler, static_cast<ObjectOp>(op), kind);
-  }
-
-  // Checks a GatherCmp, which has a reference value after the coordinate. Those of green, blue and
-  // alpha compare what GatherCmpRed does, since only formats of one component are compared (vkd3d's
-  // gather-cmp.shader_test, checked against native).
-  ExprId GatherCmp(int op) {
-    return GatherAfter(3, ObjectKind::kSamplerComparison, static_cast<ObjectOp>(op),
-                       Scalar::kFloat);
-  }
-
-  ExprId TextureLoad(int) {
-    if (IsImage(kind_)) {
-      return LoadAt(ObjectOp::kImageLoad, VectorOf(Scalar::kInt, traits_.texel), Element());
+  ExprId GatherBy(ObjectOp op) {
+    const std::size_t least = InfoOf(op).least - 1u;
+    const std::size_t given = arguments.size();
+    const bool has_four = traits_.offset != 0 && (given == least + 4 || given == least + 5);
+    if (has_four && given == least + 5 && (!HasModel(50) || !TakeStatus())) return Error();
+    if ((!has_four && !CheckCount(least)) || !TakeNamed(op)) return Error();
+    // The place may be written four times.
+    std::vector<ExprId> steps;
+    for (NamedOperand& operand : operands_) {
+      const bool is_place = has_four && operand.kind >= OperandKind::kCoordinate;
+      if (!is_place || IsPure(program, operand.expr)) continue;
+      const auto place = temporaries.Make(operand.expr);
+      steps.push_back(place.prologue);
+      operand.expr = Make().Ref(place.var);
     }
+    const TypeId four = ResultOf(op);
+    if (has_four && status_) return After(*this, steps, GatherWithStatus(least, op, four));
+    const std::size_t end = has_four ? given : std::min(given, least + 1);
+    for (std::size_t i = least; i < end; ++i) {
+      if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
+    }
+    return After(*this, steps, Finish(op, four));
+  }
+
+  ExprId TextureLoad() {
+    if (IsImage(kind_)) return LoadAt(ObjectOp::kImageLoad, VectorOf(Scalar::kInt, traits_.texel));
     if (!CheckCount(traits_.is_multisampled ? 2 : 1)) return Error();
     TypeTable& types = program.types;
     const int texel = traits_.texel;
     ExprId prologue;
     if (traits_.is_multisampled) {
-      if (!Take(0, VectorOf(Scalar::kInt, texel)) || !Take(1, types.Make(Scalar::kInt)))
+      if (!Take(OperandKind::kPlace, 0, VectorOf(Scalar::kInt, texel)) ||
+          !Take(OperandKind::kLevel, 1, types.Make(Scalar::kInt)))
         return Error();
     } else {
       const auto location = Converted(0, types.Vector(Scalar::kInt, texel + 1));
       if (!location) return Error();
       const auto parts = Split(*location, texel, texel);
-      arguments_.insert(arguments_.end(), {parts.leading, parts.last});
+      operands_.push_back({OperandKind::kPlace, parts.leading});
+      operands_.push_back({OperandKind::kLevel, parts.last});
       prologue = parts.prologue;
     }
     if (!TakeOffset(traits_.is_multisampled ? 2 : 1)) return Error();
-    if (traits_.is_multisampled && arguments_.size() > 3) AddOffset();
+    if (traits_.is_multisampled) AddOffset();
     return After(*this, {&prologue, 1}, Finish(ObjectOp::kTextureLoad, Element()));
   }
 
-  ExprId BufferLoad(int) {
+  ExprId BufferLoad() {
     return LoadAt(IsStructured(kind_) ? ObjectOp::kStructuredLoad : ObjectOp::kBufferLoad,
-                  program.types.Make(Scalar::kInt), Element());
+                  program.types.Make(Scalar::kInt));
   }
 
-  ExprId Counter(int) { return CheckCounter(*this, object_); }
+  ExprId Counter() { return CheckCounter(*this, object_); }
 
-  ExprId ByteLoad(int words) {
-    return LoadAt(ObjectOp::kByteLoad, program.types.Make(Scalar::kUint),
-                  VectorOf(Scalar::kUint, words));
+  template <int words>
+  ExprId ByteLoad() {
+    if (!CheckCount(1) || !Take(OperandKind::kPlace, 0, program.types.Make(Scalar::kUint)))
+      return Error();
+    return Finish(ObjectOp::kByteLoad, VectorOf(Scalar::kUint, words));
   }
 
-  ExprId ByteStore(int words) {
-    if (!HasCount(2, 2) || !Take(0, program.types.Make(Scalar::kUint)) ||
-        !Take(1, VectorOf(Scalar::kUint, words)))
+  template <int words>
+  ExprId ByteStore() {
+    if (!HasCount(2, 2) || !Take(OperandKind::kPlace, 0, program.types.Make(Scalar::kUint)) ||
+        !Take(OperandKind::kValue, 1, VectorOf(Scalar::kUint, words)))
       return Error();
     return Finish(ObjectOp::kStore, program.types.Void());
   }
 
-  ExprId Atomic(int) { return CheckAtomic(*this, object_); }
+  ExprId Atomic() { return CheckAtomic(*this, object_); }
 
-  ExprId GetDimensions(int) { return CheckGetDimensions(*this, object_); }
+  ExprId GetDimensions() { return CheckGetDimensions(*this, object_); }
 
-  ExprId SamplePosition(int) {
+  ExprId SamplePosition() {
     if (!traits_.is_multisampled) return Unknown();
     const ExprId count = Finish(ObjectOp::kTextureSamples, program.types.Make(Scalar::kInt));
     return CheckSamplePosition(*this, Convert(count, program.types.Make(Scalar::kUint)));
   }
 
-  ExprId SubpassLoad(int) {
+  ExprId SubpassLoad() {
     const std::size_t count = InfoOf(kind_).is_multisampled ? 1 : 0;
-    if (!ThisStage().draws_pixels) return Unusable(0);
-    if (!HasCount(count, count) || (count == 1 && !Take(0, program.types.Make(Scalar::kInt))))
+    if (!ThisStage().draws_pixels) return Unusable();
+    if (!HasCount(count, count) ||
+        (count == 1 && !Take(OperandKind::kSample, 0, program.types.Make(Scalar::kInt))))
       return Error();
     return Finish(ObjectOp::kSubpassLoad, Element());
   }
 
-  ExprId Unsupported(int) { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
-  ExprId Unusable(int) { return Fail(name_span, diag::ObjectUnusable, name, ThisStage().name); }
-  // Refuses a method that the object does not have.
-  ExprId Unknown() {
-    return kind_ == ObjectKind::kOther ? Unusable(0)
-                                       : Fail(name_span, diag::MethodUnknown, ObjectName(), name);
+  ExprId Unsupported() { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
+  ExprId Unusable() { return Fail(name_span, diag::ObjectUnusable, name, ThisStage().name); }
+  // Refuses a method that the object does not have, but perhaps one of the names that are near.
+  ExprId Unknown(std::span<const std::string_view> near = {}) {
+    if (kind_ == ObjectKind::kOther) return Unusable();
+    const std::string tail = near.empty() ? "" : fmt::format("; did you mean `{}`?", near.front());
+    Diagnostic& report =
+        diagnostics.Report(name_span, diag::MethodUnknown, ObjectName(), name, tail);
+    if (!near.empty()) report.Fix(name_span, std::string(near.front()));
+    return Error();
+  }
+  // Reports and returns false unless the profile has the method, which came with this model.
+  bool HasModel(int model) const {
+    if (program.profile.HasModel(model)) return true;
+    diagnostics.Report(name_span, diag::IntrinsicProfile, name,
+                       fmt::format("{}_{}_{}", ThisStage().prefix, model / 10, model % 10),
+                       program.profile.name);
+    return false;
   }
 
  private:
@@ -184,47 +202,19 @@ class MethodCheck : IntrinsicCheck {
     if (!ThisStage().has_neighbours)
       diagnostics.Report(name_span, diag::MethodLevelZero, name, ThisStage().name, level);
   }
-  // Takes a sampler, a coordinate and a reference value, the first of `least` arguments.
-  bool TakeCompare(std::size_t least) {
-    return TakeSample(least, ObjectKind::kSamplerComparison) && TakeFloats(2, 1);
-  }
-  // Checks the gather of four components of this kind, whose arguments before the offsets are
-  // `least`.
-  ExprId GatherAfter(std::size_t least, ObjectKind sampler, ObjectOp op, Scalar kind) {
-    const std::size_t given = arguments.size();
-    const bool has_four = traits_.offset != 0 && (given == least + 4 || given == least + 5);
-    if (has_four && given == least + 5 && (!IsAtLeast(5, 0) || !TakeStatus())) return Error();
-    if ((!has_four && !CheckCount(least)) || !TakeSampler(sampler) ||
-        !TakeFloats(1, traits_.coordinates) || (least == 3 && !TakeFloats(2, 1)))
-      return Error();
-    // The place may be written four times.
-    std::vector<ExprId> steps;
-    for (std::size_t i = 2; has_four && i < arguments_.size(); ++i) {
-      if (IsPure(program, arguments_[i])) continue;
-      const auto place = temporaries.Make(arguments_[i]);
-      steps.push_back(place.prologue);
-      arguments_[i] = Make().Ref(place.var);
-    }
-    const TypeId four = program.types.Vector(kind, 4);
-    if (has_four && status_) return After(*this, steps, GatherWithStatus(least, op, four));
-    const std::size_t end = has_four ? given : std::min(given, least + 1);
-    for (std::size_t i = least; i < end; ++i) {
-      if (!TakeOffset(i, OffsetsOf(true, program.profile))) return Error();
-    }
-    return After(*this, steps, Finish(op, four));
-  }
   // A gather for each of the four offsets from argument `first` on, which have one status: that of
   // the first of them whose texels are not all in memory, since CheckAccessFullyMapped asks about
   // all that the method read (its page in Direct3D's documentation; DXC has that of the first).
   ExprId GatherWithStatus(std::size_t first, ObjectOp op, TypeId type) {
-    const std::vector<ExprId> leading = arguments_;
+    const std::vector<NamedOperand> leading = operands_;
     const ExprId target = status_;
     const VarId all = temporaries.Make(Make().Uint(0)).var;
     const VarId one = temporaries.Make(Make().Uint(0)).var;
     std::vector<ExprId> steps, texels;
     for (int i = 0; i < 4; ++i) {
-      arguments_.clear();
-      for (const ExprId argument : leading) arguments_.push_back(Clone(program, argument));
+      operands_.clear();
+      for (const auto& [kind, operand] : leading)
+        operands_.push_back({kind, Clone(program, operand)});
       status_ = Make().Ref(i == 0 ? all : one);
       if (!TakeOffset(first + static_cast<std::size_t>(i), OffsetsOf(true, program.profile)))
         return Error();
@@ -240,48 +230,35 @@ class MethodCheck : IntrinsicCheck {
     steps.push_back(Make().AssignTo(target, Convert(Make().Ref(all), TypeIdOf(target))));
     return After(*this, steps, Make().ConstructOf(type, texels));
   }
-  // Adds the offset, the last argument, to the texel's location: GLSL has no texelFetchOffset of
+  // Adds the offset, if there is one, to the texel's place: GLSL has no texelFetchOffset of
   // multisampled textures.
   void AddOffset() {
-    const ExprId offset = arguments_.back();
-    arguments_.pop_back();
-    arguments_[1] = Moved(Make(), program, arguments_[1], offset);
-  }
-  // Reports and returns false unless the profile has the method.
-  bool IsAtLeast(int major, int minor) const {
-    if (program.profile.IsAtLeast(major, minor)) return true;
-    diagnostics.Report(name_span, diag::IntrinsicProfile, name,
-                       fmt::format("{}_{}_{}", ThisStage().prefix, major, minor),
-                       program.profile.name);
-    return false;
-  }
-  ExprId Compare(ObjectOp op) {
-    if (!TakeCompare(3) || !HasLevelToClamp() || !TakeOffset(3)) return Error();
-    return Finish(op, program.types.Make(Scalar::kFloat));
+    if (operands_.back().kind != OperandKind::kOffset) return;
+    const ExprId offset = operands_.back().expr;
+    operands_.pop_back();
+    ExprId& place = std::ranges::find(operands_, OperandKind::kPlace, &NamedOperand::kind)->expr;
+    place = Moved(Make(), program, place, offset);
   }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
+  // The type of a read of a texture.
+  TypeId ResultOf(ObjectOp op) {
+    const ObjectResult result = InfoOf(op).result;
+    if (result == ObjectResult::kElement) return Element();
+    if (result == ObjectResult::kFloat) return program.types.Make(Scalar::kFloat);
+    const bool compares = Takes(op, OperandKind::kReference);
+    return program.types.Vector(compares ? Scalar::kFloat : program.types[Element()].scalar, 4);
+  }
   ExprId Finish(ObjectOp op, TypeId type) {
-    VarId texel;
-    if (status_) {
-      const TypeId four = program.types.Vector(program.types[type].scalar, 4);
-      texel = temporaries.Make(Make().ZeroOf(ComparesOnce(op) ? type : four)).var;
-    }
-    const auto count = static_cast<std::uint32_t>(arguments_.size());
-    if (clamp_) arguments_.push_back(clamp_);
-    if (status_) arguments_.push_back(Make().Ref(texel));
-    List<ExprId> list = program.expr_lists.Add(arguments_);
-    list.size = count;
-    const ObjectCall call{op, list, bool(clamp_), bool(status_)};
-    if (!status_) return Make().Add(type, call);
-    const ExprId value = Make().Add(program.types.Make(Scalar::kUint), call);
+    if (clamp_) operands_.push_back({OperandKind::kClamp, clamp_});
+    if (!status_) return Make().ObjectCallOf(op, type, operands_);
+    const bool compares = InfoOf(op).result == ObjectResult::kFloat;
+    const TypeId four = program.types.Vector(program.types[type].scalar, 4);
+    const VarId texel = temporaries.Make(Make().ZeroOf(compares ? type : four)).var;
+    operands_.push_back({OperandKind::kTexel, Make().Ref(texel)});
+    const ExprId value = Make().ObjectCallOf(op, program.types.Make(Scalar::kUint), operands_);
     const ExprId assign = Make().AssignTo(status_, Convert(value, TypeIdOf(status_)));
     return Make().CommaOf(assign, ConvertExplicit(program, Make().Ref(texel), type, temporaries));
-  }
-  static bool ComparesOnce(ObjectOp op) {
-    using enum ObjectOp;
-    return op == kSampleCmp || op == kSampleCmpLevelZero || op == kSampleCmpLevel ||
-           op == kSampleCmpBias || op == kSampleCmpGrad;
   }
 
   // Reports and returns false unless there are `least` arguments and perhaps an offset. From 5.0 on
@@ -295,7 +272,7 @@ class MethodCheck : IntrinsicCheck {
     const std::size_t all = most + (may_clamp ? 2 : 1), given = arguments.size();
     const bool has_status = given == all && RootOf(program, arguments.back());
     if (given <= most || given > all || (given == all && !has_status)) return HasCount(least, most);
-    return IsAtLeast(5, 0) && (!may_clamp || TakeClamp(most)) && (!has_status || TakeStatus());
+    return HasModel(50) && (!may_clamp || TakeClamp(most)) && (!has_status || TakeStatus());
   }
   bool TakeClamp(std::size_t i) {
     const auto value = Converted(i, program.types.Make(Scalar::kFloat));
@@ -319,23 +296,58 @@ class MethodCheck : IntrinsicCheck {
                   kind == ObjectKind::kSampler ? "a `SamplerState`" : "a `SamplerComparisonState`");
       return false;
     }
-    arguments_.push_back(arguments[0]);
+    operands_.push_back({OperandKind::kSampler, arguments[0]});
     return true;
   }
 
-  bool Take(std::size_t i, TypeId type) {
+  // Takes argument `i` as the operand of that kind.
+  bool Take(OperandKind kind, std::size_t i, TypeId type) {
     const auto value = Converted(i, type);
-    if (value) arguments_.push_back(*value);
+    if (value) operands_.push_back({kind, *value});
     return value.has_value();
   }
-  bool TakeFloats(std::size_t i, int count) { return Take(i, VectorOf(Scalar::kFloat, count)); }
-  // Takes a sampler and a coordinate, the first of `least` arguments.
-  bool TakeSample(std::size_t least, ObjectKind sampler = ObjectKind::kSampler) {
-    return CheckCount(least) && TakeSampler(sampler) && TakeFloats(1, traits_.coordinates);
+  bool TakeFloats(OperandKind kind, std::size_t i, int count) {
+    return Take(kind, i, VectorOf(Scalar::kFloat, count));
+  }
+  // Takes the operands that say what a sample reads: sampler, coordinate and reference.
+  bool TakeNamed(ObjectOp op) {
+    const bool compares = Takes(op, OperandKind::kReference);
+    return TakeSampler(compares ? ObjectKind::kSamplerComparison : ObjectKind::kSampler) &&
+           TakeFloats(OperandKind::kCoordinate, 1, traits_.coordinates) &&
+           (!compares || TakeFloats(OperandKind::kReference, 2, 1));
+  }
+  // Checks the number of arguments, and takes those operands.
+  bool TakeSample(ObjectOp op) {
+    return HasFloats(Takes(op, OperandKind::kReference)) && CheckCount(InfoOf(op).least - 1u) &&
+           TakeNamed(op) && (!AsksNeighbours(op) || HasLevelToClamp());
+  }
+  // Takes the other operands, which are numbers, gradients and an offset.
+  bool TakeRest(ObjectOp op) {
+    std::size_t i = 0;
+    for (const OperandSlot& slot : InfoOf(op).Slots().subspan(1)) {
+      const std::size_t argument = i++;
+      if (slot.kind <= OperandKind::kReference) continue;
+      const bool is_step = slot.kind == OperandKind::kDdx || slot.kind == OperandKind::kDdy;
+      if (slot.kind == OperandKind::kOffset
+              ? !TakeOffset(argument)
+              : !TakeFloats(slot.kind, argument, is_step ? traits_.gradient : 1))
+        return false;
+    }
+    return true;
+  }
+  // Reports and returns false for a texture of integers that a sampler cannot read: DXC's
+  // uintSample.hlsl and sampleInteger.hlsl. A gather takes integers (its texture.gather-red.hlsl).
+  bool HasFloats(bool compares) {
+    if (IsFloat(program.types[Element()].scalar)) return true;
+    if (!compares && program.profile.IsAtLeast(6, 7)) return true;
+    diagnostics.Report(name_span, diag::MethodOfIntegers, name, ObjectName(),
+                       compares ? "a sampler compares floats only"
+                                : "before shader model 6.7 a sampler filters floats only");
+    return false;
   }
   // Checks a load whose one argument is the place to read.
-  ExprId LoadAt(ObjectOp op, TypeId place, TypeId result) {
-    return CheckCount(1) && Take(0, place) ? Finish(op, result) : Error();
+  ExprId LoadAt(ObjectOp op, TypeId place) {
+    return CheckCount(1) && Take(OperandKind::kPlace, 0, place) ? Finish(op, Element()) : Error();
   }
 
   // Takes argument `i`, an optional offset in texels.
@@ -347,7 +359,8 @@ class MethodCheck : IntrinsicCheck {
     if (program.is_interface_only) return true;
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {
-      arguments_.push_back(*value);  // KnowOffsets finds its value, or reports it
+      operands_.push_back(
+          {OperandKind::kOffset, *value});  // KnowOffsets finds its value, or reports it
       return true;
     }
     // A clamp and a status come after an offset, which has to be given then.
@@ -364,15 +377,16 @@ class MethodCheck : IntrinsicCheck {
       }
       texels.push_back(builder.Int(number));
     }
-    arguments_.push_back(texels.size() == 1 ? texels[0]
-                                            : builder.ConstructOf(TypeIdOf(*value), texels));
+    const ExprId offset =
+        texels.size() == 1 ? texels[0] : builder.ConstructOf(TypeIdOf(*value), texels);
+    operands_.push_back({OperandKind::kOffset, offset});
     return true;
   }
 
   ExprId object_;
   ObjectKind kind_;
   TextureTraits traits_;
-  std::vector<ExprId> arguments_;
+  std::vector<NamedOperand> operands_;
   ExprId clamp_;
   ExprId status_;  // as the user wrote it
 };
@@ -398,7 +412,8 @@ bool Offers(ObjectKind kind, Needs needs) {
   switch (needs) {
     case kNothing: return true;
     case kSampling: return traits.coordinates != 0;
-    case kComparison: return traits.gradient != 0;
+    // Microsoft's pages list no Texture3D under SampleCmp and SampleCmpLevelZero.
+    case kComparison: return traits.gradient != 0 && InfoOf(kind).axes <= 2;
     case kGathering: return traits.can_gather;
     case kTexels: return traits.texel != 0;
     case kReading: return !IsWritable(kind);
@@ -411,55 +426,49 @@ bool Offers(ObjectKind kind, Needs needs) {
   return false;
 }
 
-using Check = ExprId (MethodCheck::*)(int detail);
+using Check = ExprId (MethodCheck::*)();
 
 struct Method {
   std::string_view name;
   Needs needs;
   Check check;
-  int detail = 0;  // the ObjectOp of the call; the number of words of a ByteLoad or ByteStore
+  int model = 10;  // the first shader model that has it, 41 for 4.1
   Staged staged = {};
 };
 
-constexpr auto kTextureMethods = [] {
-  using enum ObjectOp;
-  const auto gather = [](std::string_view name, ObjectOp op) {
-    return Method{name, kGathering, &MethodCheck::Gather, static_cast<int>(op)};
-  };
-  const auto gather_cmp = [](std::string_view name) {
-    return Method{name, kGathering, &MethodCheck::GatherCmp, static_cast<int>(kGatherCmp)};
-  };
-  return std::to_array<Method>({
-      {"SampleLevel", kSampling, &MethodCheck::SampleLevel},
-      {"SampleGrad", kSampling, &MethodCheck::SampleGrad},
-      {"Sample", kSampling, &MethodCheck::Sample},
-      {"SampleBias", kSampling, &MethodCheck::SampleBias},
-      {"SampleCmp", kComparison, &MethodCheck::SampleCmp},
-      {"SampleCmpLevelZero", kComparison, &MethodCheck::SampleCmpLevelZero},
-      gather("Gather", kGather),
-      gather("GatherRed", kGather),
-      gather("GatherGreen", kGatherGreen),
-      gather("GatherBlue", kGatherBlue),
-      gather("GatherAlpha", kGatherAlpha),
-      {"Load", kTexels, &MethodCheck::TextureLoad},
-      {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
-      {"SampleCmpBias", kComparison, &MethodCheck::SampleCmpBias, static_cast<int>(kSampleCmpBias)},
-      {"SampleCmpGrad", kComparison, &MethodCheck::SampleCmpGrad},
-      {"SampleCmpLevel", kComparison, &MethodCheck::SampleCmpWith,
-       static_cast<int>(kSampleCmpLevel)},
-      gather_cmp("GatherCmp"),
-      gather_cmp("GatherCmpRed"),
-      gather_cmp("GatherCmpGreen"),
-      gather_cmp("GatherCmpBlue"),
-      gather_cmp("GatherCmpAlpha"),
-      {"CalculateLevelOfDetail", kSampling, &MethodCheck::LevelOfDetail,
-       static_cast<int>(kLevelOfDetail)},
-      {"CalculateLevelOfDetailUnclamped", kSampling, &MethodCheck::LevelOfDetail,
-       static_cast<int>(kLevelOfDetailUnclamped)},
-      {"GetSamplePosition", kReading, &MethodCheck::SamplePosition},
-      {"GatherRaw", kReading, &MethodCheck::Unsupported},
-  });
-}();
+// "Minimum Shader Model" of the methods' pages in Microsoft's HLSL reference, and the model of the
+// instructions gather4, lod and samplepos, sm4.1, and gather4_c, sm5. fxc makes the samples that
+// have 10 instructions of Direct3D 9.
+
+constexpr Method kTextureMethods[] = {
+    {"SampleLevel", kSampling, &MethodCheck::SampleBy<ObjectOp::kSampleLevel>},
+    {"SampleGrad", kSampling, &MethodCheck::SampleBy<ObjectOp::kSampleGrad>},
+    {"Sample", kSampling, &MethodCheck::Sample},
+    {"SampleBias", kSampling, &MethodCheck::SampleBias},
+    {"SampleCmp", kComparison, &MethodCheck::SampleCmp, 40},
+    {"SampleCmpLevelZero", kComparison, &MethodCheck::SampleBy<ObjectOp::kSampleCmpLevelZero>, 40},
+    {"Gather", kGathering, &MethodCheck::Gather<ObjectOp::kGather>, 41},
+    {"GatherRed", kGathering, &MethodCheck::Gather<ObjectOp::kGather>, 41},
+    {"GatherGreen", kGathering, &MethodCheck::Gather<ObjectOp::kGatherGreen>, 50},
+    {"GatherBlue", kGathering, &MethodCheck::Gather<ObjectOp::kGatherBlue>, 50},
+    {"GatherAlpha", kGathering, &MethodCheck::Gather<ObjectOp::kGatherAlpha>, 50},
+    {"Load", kTexels, &MethodCheck::TextureLoad, 40},
+    {"GetDimensions", kNothing, &MethodCheck::GetDimensions, 40},
+    {"SampleCmpBias", kComparison, &MethodCheck::SampleCmpBias},
+    {"SampleCmpGrad", kComparison, &MethodCheck::SampleCmpGrad},
+    {"SampleCmpLevel", kComparison, &MethodCheck::SampleCmpLevel},
+    {"GatherCmp", kGathering, &MethodCheck::Gather<ObjectOp::kGatherCmp>, 50},
+    {"GatherCmpRed", kGathering, &MethodCheck::Gather<ObjectOp::kGatherCmp>, 50},
+    {"GatherCmpGreen", kGathering, &MethodCheck::Gather<ObjectOp::kGatherCmp>, 50},
+    {"GatherCmpBlue", kGathering, &MethodCheck::Gather<ObjectOp::kGatherCmp>, 50},
+    {"GatherCmpAlpha", kGathering, &MethodCheck::Gather<ObjectOp::kGatherCmp>, 50},
+    {"CalculateLevelOfDetail", kSampling, &MethodCheck::LevelOfDetail<ObjectOp::kLevelOfDetail>,
+     41},
+    {"CalculateLevelOfDetailUnclamped", kSampling,
+     &MethodCheck::LevelOfDetail<ObjectOp::kLevelOfDetailUnclamped>, 41},
+    {"GetSamplePosition", kReading, &MethodCheck::SamplePosition, 41},
+    {"GatherRaw", kReading, &MethodCheck::Unsupported},
+};
 
 // The methods of typed and structured buffers.
 constexpr Method kBufferMethods[] = {
@@ -472,15 +481,15 @@ constexpr Method kBufferMethods[] = {
 };
 
 constexpr Method kByteMethods[] = {
-    {"Load", kNothing, &MethodCheck::ByteLoad, 1},
-    {"Load2", kNothing, &MethodCheck::ByteLoad, 2},
-    {"Load3", kNothing, &MethodCheck::ByteLoad, 3},
-    {"Load4", kNothing, &MethodCheck::ByteLoad, 4},
+    {"Load", kNothing, &MethodCheck::ByteLoad<1>},
+    {"Load2", kNothing, &MethodCheck::ByteLoad<2>},
+    {"Load3", kNothing, &MethodCheck::ByteLoad<3>},
+    {"Load4", kNothing, &MethodCheck::ByteLoad<4>},
     {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
-    {"Store", kWriting, &MethodCheck::ByteStore, 1},
-    {"Store2", kWriting, &MethodCheck::ByteStore, 2},
-    {"Store3", kWriting, &MethodCheck::ByteStore, 3},
-    {"Store4", kWriting, &MethodCheck::ByteStore, 4},
+    {"Store", kWriting, &MethodCheck::ByteStore<1>},
+    {"Store2", kWriting, &MethodCheck::ByteStore<2>},
+    {"Store3", kWriting, &MethodCheck::ByteStore<3>},
+    {"Store4", kWriting, &MethodCheck::ByteStore<4>},
     {"InterlockedAdd", kWriting, &MethodCheck::Atomic},
     {"InterlockedAnd", kWriting, &MethodCheck::Atomic},
     {"InterlockedCompareExchange", kWriting, &MethodCheck::Atomic},
@@ -533,17 +542,12 @@ ExprId Moved(Builder builder, Program& program, ExprId location, ExprId offset) 
   return builder.BinaryOf(BinaryOp::kAdd, location, offset);
 }
 
-ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,
-                      std::span<const ExprId> arguments) {
-  return builder.Add(type, ObjectCall{op, program.expr_lists.Add(arguments)});
-}
-
 ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object) {
   const Type type = call.TypeOf(object);
   if (type.kind == TypeKind::kError || call.HasErrorArgument()) return call.Error();
   if (type.kind != TypeKind::kObject) {
     return call.Fail(call.name_span, diag::MethodUnknown,
-                     call.program.types.Name(call.TypeIdOf(object)), call.name);
+                     call.program.types.Name(call.TypeIdOf(object)), call.name, "");
   }
   if (IsOrdered(type.object) && !call.ThisStage().draws_pixels)
     return call.Fail(call.name_span, diag::ObjectUnusable, call.name, call.ThisStage().name);
@@ -552,9 +556,16 @@ ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object) {
   const auto found = std::ranges::find_if(methods, [&](const Method& each) {
     return each.name == call.name && Offers(type.object, each.needs);
   });
-  if (found == methods.end()) return check.Unknown();
+  if (found == methods.end()) {
+    std::vector<std::string_view> names;
+    for (const Method& each : methods) {
+      if (Offers(type.object, each.needs)) names.push_back(each.name);
+    }
+    return check.Unknown(NearNames(call.name, names));
+  }
+  if (!call.program.is_interface_only && !check.HasModel(found->model)) return call.Error();
   const ExprId value = StandInFor(call, found->staged);
-  return value ? value : (check.*found->check)(found->detail);
+  return value ? value : (check.*found->check)();
 }
 
 }  // namespace clipc::rules

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <array>
 
+#include <fmt/format.h>
+
 #include "frontend/rules/object_call.h"
 #include "frontend/rules/objects.h"
 #include "ir/access.h"
@@ -38,13 +40,14 @@ ExprId IndexTexture(Program& program, ExprId object, ExprId index, ExprId level,
     return ReportIndex(program, index, program.types.Name(coordinate), diagnostics);
   if (!RankImplicit(program.types, TypeIdOf(program, level), number))
     return ReportIndex(program, level, "int", diagnostics);
-  const std::array<ExprId, 3> arguments = {object,
-                                           ConvertImplicit(program, index, coordinate, diagnostics),
-                                           ConvertImplicit(program, level, number, diagnostics)};
+  const std::array<NamedOperand, 3> operands = {
+      {{OperandKind::kObject, object},
+       {OperandKind::kPlace, ConvertImplicit(program, index, coordinate, diagnostics)},
+       {OperandKind::kLevel, ConvertImplicit(program, level, number, diagnostics)}}};
   const bool is_image = IsImage(type.object);
-  return MakeObjectCall(Builder(program, span), program, ElementOf(program.types, type),
-                        is_image ? ObjectOp::kImageLoad : ObjectOp::kTextureLoad,
-                        std::span(arguments).first(is_image ? 2 : 3));
+  return Builder(program, span)
+      .ObjectCallOf(is_image ? ObjectOp::kImageLoad : ObjectOp::kTextureLoad,
+                    ElementOf(program.types, type), std::span(operands).first(is_image ? 2 : 3));
 }
 
 ExprId IndexBuffer(Program& program, ExprId object, ExprId index, Span span,
@@ -56,11 +59,11 @@ ExprId IndexBuffer(Program& program, ExprId object, ExprId index, Span span,
       !is_buffer && index_type.IsNumeric() && BaseOf(index_type.scalar) == Scalar::kUint;
   const TypeId number = program.types.Make(keeps_uint ? Scalar::kUint : Scalar::kInt);
   if (!IsPlace(program, index, number)) return ReportIndex(program, index, "int", diagnostics);
-  const std::array<ExprId, 2> arguments = {object,
-                                           ConvertImplicit(program, index, number, diagnostics)};
-  const TypeId element = ElementOf(program.types, type);
-  return MakeObjectCall(Builder(program, span), program, element,
-                        is_buffer ? ObjectOp::kBufferLoad : ObjectOp::kStructuredLoad, arguments);
+  const ExprId place = ConvertImplicit(program, index, number, diagnostics);
+  return Builder(program, span)
+      .ObjectCallOf(is_buffer ? ObjectOp::kBufferLoad : ObjectOp::kStructuredLoad,
+                    ElementOf(program.types, type),
+                    {{OperandKind::kObject, object}, {OperandKind::kPlace, place}});
 }
 
 }  // namespace
@@ -81,6 +84,14 @@ ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::opti
       return builder.ZeroOf(program.types.Error());
     }
     if (TraitsOf(type.object).texel != 0 && !(level && IsImage(type.object))) {
+      // Direct3D 9 has no instruction that reads a texel by its place.
+      const bool has_object = program.profile.HasModel(InfoOf(type.object).model);
+      if (program.profile.IsDirect3D9() && has_object && !program.is_interface_only) {
+        diagnostics.Report(span, diag::IntrinsicProfile, "[]",
+                           fmt::format("{}_4_0", InfoOf(program.stage).prefix),
+                           program.profile.name);
+        return builder.ZeroOf(program.types.Error());
+      }
       return IndexTexture(program, object, index, level ? *level : builder.Int(0), span,
                           diagnostics);
     }

@@ -37,7 +37,7 @@ class SizeCheck : IntrinsicCheck {
       if (!given) return Error();
       level = *given;
     }
-    const ExprId size = Query(ObjectOp::kTextureSize, VectorOf(Scalar::kInt, traits.size), {level});
+    const ExprId size = Query(ObjectOp::kTextureSize, VectorOf(Scalar::kInt, traits.size), level);
     if (traits.size == 1) {
       Assign(first, size);
     } else if (const ExprId whole = Together(first, traits.size)) {
@@ -51,9 +51,9 @@ class SizeCheck : IntrinsicCheck {
       }
     }
     const TypeId count = types.Make(Scalar::kInt);
-    if (has_level) Assign(first + traits.size, Query(ObjectOp::kTextureLevels, count, {}));
+    if (has_level) Assign(first + traits.size, Query(ObjectOp::kTextureLevels, count));
     if (traits.is_multisampled)
-      Assign(first + traits.size, Query(ObjectOp::kTextureSamples, count, {}));
+      Assign(first + traits.size, Query(ObjectOp::kTextureSamples, count));
     return Chain();
   }
 
@@ -63,7 +63,7 @@ class SizeCheck : IntrinsicCheck {
     for (std::size_t i = 0; i < count; ++i) {
       if (!IsOut(i)) return Error();
     }
-    Assign(0, Query(ObjectOp::kBufferSize, program.types.Make(Scalar::kInt), {}));
+    Assign(0, Query(ObjectOp::kBufferSize, program.types.Make(Scalar::kInt)));
     if (count == 2) {
       const TypeId element = ElementOf(program.types, TypeOf(object_));
       Assign(1, Make().Uint(StrideOf(program.types, element)));
@@ -103,11 +103,12 @@ class SizeCheck : IntrinsicCheck {
     return is_whole ? all.base : Make().Swizzled(all.base, components);
   }
 
-  ExprId Query(ObjectOp op, TypeId type, std::initializer_list<ExprId> rest) {
-    std::vector<ExprId> arguments{used_ ? Clone(program, object_) : object_};
+  ExprId Query(ObjectOp op, TypeId type, ExprId level = {}) {
+    std::vector<NamedOperand> operands = {
+        {OperandKind::kObject, used_ ? Clone(program, object_) : object_}};
     used_ = true;
-    arguments.insert(arguments.end(), rest);
-    return MakeObjectCall(Make(), program, type, op, arguments);
+    if (level) operands.push_back({OperandKind::kLevel, level});
+    return Make().ObjectCallOf(op, type, operands);
   }
 
   void Assign(std::size_t i, ExprId value) {
@@ -135,10 +136,10 @@ ExprId CheckLength(Program& program, ExprId object, Span span) {
   Builder at(program, span);
   TypeTable& types = program.types;
   const TypeId whole = size > 1 ? types.Vector(Scalar::kInt, size) : types.Make(Scalar::kInt);
-  std::vector<ExprId> arguments = {object};
-  if (!is_buffer) arguments.push_back(at.Uint(0));
+  std::vector<NamedOperand> operands = {{OperandKind::kObject, object}};
+  if (!is_buffer) operands.push_back({OperandKind::kLevel, at.Uint(0)});
   const ObjectOp op = is_buffer ? ObjectOp::kBufferSize : ObjectOp::kTextureSize;
-  return at.ConvertTo(Scalar::kUint, MakeObjectCall(at, program, whole, op, arguments));
+  return at.ConvertTo(Scalar::kUint, at.ObjectCallOf(op, whole, operands));
 }
 
 ExprId CheckGetDimensions(const IntrinsicCheck& call, ExprId object) {

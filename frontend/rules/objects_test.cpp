@@ -52,27 +52,27 @@ class ObjectsTest : public testing::Test {
 
 TEST_F(ObjectsTest, Samples) {
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0"}),
-            "float4: sample_level(t, s, float2_1, 0.0)");
+            "float4: sample_level(t, s, float2_1, level: 0.0)");
   EXPECT_EQ(Call(ObjectKind::kTexture1D, "SampleLevel", {"s", "float", "float"}, "float3"),
-            "float3: sample_level(t, s, float_1, float_2)");
+            "float3: sample_level(t, s, float_1, level: float_2)");
   EXPECT_EQ(Call(ObjectKind::kTextureCubeArray, "SampleLevel", {"s", "float4", "float"}, "half"),
-            "half: sample_level(t, s, float4_1, float_2)");
+            "half: sample_level(t, s, float4_1, level: float_2)");
   EXPECT_EQ(Call(ObjectKind::kTexture2DArray, "SampleLevel", {"s", "float3", "float", "1"}),
-            "float4: sample_level(t, s, float3_1, float_2, int2(1, 1))");
+            "float4: sample_level(t, s, float3_1, level: float_2, offset: int2(1, 1))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleGrad", {"s", "float2", "float2", "float2"}),
-            "float4: sample_grad(t, s, float2_1, float2_2, float2_3)");
+            "float4: sample_grad(t, s, float2_1, ddx: float2_2, ddy: float2_3)");
   EXPECT_EQ(Call(ObjectKind::kTextureCube, "SampleGrad", {"s", "float3", "float3", "float3"}),
-            "float4: sample_grad(t, s, float3_1, float3_2, float3_3)");
+            "float4: sample_grad(t, s, float3_1, ddx: float3_2, ddy: float3_3)");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleCmpLevelZero", {"c", "float2", "float"}),
-            "float: sample_cmp_level_zero(t, c, float2_1, float_2)");
+            "float: sample_cmp_level_zero(t, c, float2_1, reference: float_2)");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "Gather", {"s", "float2"}, "float"),
             "float4: gather(t, s, float2_1)");
   EXPECT_EQ(Call(ObjectKind::kTextureCube, "GatherBlue", {"s", "float3"}, "uint4"),
             "uint4: gather_blue(t, s, float3_1)");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmp", {"c", "float2", "float"}),
-            "float4: gather_cmp(t, c, float2_1, float_2)");
+            "float4: gather_cmp(t, c, float2_1, reference: float_2)");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmpGreen", {"c", "float2", "float"}),
-            "float4: gather_cmp(t, c, float2_1, float_2)");
+            "float4: gather_cmp(t, c, float2_1, reference: float_2)");
 }
 
 TEST_F(ObjectsTest, SamplesRefused) {
@@ -81,6 +81,8 @@ TEST_F(ObjectsTest, SamplesRefused) {
             "shader has none [method-implicit-level, X4532]");
   EXPECT_EQ(Call(ObjectKind::kTexture3D, "Gather", {"s", "float3"}),
             "`Texture3D` has no method `Gather` [method-unknown, X3018]");
+  EXPECT_EQ(Call(ObjectKind::kTexture3D, "SampleCmpLevelZero", {"c", "float3", "float"}),
+            "`Texture3D` has no method `SampleCmpLevelZero` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "SampleLevel", {"s", "float2", "0"}),
             "`Texture2DMS` has no method `SampleLevel` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"c", "float2", "0"}),
@@ -95,19 +97,22 @@ TEST_F(ObjectsTest, SamplesRefused) {
             "[intrinsic-argument-type, X3013]");
   // KnowOffsets finds out whether it is constant.
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "int2"}),
-            "float4: sample_level(t, s, float2_1, 0.0, int2_2)");
+            "float4: sample_level(t, s, float2_1, level: 0.0, offset: int2_2)");
   EXPECT_EQ(
       Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "8"}),
       "offset 8 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]");
   // A status may be any number. The texel goes into a variable, in four components.
   EXPECT_EQ(
       Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}, "float2"),
-      "float2: (uint_2 = sample_level(t, s, float2_1, 0.0, int2(1, 1), texel: t1)), t1.xy");
+      "float2: (uint_2 = sample_level(t, s, float2_1, level: 0.0, offset: int2(1, 1), texel: t1)), "
+      "t1.xy");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "0", "float"}),
-            "float4: (float_2 = convert<float>(sample_level(t, s, float2_1, 0.0, texel: t1))), t1");
+            "float4: (float_2 = convert<float>(sample_level(t, s, float2_1, level: 0.0, texel: "
+            "t1))), t1");
   EXPECT_EQ(
       Call(ObjectKind::kTexture2D, "SampleGrad", {"s", "float2", "float2", "float2", "0", "int"}),
-      "float4: sample_grad(t, s, float2_1, float2_2, float2_3, clamp: convert<float>(int_4))");
+      "float4: sample_grad(t, s, float2_1, ddx: float2_2, ddy: float2_3, clamp: "
+      "convert<float>(int_4))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "Frobnicate", {}),
             "`Texture2D` has no method `Frobnicate` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kSampler, "SampleLevel", {}),
@@ -119,18 +124,18 @@ TEST_F(ObjectsTest, SamplesRefused) {
 
 TEST_F(ObjectsTest, Loads) {
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "Load", {"int3"}),
-            "float4: texture_load(t, int3_1.xy, int3_1.z)");
-  EXPECT_EQ(
-      Call(ObjectKind::kTexture2D, "Load", {"uint3", "1"}, "uint4"),
-      "uint4: texture_load(t, convert<int2>(uint3_1.xy), convert<int>(uint3_1.z), int2(1, 1))");
+            "float4: texture_load(t, int3_1.xy, level: int3_1.z)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "Load", {"uint3", "1"}, "uint4"),
+            "uint4: texture_load(t, convert<int2>(uint3_1.xy), level: convert<int>(uint3_1.z), "
+            "offset: int2(1, 1))");
   EXPECT_EQ(Call(ObjectKind::kTexture1D, "Load", {"int2"}, "float"),
-            "float: texture_load(t, int2_1.x, int2_1.y)");
+            "float: texture_load(t, int2_1.x, level: int2_1.y)");
   EXPECT_EQ(Call(ObjectKind::kTexture3D, "Load", {"int4"}),
-            "float4: texture_load(t, int4_1.xyz, int4_1.w)");
+            "float4: texture_load(t, int4_1.xyz, level: int4_1.w)");
   EXPECT_EQ(Call(ObjectKind::kTexture2DArray, "Load", {"int4"}),
-            "float4: texture_load(t, int4_1.xyz, int4_1.w)");
+            "float4: texture_load(t, int4_1.xyz, level: int4_1.w)");
   EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "Load", {"int2", "int"}),
-            "float4: texture_load(t, int2_1, int_2)");
+            "float4: texture_load(t, int2_1, level: int_2)");
   EXPECT_EQ(Call(ObjectKind::kTextureCube, "Load", {"int4"}),
             "`TextureCube` has no method `Load` [method-unknown, X3018]");
   EXPECT_EQ(
@@ -161,33 +166,33 @@ TEST_F(ObjectsTest, LoadsTakeConstructorsApart) {
   };
   ir::Builder make(test_.program);
   EXPECT_EQ(load(make.ConstructOf(test_.Type("int3"), {test_.Var("p", "int2"), make.Int(0)})),
-            "float4: texture_load(t, p, 0)");
+            "float4: texture_load(t, p, level: 0)");
   EXPECT_EQ(load(make.ConstructOf(test_.Type("int3"), {test_.Var("x", "int"), test_.Var("y", "int"),
                                                        test_.Var("z", "int")})),
-            "float4: texture_load(t, int2(x, y), z)");
+            "float4: texture_load(t, int2(x, y), level: z)");
   EXPECT_EQ(load(make.ConstructOf(test_.Type("uint3"), {test_.Var("q", "uint2"), make.Uint(0)})),
-            "float4: texture_load(t, convert<int2>(q), 0)");
+            "float4: texture_load(t, convert<int2>(q), level: 0)");
   EXPECT_EQ(
       load(make.ConstructOf(test_.Type("int3"), {test_.Var("u", "int"), test_.Var("v", "int2")})),
-      "float4: (t1 = int3(u, v)), texture_load(t, t1.xy, t1.z)");
+      "float4: (t1 = int3(u, v)), texture_load(t, t1.xy, level: t1.z)");
   EXPECT_EQ(load(make.BinaryOf(ir::BinaryOp::kAdd, test_.Var("i", "int3"), test_.Var("j", "int3"))),
-            "float4: (t2 = i + j), texture_load(t, t2.xy, t2.z)");
+            "float4: (t2 = i + j), texture_load(t, t2.xy, level: t2.z)");
 }
 
 TEST_F(ObjectsTest, GetDimensions) {
   EXPECT_EQ(Call(ObjectKind::kTexture1D, "GetDimensions", {"uint"}),
-            "uint: uint_1 = convert<uint>(texture_size(t, 0u))");
+            "uint: uint_1 = convert<uint>(texture_size(t, level: 0u))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"float", "uint"}),
-            "uint: (t1 = texture_size(t, 0u)), ((float_1 = convert<float>(t1.x)), (uint_2 = "
+            "uint: (t1 = texture_size(t, level: 0u)), ((float_1 = convert<float>(t1.x)), (uint_2 = "
             "convert<uint>(t1.y)))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"0", "uint", "uint", "uint"}),
-            "uint: (t1 = texture_size(t, 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
+            "uint: (t1 = texture_size(t, level: 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
             "convert<uint>(t1.y)), (uint_3 = convert<uint>(texture_levels(t)))))");
   EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "GetDimensions", {"uint", "uint", "uint"}),
-            "uint: (t1 = texture_size(t, 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
+            "uint: (t1 = texture_size(t, level: 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
             "convert<uint>(t1.y)), (uint_3 = convert<uint>(texture_samples(t)))))");
   EXPECT_EQ(Call(ObjectKind::kTexture2DArray, "GetDimensions", {"uint", "uint", "uint"}),
-            "uint: (t1 = texture_size(t, 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
+            "uint: (t1 = texture_size(t, level: 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
             "convert<uint>(t1.y)), (uint_3 = convert<uint>(t1.z))))");
   EXPECT_EQ(Call(ObjectKind::kBuffer, "GetDimensions", {"uint"}),
             "uint: uint_1 = convert<uint>(buffer_size(t))");
@@ -207,12 +212,13 @@ TEST_F(ObjectsTest, GetDimensions) {
 
 TEST_F(ObjectsTest, Indices) {
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "uint2"),
-            "float4: texture_load(t, convert<int2>(uint2_1), 0)");
-  EXPECT_EQ(Index(ObjectKind::kTexture1D, "int", "float3"), "float3: texture_load(t, int_1, 0)");
+            "float4: texture_load(t, convert<int2>(uint2_1), level: 0)");
+  EXPECT_EQ(Index(ObjectKind::kTexture1D, "int", "float3"),
+            "float3: texture_load(t, int_1, level: 0)");
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "int2", "", "int"),
-            "float4: texture_load(t, int2_1, int_2)");
+            "float4: texture_load(t, int2_1, level: int_2)");
   EXPECT_EQ(Index(ObjectKind::kTexture2DMS, "int2", "float4", "int"),
-            "float4: texture_load(t, int2_1, int_2)");
+            "float4: texture_load(t, int2_1, level: int_2)");
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "int"),
             "the index has type `int`; it must be `int2` [object-index-type, X3120]");
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "int3"),
@@ -239,18 +245,18 @@ TEST_F(ObjectsTest, Direct3d9) {
         CheckIntrinsicCall({test_.program, name, {}, arguments, {}, test_, test_.diagnostics}));
   };
   EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler2D, test_.Var("p", "float4")),
-            "float4: d3d9_sample_level(s, p.xy, p.w)");
+            "float4: d3d9_sample_level(s, p.xy, level: p.w)");
   EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler, test_.Var("q", "float4")),
-            "float4: d3d9_sample_level(s.1, q.xy, q.w)");
+            "float4: d3d9_sample_level(s.1, q.xy, level: q.w)");
   ir::Builder make(test_.program);
   const ir::ExprId place = make.ConstructOf(
       test_.Type("float4"), {test_.Var("uv", "float2"), make.Float(0), make.Float(0)});
   EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler2D, place),
-            "float4: d3d9_sample_level(s.2, uv, 0.0)");
+            "float4: d3d9_sample_level(s.2, uv, level: 0.0)");
   EXPECT_EQ(lod("texCUBElod", ObjectKind::kSamplerCube, test_.Var("r", "float4")),
-            "float4: d3d9_sample_level(s.3, r.xyz, r.w)");
+            "float4: d3d9_sample_level(s.3, r.xyz, level: r.w)");
   EXPECT_EQ(lod("tex1Dlod", ObjectKind::kSampler1D, test_.Var("l", "half4")),
-            "float4: d3d9_sample_level(s.4, convert<float>(l.x), convert<float>(l.w))");
+            "float4: d3d9_sample_level(s.4, convert<float>(l.x), level: convert<float>(l.w))");
   EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler3D, test_.Var("w", "float4")),
             "argument 1 of `tex2Dlod` has type `sampler3D`; it must be a `sampler2D` "
             "[intrinsic-argument-type, X3013]");

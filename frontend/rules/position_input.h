@@ -17,7 +17,7 @@ namespace clipc::rules {
 //   Then it is doubtful which of the two positions the planes are for.
 //
 // Warns if the position is more than the input times matrices (position_trial.h).
-// Requires a checked program (Form::kTyped).
+// Requires a checked program (Form::kResolved).
 VarId CheckPositionInput(const Program& program, std::string_view semantic,
                          Diagnostics& diagnostics);
 

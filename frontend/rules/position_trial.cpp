@@ -26,8 +26,7 @@ class Trial {
     inputs_.read_object = [](const ObjectRequest& request, std::span<std::uint64_t> result) {
       // The result is a hash of the place, since a texture is seldom the same everywhere.
       std::uint64_t hash = 14695981039346656037u;
-      for (const std::uint64_t argument : request.arguments)
-        hash = (hash ^ argument) * 1099511628211u;
+      for (const std::uint64_t word : request.words) hash = (hash ^ word) * 1099511628211u;
       for (std::uint64_t& word : result) {
         hash = hash * 6364136223846793005u + 1442695040888963407u;
         word = BitsOf(static_cast<float>(hash >> 40) * 0x1p-24f);

@@ -13,7 +13,7 @@ namespace clipc::rules {
 // empty if there is none, or if the shader cannot be run. The trial finds skinning, instances
 // and waves. It cannot find a change that moves all vertices alike, as a matrix might too.
 //
-// Requires Form::kTyped and that `input` is a float3 or float4 input.
+// Requires Form::kResolved and that `input` is a float3 or float4 input.
 std::string WhyNotTimesMatrices(const Program& program, VarId input);
 
 }  // namespace clipc::rules

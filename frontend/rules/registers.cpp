@@ -30,7 +30,8 @@ std::uint32_t HighestRegister(char letter, const Profile& profile) {
 class Allocator {
  public:
   // Before 5.1 the views of a pixel shader's unordered access follow its `targets` (vkd3d's
-  // uav-rwtexture.shader_test, checked against fxc).
+  // uav-rwtexture.shader_test, checked against fxc). One bound before is fxc's X4509, "UAV
+  // registers live in the same name space as outputs".
   Allocator(const Profile& profile, std::uint32_t targets, Diagnostics& diagnostics)
       : profile_(profile),
         first_view_(profile.IsAtLeast(5, 1) ? 0 : targets),
@@ -103,6 +104,10 @@ class Allocator {
     const std::uint64_t last = std::uint64_t{reg.number} + taker.count - 1;
     if (last > highest) {
       diagnostics_.Report(taker.span, diag::RegisterTooHigh, Written(reg), taker.name, highest);
+      return;
+    }
+    if (reg.letter == 'u' && reg.number < first_view_) {
+      diagnostics_.Report(taker.span, diag::RegisterOfTarget, taker.name, reg.number, first_view_);
       return;
     }
     if (const Range* range = Overlap(reg.letter, reg.space, reg.number, taker.count)) {

@@ -7,6 +7,7 @@
 #include "frontend/rules/object_resolver.h"
 #include "frontend/rules/registers.h"
 #include "ir/access.h"
+#include "ir/clone_body.h"
 #include "ir/packing.h"
 
 namespace clipc::rules {

@@ -97,7 +97,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Assign& node) {
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Comma& node) {
   const ExprId first = Visit(node.first).expr;
   Value second = Visit(node.second);
-  if (!first) return second;
+  if (!first || IsObject(program_.exprs[first].type)) return second;
   if (!second.expr) {
     Before(first, program_.exprs[id].span);
     return second;
@@ -174,9 +174,9 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Call& call) {
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const ObjectCall& call) {
-  if (call.has_clamp) {
-    const ExprId clamp = Visit(ClampOf(program_, call)).expr;
-    program_.expr_lists[call.Tiled()][0] = clamp;
+  if (const ExprId clamp = OperandOf(program_, call, OperandKind::kClamp)) {
+    const ExprId visited = Visit(clamp).expr;
+    program_.expr_lists[OperandsOf(call, OperandKind::kClamp)][0] = visited;
   }
   for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
     const ExprId argument = program_.expr_lists[call.arguments][i];

@@ -33,16 +33,25 @@ class SemanticCheck {
   // Reports a leaf that is not of the wanted type.
   void Refuse(const Carrier& leaf, std::string_view wanted);
   // Reports an output POSITION from 4.0 on, which is most likely meant to be the position.
-  void CheckPosition();
+  // Where the file has a hull or geometry shader too, that may write the position.
+  void CheckPosition(bool has_later_stage);
+  // Reports an interpolation that the leaf's type or the profile does not have.
+  void CheckInterpolation(const Carrier& leaf);
 
  private:
+  // A pixel has one depth, whatever the names of its outputs are.
+  bool IsFirstDepth(const Carrier& leaf);
   const Program& program_;
   PositionName position_;
   Diagnostics& diagnostics_;
   // A signature has a few semantics; nodes for those lie here.
   std::array<std::byte, 2048> first_memory_;
   std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
-  using Seen = std::pmr::map<std::pair<std::string, std::uint32_t>, Span>;  // by name and index
+  struct First {
+    Span span;
+    TypeId type;
+  };
+  using Seen = std::pmr::map<std::pair<std::string, std::uint32_t>, First>;  // by name and index
   Seen seen_inputs_{&memory_}, seen_outputs_{&memory_};
 };
 

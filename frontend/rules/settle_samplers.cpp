@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "frontend/rules/drop_dead_reads.h"
 #include "ir/access.h"
+#include "ir/walk.h"
 
 namespace clipc::rules {
 namespace {
@@ -18,12 +20,29 @@ class Settler {
   Settler(Program& program, Diagnostics& diagnostics)
       : program_(program), diagnostics_(diagnostics) {}
 
-  void Run() {
+  // Reads the uses of samplers, in the calls that are marked by ExprId; in all if `live` is empty.
+  void Read(const std::vector<bool>& live) {
     for (const ExprId id : program_.exprs.ids()) {
       const auto* call = As<ObjectCall>(program_, id);
-      for (std::uint32_t i = 0; call && i < call->arguments.size; ++i)
-        Note(program_.expr_lists[call->arguments][i], id);
+      if (!live.empty() && !live[id.index]) continue;
+      for (const OperandKind kind : {OperandKind::kObject, OperandKind::kSampler}) {
+        const ExprId path = call ? OperandOf(program_, *call, kind) : ExprId{};
+        if (path) Note(path, id);
+      }
     }
+    for (const VarId var : order_) FindConflict(var);
+  }
+
+  bool HasConflicts() const { return !conflicts_.empty(); }
+  void ReportConflicts() const {
+    for (const Conflict& each : conflicts_) {
+      diagnostics_.Report(each.span, diag::SamplerKinds, program_.vars[each.var].name,
+                          program_.types.Name(program_.types.Object(each.one)),
+                          program_.types.Name(program_.types.Object(each.other)));
+    }
+  }
+
+  void Settle() {
     // The resources that are added come in the order of their first uses.
     std::vector<Resource> added;
     for (const VarId var : order_) Settle(var, added);
@@ -33,6 +52,12 @@ class Settler {
   }
 
  private:
+  // A sampler that is read as two kinds.
+  struct Conflict {
+    Span span;
+    VarId var;
+    ObjectKind one, other;
+  };
   // What a sampler is used for.
   struct Uses {
     bool is_plain = false;
@@ -61,7 +86,7 @@ class Settler {
     found->second.reads[kind].push_back(path);
     const auto [element, is_first] = found->second.elements.try_emplace(ElementOf(path), kind);
     if (!is_first && element->second != kind)
-      Report(program_.exprs[call].span, root, element->second, kind);
+      conflicts_.push_back({program_.exprs[call].span, root, element->second, kind});
   }
 
   std::uint32_t ElementOf(ExprId path) const {
@@ -70,26 +95,25 @@ class Settler {
     return !index ? 0 : literal ? static_cast<std::uint32_t>(literal->bits) : kAnyElement;
   }
 
-  void Report(Span span, VarId var, ObjectKind one, ObjectKind other) {
-    diagnostics_.Report(span, diag::SamplerKinds, program_.vars[var].name,
-                        program_.types.Name(program_.types.Object(one)),
-                        program_.types.Name(program_.types.Object(other)));
-  }
-
   static bool IsFlat(ObjectKind kind) {
     return kind == ObjectKind::kSampler1D || kind == ObjectKind::kSampler2D;
+  }
+
+  // Elements of an array with an index that is not known have the kind of the others.
+  void FindConflict(VarId var) {
+    const Uses& uses = uses_.at(var);
+    for (const auto& [element, kind] : uses.elements) {
+      const ObjectKind first = uses.elements.begin()->second;
+      const bool may_differ = program_.profile.IsDirect3D9() || (IsFlat(kind) && IsFlat(first));
+      if (kind == first || (may_differ && !uses.elements.contains(kAnyElement))) continue;
+      conflicts_.push_back({program_.exprs[uses.reads.at(kind).front()].span, var, first, kind});
+      return;
+    }
   }
 
   void Settle(VarId var, std::vector<Resource>& added) {
     const Uses& uses = uses_.at(var);
     if (uses.reads.empty()) return;
-    // Elements of an array with an index that is not known have the kind of the others.
-    for (const auto& [element, kind] : uses.elements) {
-      const ObjectKind first = uses.elements.begin()->second;
-      const bool may_differ = program_.profile.IsDirect3D9() || (IsFlat(kind) && IsFlat(first));
-      if (kind != first && (!may_differ || uses.elements.contains(kAnyElement)))
-        return Report(program_.exprs[uses.reads.at(kind).front()].span, var, first, kind);
-    }
     bool keeps_variable = !uses.is_plain;
     for (const auto& [kind, paths] : uses.reads) {
       if (std::exchange(keeps_variable, false)) {
@@ -133,12 +157,23 @@ class Settler {
   Diagnostics& diagnostics_;
   std::map<VarId, Uses> uses_;
   std::vector<VarId> order_;
+  std::vector<Conflict> conflicts_;
 };
 
 }  // namespace
 
 void SettleSamplers(Program& program, Diagnostics& diagnostics) {
-  if (program.calls_objects) Settler(program, diagnostics).Run();
+  if (!program.calls_objects) return;
+  Settler written(program, diagnostics);
+  written.Read({});
+  if (!written.HasConflicts()) return written.Settle();
+  DropDeadReads(program);
+  std::vector<bool> live(program.exprs.size());
+  ForEachLiveExpr(program, [&](ExprId expr) { live[expr.index] = true; });
+  Settler left(program, diagnostics);
+  left.Read(live);
+  if (left.HasConflicts()) return left.ReportConflicts();
+  left.Settle();
 }
 
 }  // namespace clipc::rules

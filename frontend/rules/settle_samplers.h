@@ -16,8 +16,8 @@ namespace clipc::rules {
 //   tex2D(s, uv) + t.Sample(s, uv)          sampler2D s;   // t0
 //
 // Reports SamplerKinds where a sampler is read as textures of several kinds, but for elements of an
-// array up to shader model 3, and as one and two dimensions in a later one. Requires
-// ResolveObjects.
+// array up to shader model 3, and as one and two dimensions in a later one. Where it seems to be
+// so, the reads count that DropDeadReads leaves. Requires ResolveObjects.
 void SettleSamplers(Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules

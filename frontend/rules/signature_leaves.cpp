@@ -102,9 +102,12 @@ void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& c
   piece.row_major = field.row_major;
   Cursor own = CursorOf(field);
   own.precise |= cursor.precise;
-  // dxc takes the words of the field alone where it has some.
+  // dxc takes the words of the field alone where it has some. Those of the whole say nothing about
+  // integers in it.
   const bool has_own = own.interpolation != Interpolation::kDefault || own.sample || own.centroid;
-  if (!has_own || !program_.profile.IsAtLeast(6, 0)) {
+  const Type& innermost = program_.types[program_.types.Innermost(field.type)];
+  const bool holds_integers = innermost.IsNumeric() && !IsFloat(innermost.scalar);
+  if (!holds_integers && (!has_own || !program_.profile.IsAtLeast(6, 0))) {
     own.interpolation = Joined(cursor.interpolation, own.interpolation);
     own.sample |= cursor.sample;
     own.centroid |= cursor.centroid;
@@ -139,7 +142,8 @@ void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
   if (!cursor.given) {
     cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
     cursor.given = cursor.assumed = true;
-    diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name, Spelled(cursor.semantic));
+    without_semantic_.push_back(piece);
+    without_semantic_.back().cursor = cursor;
   }
   // Direct3D 9's `TEXCOORD3_centroid` is TEXCOORD3 at the centroid ("Semantics" of Microsoft's HLSL
   // reference).
@@ -150,9 +154,21 @@ void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
   }
   Carrier& leaf = leaves_.emplace_back(piece);
   leaf.cursor = cursor;
+  leaf.cursor.sample &= cursor.interpolation != Interpolation::kNoInterpolation;
   if (cursor.span) leaf.span = cursor.span;
   ++cursor.semantic.index;
   if (cursor.location) ++*cursor.location;
+}
+
+void SignatureLeaves::ReportMissing() const {
+  if (without_semantic_.empty()) return;
+  const Carrier& first = without_semantic_.front();
+  Diagnostic& report = diagnostics_.Report(first.span, diag::SemanticMissing, first.name,
+                                           Spelled(first.cursor.semantic));
+  for (const Carrier& other : std::span(without_semantic_).subspan(1))
+    report.Note(other.span, diag::PlainNote,
+                fmt::format("`{}` has none either; clipc assumes `{}`", other.name,
+                            Spelled(other.cursor.semantic)));
 }
 
 ExprId SignatureLeaves::Transposed(ExprId matrix) {

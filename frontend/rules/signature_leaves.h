@@ -79,6 +79,8 @@ class SignatureLeaves {
   // span is valid until the next call.
   std::span<const Carrier> Of(const Carrier& whole);
   std::size_t size() const { return leaves_.size(); }  // the size of that span
+  // Reports the leaves without a semantic, in one warning.
+  void ReportMissing() const;
 
   PartNumber Whole(VarId variable);
   const Part& operator[](PartNumber number) const { return parts_[number]; }
@@ -100,6 +102,7 @@ class SignatureLeaves {
   Diagnostics& diagnostics_;
   std::vector<Part> parts_;
   std::vector<Carrier> leaves_;
+  std::vector<Carrier> without_semantic_;  // with that which is assumed
   bool by_row_ = false;
   bool takes_objects_ = false;
   bool is_too_large_ = false;  // the argument of Of has more than kMaxLeaves

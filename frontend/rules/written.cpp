@@ -154,11 +154,41 @@ WrittenState::Changes WrittenState::TakeSince(std::size_t mark) {
   return changes;
 }
 
-void WrittenState::Join(const Changes& one, const Changes& other) {
+std::uint16_t WrittenState::UnsafeAt(std::size_t slot, std::uint16_t mask,
+                                     const JoinPoint& point) const {
+  const bool is_later = point.loops > places_[slot].loops || point.choices > places_[slot].choices;
+  return is_later ? 0 : static_cast<std::uint16_t>(mask & now_[slot].may & ~now_[slot].safe);
+}
+
+void WrittenState::MakeSafe(bool is_discarded) {
+  for (std::size_t slot = 0; slot < now_.size(); ++slot) {
+    WrittenComponents value = now_[slot];
+    value.safe |= is_discarded ? kAllWritten.safe : value.may;
+    Set(slot, value);
+  }
+}
+
+WrittenComponents WrittenState::Merge(std::size_t slot, WrittenComponents one,
+                                      WrittenComponents other, const JoinPoint& point) {
+  WrittenComponents all = one;
+  all.may |= other.may;
+  all.must &= other.must;
+  if (one.safe == other.safe) return all;
+  // What an iteration writes, another may have written before.
+  const bool is_either = places_[slot].loops < point.loops ||
+                         (point.paths && point.paths->HasKnownCases(point.condition));
+  if (is_either) {
+    all.safe |= other.safe;
+  } else {
+    all.safe &= other.safe;
+    places_[slot].choices = point.choices;
+  }
+  return all;
+}
+
+void WrittenState::Join(const Changes& one, const Changes& other, const JoinPoint& point) {
   const auto join = [&](const Change& change) {
-    const WrittenComponents& now = now_[change.slot];
-    Set(change.slot, {static_cast<std::uint16_t>(now.may | change.value.may),
-                      static_cast<std::uint16_t>(now.must & change.value.must)});
+    Set(change.slot, Merge(change.slot, now_[change.slot], change.value, point));
   };
   ++walk_;
   for (const Change& change : other) seen_[change.slot] = walk_;
@@ -173,28 +203,24 @@ void WrittenState::Join(const Changes& one, const Changes& other) {
   for (const Change& change : other) join(change);
 }
 
-void WrittenState::JoinAll(Changes changes, std::size_t paths) {
+void WrittenState::JoinAll(Changes changes, std::size_t paths, const JoinPoint& point) {
   std::ranges::sort(changes, {}, &Change::slot);
   for (std::size_t begin = 0, end = 0; begin < changes.size(); begin = end) {
     const std::size_t slot = changes[begin].slot;
-    WrittenComponents all = kAllWritten;
-    all.may = 0;
-    for (; end < changes.size() && changes[end].slot == slot; ++end) {
-      all.may |= changes[end].value.may;
-      all.must &= changes[end].value.must;
-    }
-    if (end - begin < paths) {
-      all.may |= now_[slot].may;
-      all.must &= now_[slot].must;
-    }
+    WrittenComponents all = changes[begin].value;
+    for (end = begin + 1; end < changes.size() && changes[end].slot == slot; ++end)
+      all = Merge(slot, all, changes[end].value, point);
+    if (end - begin < paths) all = Merge(slot, all, now_[slot], point);
     Set(slot, all);
   }
 }
 
 void WrittenState::AddMay(const Changes& changes) {
   for (const Change& change : changes) {
-    Set(change.slot, {static_cast<std::uint16_t>(now_[change.slot].may | change.value.may),
-                      now_[change.slot].must});
+    WrittenComponents value = now_[change.slot];
+    value.may |= change.value.may;
+    value.safe |= change.value.may;
+    Set(change.slot, value);
   }
 }
 

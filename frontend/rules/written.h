@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "frontend/rules/rules.h"
+#include "frontend/rules/written_paths.h"
 
 namespace clipc::rules {
 
-// The components of a slot that some path has written, and those that every path has.
+// The components of a slot that some path has written, those that every path has, where a loop runs
+// at least once, and those that may be read without a warning: every path has written them, or the
+// paths that have not are not known to lead there.
 struct WrittenComponents {
-  std::uint16_t may = 0, must = 0;
+  std::uint16_t may = 0, must = 0, safe = 0;
   friend bool operator==(const WrittenComponents&, const WrittenComponents&) = default;
 };
-inline constexpr WrittenComponents kAllWritten{0xffff, 0xffff};
+inline constexpr WrittenComponents kAllWritten{0xffff, 0xffff, 0xffff};
+
+inline bool AreAllWritten(std::span<const WrittenComponents> values) {
+  return std::ranges::all_of(values, [](WrittenComponents value) { return value == kAllWritten; });
+}
+
+// A point where paths join.
+struct JoinPoint {
+  int loops = 0;    // around it
+  int choices = 0;  // the conditions and loops around it
+  // What chose between the paths; none: nothing is known of it.
+  WrittenPaths* paths = nullptr;
+  ExprId condition = {};
+};
 
 // A place in a local variable: the slots of a struct, or components of one slot.
 struct WrittenPlace {
@@ -81,20 +99,47 @@ class WrittenState {
   void Grow(std::size_t slots) {
     now_.resize(slots, kAllWritten);
     seen_.resize(slots);
+    places_.resize(slots);
   }
+  // Makes a slot unwritten, of a variable that is declared in so many loops.
+  void Declare(std::size_t slot, int loops) {
+    Set(slot, {});
+    places_[slot].loops = loops;
+  }
+  int LoopsOf(std::size_t slot) const { return places_[slot].loops; }
+  // The components among `mask` that a path to this point has written and another has not. Under
+  // further conditions, and in further loops, there are none.
+  std::uint16_t UnsafeAt(std::size_t slot, std::uint16_t mask, const JoinPoint& point) const;
+  // After a path was left on a condition: all that a path has written is safe. Where the pixel is
+  // discarded, everything is.
+  void MakeSafe(bool is_discarded);
   const WrittenComponents& operator[](std::size_t slot) const { return now_[slot]; }
   void Set(std::size_t slot, WrittenComponents value);
   void Add(std::size_t slot, std::uint16_t mask) {
     Set(slot, {static_cast<std::uint16_t>(now_[slot].may | mask),
-               static_cast<std::uint16_t>(now_[slot].must | mask)});
+               static_cast<std::uint16_t>(now_[slot].must | mask),
+               static_cast<std::uint16_t>(now_[slot].safe | mask)});
   }
   std::size_t Mark() const { return log_.size(); }
   // Reverts all changes since the mark, and returns each changed slot with its value.
   Changes TakeSince(std::size_t mark);
   // Makes the state that of a point where two paths join, which began with this one.
-  void Join(const Changes& one, const Changes& other);
+  void Join(const Changes& one, const Changes& other, const JoinPoint& point);
   // The same for any number of paths, whose changes are in one list; a path has a slot once.
-  void JoinAll(Changes changes, std::size_t paths);
+  void JoinAll(Changes changes, std::size_t paths, const JoinPoint& point);
+  // Makes the changes of a loop's body. Calls may_not_run() where it matters, once or more.
+  template <typename MayNotRun>
+  void LeaveLoop(const Changes& changes, const JoinPoint& point, MayNotRun&& may_not_run) {
+    for (auto [slot, value] : changes) {  // fxc and dxc know the iterations of most loops
+      const bool is_outer = places_[slot].loops <= point.loops;
+      value.safe |= value.may;
+      if (is_outer && value.safe != now_[slot].safe && may_not_run()) {
+        value.safe = now_[slot].safe;
+        places_[slot].choices = point.choices;
+      }
+      Set(slot, value);
+    }
+  }
   // Makes the changes of a path that is left (by break or continue): what it has written may be
   // written at the place where it arrives.
   void AddMay(const Changes& changes);
@@ -103,7 +148,16 @@ class WrittenState {
   }
 
  private:
+  // Where the variable of a slot is declared, and where a path that has written it joined one that
+  // has not.
+  struct Place {
+    int loops = 0, choices = 0;
+  };
+  WrittenComponents Merge(std::size_t slot, WrittenComponents one, WrittenComponents other,
+                          const JoinPoint& point);
+
   std::vector<WrittenComponents> now_;
+  std::vector<Place> places_;        // by slot
   std::vector<std::uint32_t> seen_;  // by slot: the last walk of the log that has found it
   std::uint32_t walk_ = 0;
   Changes log_;  // the values before

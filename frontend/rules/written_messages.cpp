@@ -26,6 +26,15 @@ void ReportRead(Span read, const Var& var, Diagnostics& diagnostics) {
       .Note(var.span, diag::DeclaredHere, var.name);
 }
 
+void ReportPartlyRead(Span read, const Var& var, Diagnostics& diagnostics) {
+  diagnostics.Report(read, diag::VariableNotAlwaysWritten, var.name)
+      .Note(var.span, diag::DeclaredHere, var.name);
+}
+
+void ReportPartly(const Var& parameter, Diagnostics& diagnostics) {
+  diagnostics.Report(parameter.span, diag::OutParameterNotAlwaysWritten, parameter.name);
+}
+
 void ReportParameter(const Program& program, const Var& parameter, bool is_any,
                      Diagnostics& diagnostics) {
   if (program.profile.IsAtLeast(6, 0)) {

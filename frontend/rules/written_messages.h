@@ -11,6 +11,10 @@ namespace clipc::rules {
 
 // Reports a read of a local variable that nothing has written.
 void ReportRead(Span read, const Var& var, Diagnostics& diagnostics);
+// Reports a read of a local variable that some path to it has not written.
+void ReportPartlyRead(Span read, const Var& var, Diagnostics& diagnostics);
+// Reports an out parameter that some path through its function does not write.
+void ReportPartly(const Var& parameter, Diagnostics& diagnostics);
 // Reports an out parameter that is not written, or not completely if `is_any` part of it is.
 void ReportParameter(const Program& program, const Var& parameter, bool is_any,
                      Diagnostics& diagnostics);

@@ -5,9 +5,9 @@
 #include "clipc_runtime_gl.h"
 
 /** Effects on OpenGL 3.3 and OpenGL ES 3.0, for C99 and C++17: the programs, states, samplers and
- * parameters of an effect that `clipc --effect` compiled. The effect is a table of constants, which
- * cmake/effect_table.py writes as a header when the application is built, so nothing is parsed when
- * it runs. docs/effects.md shows a whole program, and says which OpenGL calls a state becomes.
+ * parameters of an effect. It is a table of constants in the header that `clipc --effect -Fh FILE`
+ * writes when the application is built, so nothing is parsed when it runs. docs/effects.md shows a
+ * whole program, and says which OpenGL calls a state becomes.
  *
  * The rules of clipc_runtime.h hold. The context must be current in every call, the one that frees
  * included. */
@@ -67,7 +67,7 @@ typedef enum clipc_gl_state {
   CLIPC_GL_STATE_COUNT
 } clipc_gl_state;
 
-/** The table: what effect_table.py writes. Numbers count in the arrays of clipc_gl_effect_table. */
+/** The table: what -Fh writes. Numbers count in the arrays of clipc_gl_effect_table. */
 typedef struct clipc_gl_effect_state {
   uint32_t state, value; /**< a clipc_gl_state */
 } clipc_gl_effect_state;

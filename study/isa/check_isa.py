@@ -61,10 +61,10 @@ def main():
             add(f"more-{hand.stem}", ours)
         # Textures, buffers of all kinds, matrices and arrays between stages, push constants.
         interfaces = (
-            "testdata/glsl/arrays_without_size.hlsl",
+            "testdata/glsl/buffers/arrays_without_size.hlsl",
             "testdata/draw/atomics.hlsl",
             "testdata/check/entry/matrix_signature.hlsl",
-            "testdata/glsl/vulkan_attributes.hlsl",
+            "testdata/glsl/vulkan/vulkan_attributes.hlsl",
             LOOP,
         )
         for name in interfaces:

@@ -3,7 +3,7 @@
 // RUN: %draw compare %s -T ps_5_0 -E ps --target=glsl450,glsl430,vulkan
 // RUN: %draw compare %s -T ps_5_0 -E both --target=essl310,essl320,vulkan
 // RUN: %draw compare %s -T ps_5_0 -E ways --target=essl310,essl320,glsl450
-RWTexture1D<float2> line1 : register(u0);
+RWTexture1D<float2> line1 : register(u8);
 RWTexture1DArray<int> lines : register(u1);
 RWTexture2D<float4> picture : register(u2);
 RWTexture2DArray<uint2> pages : register(u3);

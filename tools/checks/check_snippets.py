@@ -167,14 +167,8 @@ def check_code(run, page, number, language, text, folder):
             ["clipc", f"{name}.hlsl", "-o", os.devnull, f"--table={name}.clip.h"], folder, what
         )
     if '"water.effect.h"' in text:  # as clipc_add_effect() makes it
-        options = ["-o", "shaders", "--target=glsl330", "--reflect=.json"]
+        options = ["--target=glsl330", "-Fh", "water.effect.h"]
         run.call(["clipc", "--effect", "water.fx", *options], folder, what)
-        script = run.installed / "lib/cmake/clipc/effect_table.py"
-        run.call(
-            [sys.executable, "-B", script, "shaders/water.json", "-o", "water.effect.h"],
-            folder,
-            what,
-        )
     file = folder / f"block{number}.{language}"
     file.write_text(hoisted(wrapped, text))
     standard = "-std=c99" if language == "c" else "-std=c++17"

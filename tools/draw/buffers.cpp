@@ -107,15 +107,17 @@ class Access {
   }
 
   void Load() {
-    const std::uint64_t first = std::uint64_t{UintOf(request_.arguments[0])} * 16;
+    const std::uint64_t first = Place() * 16;
     const Scalar kind = ElementKind(program_, request_.object);
     for (std::size_t i = 0; i < result_.size(); ++i) result_[i] = Component(first + 4 * i, kind, i);
   }
 
-  // Calls on_component(kind, byte in the buffer) for the element that the first argument names.
+  std::uint64_t Place() const { return UintOf(request_.Of(OperandKind::kPlace)[0]); }
+
+  // Calls on_component(kind, byte in the buffer) for the element in the request's place.
   template <typename OnComponent>
   void ForEachInElement(OnComponent&& on_component) {
-    const std::uint64_t first = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
+    const std::uint64_t first = Place() * Stride();
     ForEachComponent(
         program_.types, type_.element, program_.vars[request_.object].row_major, 0,
         [&](Scalar kind, std::uint32_t byte) { on_component(kind, first + byte); },
@@ -131,7 +133,7 @@ class Access {
   }
 
   void LoadWords() {
-    const std::uint64_t first = UintOf(request_.arguments[0]);
+    const std::uint64_t first = Place();
     for (std::size_t i = 0; i < result_.size(); ++i)
       result_[i] = Component(first + 4 * i, Scalar::kUint, i);
   }
@@ -144,24 +146,26 @@ class Access {
 
   void StoreStructured() {
     const std::size_t first = request_.part.value_or(0);
-    const std::size_t count = request_.arguments.size() - 1;
+    const auto values = request_.Of(OperandKind::kValue);
     std::size_t component = 0;
     ForEachInElement([&](Scalar kind, std::uint64_t byte) {
       const std::size_t i = component++ - first;
-      if (i < count) Store(byte, kind, request_.arguments[1 + i]);
+      if (i < values.size()) Store(byte, kind, values[i]);
     });
   }
 
   void StoreWords() {
-    const std::uint64_t first = UintOf(request_.arguments[0]);
-    for (std::size_t i = 1; i < request_.arguments.size(); ++i)
-      Store(first + 4 * (i - 1), Scalar::kUint, request_.arguments[i]);
+    std::uint64_t byte = Place();
+    for (const std::uint64_t word : request_.Of(OperandKind::kValue)) {
+      Store(byte, Scalar::kUint, word);
+      byte += 4;
+    }
   }
 
   void Change() {
     Scalar kind =
         IsByteAddress(type_.object) ? Scalar::kUint : ElementKind(program_, request_.object);
-    std::uint64_t byte = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
+    std::uint64_t byte = Place() * Stride();
     if (request_.part) {
       std::uint32_t next = 0;
       ForEachInElement([&](Scalar each, std::uint64_t at) {
@@ -170,7 +174,7 @@ class Access {
     }
     const auto old = static_cast<std::uint32_t>(Component(byte, kind, 0));
     if (!result_.empty()) result_[0] = old;
-    Store(byte, kind, Combined(request_.op, kind, old, request_.arguments.subspan(1)));
+    Store(byte, kind, Combined(request_, kind, old));
   }
 
   const Program& program_;
@@ -183,20 +187,20 @@ class Access {
 
 }  // namespace
 
-std::uint32_t Combined(ObjectOp op, Scalar kind, std::uint32_t old,
-                       std::span<const std::uint64_t> values) {
-  const std::uint32_t value = UintOf(values.back());
+std::uint32_t Combined(const ObjectRequest& request, Scalar kind, std::uint32_t old) {
+  const std::uint32_t value = UintOf(request.Of(OperandKind::kValue)[0]);
   const bool is_less = BaseOf(kind) == Scalar::kInt
                            ? static_cast<std::int32_t>(value) < static_cast<std::int32_t>(old)
                            : value < old;
-  switch (op) {
+  switch (request.op) {
     case ObjectOp::kAtomicAdd: return old + value;
     case ObjectOp::kAtomicAnd: return old & value;
     case ObjectOp::kAtomicOr: return old | value;
     case ObjectOp::kAtomicXor: return old ^ value;
     case ObjectOp::kAtomicMin: return is_less ? value : old;
     case ObjectOp::kAtomicMax: return is_less ? old : value;
-    case ObjectOp::kAtomicCompareExchange: return old == UintOf(values.front()) ? value : old;
+    case ObjectOp::kAtomicCompareExchange:
+      return old == UintOf(request.Of(OperandKind::kComparand)[0]) ? value : old;
     default: return value;
   }
 }

@@ -21,8 +21,7 @@ using Buffer = Bytes;
 using Buffers = std::map<std::uint32_t, std::vector<Buffer>>;
 
 // The value of an element after an atomic operation on its old value.
-std::uint32_t Combined(ir::ObjectOp op, ir::Scalar kind, std::uint32_t old,
-                       std::span<const std::uint64_t> values);
+std::uint32_t Combined(const ir::ObjectRequest& request, ir::Scalar kind, std::uint32_t old);
 
 // Makes the buffers and images that `program` declares.
 Buffers MakeBuffers(const ir::Program& program, RandomValues& values);

@@ -59,20 +59,20 @@ void UseImage(const Program& program, Buffer& texels, const ObjectRequest& reque
   std::size_t texel = 0, stride = 1;
   bool is_inside = !texels.empty();
   for (std::size_t i = 0; i < extent.count; ++i) {
-    const std::uint32_t at = UintOf(request.arguments[i]);  // a negative one is large
+    const std::uint32_t at = UintOf(request.Of(OperandKind::kPlace)[i]);  // a negative one is large
     is_inside = is_inside && at < extent.size[i];
     texel += at * stride;
     stride *= extent.size[i];
   }
-  const auto values = request.arguments.subspan(extent.count);
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = is_inside ? WordAt(texels, kTexelWords * texel + i)
                           : UndefinedBits(request, undefined, kind, i);
   if (!is_inside) return;
   if (IsAtomic(request.op)) {
     std::uint32_t& word = WordAt(texels, kTexelWords * texel);
-    word = Combined(request.op, kind, word, values);
+    word = Combined(request, kind, word);
   } else if (request.op == ObjectOp::kStore) {
+    const auto values = request.Of(OperandKind::kValue);
     for (std::size_t i = 0; i < values.size(); ++i)
       WordAt(texels, kTexelWords * texel + i) = UintOf(values[i]);
   }

@@ -56,7 +56,7 @@ bool ExpectSame(const std::string& path, const std::string& target) {
 TEST(Legalize, KeepsWhatShadersMean) {
   int compared = 0;
   for (const char* folder : {"testdata/draw", "testdata/glsl"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
       if (entry.path().extension() != ".hlsl") continue;
       for (const char* target : {"glsl120", "glsl450", "essl300"}) {
         compared += ExpectSame(entry.path().string(), target) ? 1 : 0;

@@ -38,7 +38,7 @@ std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, 
     hash = (std::rotl(hash, 25) ^ value) * 0x9e3779b97f4a7c15u;
   };
   mix(request.object.index), mix(request.object_element), mix(component);
-  for (const std::uint64_t argument : request.arguments) mix(argument);
+  for (const std::uint64_t argument : request.words) mix(argument);
   // The value is from -8 to 8, and never 0.
   const double value = undefined * (static_cast<double>(hash >> 54) - 511.5) / 64;
   return ir::ConvertBits(ir::BitsOf(value), ir::Scalar::kDouble, ir::BaseOf(kind));

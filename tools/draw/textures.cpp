@@ -44,16 +44,15 @@ std::map<std::uint32_t, Uses> FindUses(const Program& program) {
   for (const ExprId id : program.exprs.ids()) {
     const auto* call = std::get_if<ObjectCall>(&program.exprs[id].node);
     if (!call) continue;
-    const auto var = [&](std::uint32_t argument) {
-      return RootOf(program, program.expr_lists[call->arguments][argument]);
-    };
-    if (!var(0)) continue;
-    Uses& found = uses[var(0).index];
-    const bool has_sampler = TakesSampler(call->op) && var(1);
-    if (has_sampler || IsSampler(ObjectTypeOf(program, var(0)).object)) found.sampled = true;
+    const VarId object = RootOf(program, OperandOf(program, *call, OperandKind::kObject));
+    if (!object) continue;
+    Uses& found = uses[object.index];
+    const ExprId path = OperandOf(program, *call, OperandKind::kSampler);
+    const VarId sampler = path ? RootOf(program, path) : VarId{};
+    if (sampler || IsSampler(ObjectTypeOf(program, object).object)) found.sampled = true;
     if (call->op == ObjectOp::kSampleGrad || call->op == ObjectOp::kD3d9SampleGrad)
       found.constant = true;
-    if (InfoOf(ObjectTypeOf(program, var(has_sampler ? 1 : 0)).object).compares)
+    if (InfoOf(ObjectTypeOf(program, sampler ? sampler : object).object).compares)
       found.compared = true;
   }
   return uses;
@@ -141,15 +140,15 @@ class Reader {
   bool Read(std::span<std::uint64_t> result) const {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
-      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(places_)), 1, result);
+      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Number(OperandKind::kLevel)), result);
       case ObjectOp::kSampleBias:
       case ObjectOp::kD3d9SampleBias:
-        return Sample(LevelFromNeighbours(Argument(places_)), 1, result);
+        return Sample(LevelFromNeighbours(Number(OperandKind::kBias)), result);
       case ObjectOp::kSample:
-      case ObjectOp::kD3d9Sample: return Sample(LevelFromNeighbours(0), 0, result);
-      case ObjectOp::kD3d9SampleProjected: return Sample(LevelFromNeighbours(0), 4, result);
+      case ObjectOp::kD3d9Sample:
+      case ObjectOp::kD3d9SampleProjected: return Sample(LevelFromNeighbours(0), result);
       case ObjectOp::kSampleGrad:
-      case ObjectOp::kD3d9SampleGrad: return Sample(0, 0, result);
+      case ObjectOp::kD3d9SampleGrad: return Sample(0, result);
       case ObjectOp::kSampleCmp: return Compare(LevelFromNeighbours(0), result);
       case ObjectOp::kSampleCmpLevelZero: return Compare(0, result);
       case ObjectOp::kGather:
@@ -178,11 +177,14 @@ class Reader {
     return texel != nullptr;
   }
 
-  double Argument(std::size_t i) const { return FloatOf(request_.arguments[i]); }
-  // Component `axis` of the offset that begins at argument `first`; 0 where there is none.
-  int Offset(std::size_t first, std::size_t axis) const {
-    const std::size_t at = first + axis;
-    return at < request_.arguments.size() ? IntOf(request_.arguments[at]) : 0;
+  // The only component of an operand.
+  double Number(OperandKind kind) const { return FloatOf(request_.Of(kind)[0]); }
+  double Given(std::size_t i) const { return FloatOf(request_.Of(OperandKind::kCoordinate)[i]); }
+  // Component `axis` of an offset; 0 where there is none.
+  int Offset(std::size_t axis, std::size_t which = 0) const {
+    const auto offsets = request_.Of(OperandKind::kOffset);
+    const std::size_t at = which * form_.axes + axis;
+    return at < offsets.size() ? IntOf(offsets[at]) : 0;
   }
 
   // The number from 0 to `last` that is nearest to `value`; none if a value that is a little off
@@ -207,10 +209,11 @@ class Reader {
     return low == high ? std::optional(low) : std::nullopt;
   }
 
+  double Clamp() const {
+    return request_.Of(OperandKind::kClamp).empty() ? 0 : Number(OperandKind::kClamp);
+  }
   std::optional<std::size_t> LevelAt(double lod) const {
-    return texture_.is_constant
-               ? 0
-               : Nearest(std::max(lod, request_.clamp), texture_.levels.size() - 1);
+    return texture_.is_constant ? 0 : Nearest(std::max(lod, Clamp()), texture_.levels.size() - 1);
   }
 
   // The level that the coordinates of the quad give: that of the longest step from pixel to pixel,
@@ -250,88 +253,85 @@ class Reader {
   }
   // Component i of the pixel's own coordinate.
   double Coordinate(std::size_t i) const {
-    return Argument(i) / (request_.op == ObjectOp::kD3d9SampleProjected ? Argument(3) : 1);
+    return Given(i) / (request_.op == ObjectOp::kD3d9SampleProjected ? Given(3) : 1);
   }
 
-  // The texel around the coordinate, `shift` texels further, with the offset at argument
-  // `first_offset`; null where it is open.
-  const std::uint32_t* TexelAt(std::size_t level, double shift, std::array<int, 3> step,
-                               std::size_t first_offset) const {
+  // The texel around the coordinate, `shift` texels further, with the offset of that number; null
+  // where it is open.
+  const std::uint32_t* TexelAt(std::size_t level, double shift = 0, std::array<int, 3> step = {},
+                               std::size_t offset = 0) const {
     if (texture_.is_constant) return texture_.levels[0].data();
     const Size size = SizeOf(form_, texture_.size, level);
     std::size_t index = 0, stride = 1;
     for (std::size_t i = 0; i < form_.axes; ++i) {
       if (!form_.is_cube) {
         const auto at =
-            Repeated(Coordinate(i) * size[i] + shift, Offset(first_offset, i) + step[i], size[i]);
+            Repeated(Coordinate(i) * size[i] + shift, Offset(i, offset) + step[i], size[i]);
         if (!at) return nullptr;
         index += *at * stride;
       }
       stride *= size[i];
     }
     if (form_.is_array) {
-      const auto element = Nearest(Argument(coordinates_ - 1), size[form_.axes] - 1);
+      const auto element = Nearest(Given(coordinates_ - 1), size[form_.axes] - 1);
       if (!element) return nullptr;
       index += *element * stride * (form_.is_cube ? 6 : 1);
     }
     return &texture_.levels[level][4 * index];
   }
 
-  // Samples a level. `between` is the number of arguments between the coordinate and the offset.
-  bool Sample(std::optional<std::size_t> level, std::size_t between,
-              std::span<std::uint64_t> result) const {
+  bool Sample(std::optional<std::size_t> level, std::span<std::uint64_t> result) const {
     if (form_.compares) return Compare(level, result);
-    return level && Copy(TexelAt(*level, 0, {}, coordinates_ + between), result);
+    return level && Copy(TexelAt(*level), result);
   }
 
   // Reads the four texels that a linear filter would mix, counterclockwise from the lower left,
   // each with its own offset if there are four.
   bool Gather(std::span<std::uint64_t> result) const {
     static constexpr std::array<int, 3> kSteps[] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-    const int component = static_cast<int>(request_.op) - static_cast<int>(ObjectOp::kGather);
-    const bool has_four = request_.arguments.size() == coordinates_ + 8;
+    const bool has_four = request_.Of(OperandKind::kOffset).size() == 8;
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::uint32_t* texel =
-          TexelAt(0, -0.5, kSteps[i], coordinates_ + (has_four ? 2 * i : 0));
+      const std::uint32_t* texel = TexelAt(0, -0.5, kSteps[i], has_four ? i : 0);
       if (!texel) return false;
-      result[i] = texel[component];
+      result[i] = texel[ComponentOf(request_.op)];
     }
     return true;
   }
 
   bool Compare(std::optional<std::size_t> level, std::span<std::uint64_t> result) const {
     if (!level) return false;
-    // Direct3D 9's reads have no offset.
-    const std::size_t offset = form_.compares ? request_.arguments.size() : coordinates_ + 1;
-    const std::uint32_t* texel = TexelAt(*level, 0, {}, offset);
-    if (texel) result[0] = BitsOf(Coordinate(coordinates_) <= FloatOf(*texel) ? 1.0f : 0.0f);
+    // The reference of Direct3D 9's reads is a component of the coordinate.
+    const double reference =
+        form_.compares ? Coordinate(coordinates_) : Number(OperandKind::kReference);
+    const std::uint32_t* texel = TexelAt(*level);
+    if (texel) result[0] = BitsOf(reference <= FloatOf(*texel) ? 1.0f : 0.0f);
     return texel != nullptr;
   }
 
   bool Load(std::span<std::uint64_t> result) const {
-    // After the place is the level, or the sample of a texture that has no other levels.
-    const std::size_t axes = form_.axes, sizes = axes + (form_.is_array || form_.is_multisampled);
-    const std::uint64_t level = form_.is_multisampled ? 0 : request_.arguments[sizes];
+    // The level of a texture that has no other ones is the sample.
+    const auto place = request_.Of(OperandKind::kPlace);
+    const std::uint64_t number = UintOf(request_.Of(OperandKind::kLevel)[0]);
+    const std::uint64_t level = form_.is_multisampled ? 0 : number;
     if (level >= texture_.levels.size()) return false;
     const Size size = SizeOf(form_, texture_.size, level);
     std::size_t index = 0, stride = 1;
-    for (std::size_t i = 0; i < sizes; ++i) {
-      std::uint32_t at = UintOf(request_.arguments[i]);
-      if (i < axes) at += Offset(sizes + 1, i);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      std::uint32_t at = UintOf(place[i]);
+      if (i < form_.axes) at += Offset(i);
       if (at >= size[i]) return false;  // a negative one is large
       index += at * stride;
       stride *= size[i];
     }
-    if (form_.is_multisampled && form_.is_array) {
-      const std::uint32_t sample = UintOf(request_.arguments[sizes]);
-      if (sample >= kSamples) return false;
-      index += sample * stride;
+    if (form_.is_multisampled) {
+      if (number >= kSamples) return false;
+      index += number * stride;
     }
     return Copy(&texture_.levels[level][4 * index], result);
   }
 
   bool Sizes(std::span<std::uint64_t> result) const {
-    const std::uint64_t level = request_.arguments.empty() ? 0 : request_.arguments[0];
+    const std::uint64_t level = request_.Of(OperandKind::kLevel)[0];
     if (level >= texture_.levels.size()) return false;
     const Size size = SizeOf(form_, texture_.size, level);
     std::copy_n(size.begin(), result.size(), result.begin());
@@ -344,8 +344,6 @@ class Reader {
   // The number of components of a coordinate: a cube's is a direction, and an array's has the
   // element too.
   const std::size_t coordinates_ = std::size_t{form_.axes} + form_.is_array + form_.is_cube;
-  // With the reference of one of Direct3D 9's samplers that compares.
-  const std::size_t places_ = coordinates_ + form_.compares;
 };
 
 Inputs::Texture Uploaded(const ObjectInfo& form, const Texture& texture, Scalar kind,

@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Pixel shaders take no options about planes.
   if (request.language.profile.starts_with("vs")) ChoosePlanes(text, request.planes);
   request.style.clip_space = {.negative_one_to_one = true, .flip_y = true};
-  request.outputs.reflection = true;
+  request.outputs.facts = true;
   request.debug.verify = true;
   const clipc::CompileResult result = compiler.Compile(request);
   if (result.ok() == result.shaders.vertex.empty()) std::abort();

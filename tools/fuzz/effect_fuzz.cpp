@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "compiler/compile.h"
 #include "compiler/effect.h"
+#include "compiler/effect_json.h"
+#include "compiler/gl_effect.h"
+#include "compiler/gl_effect_header.h"
+#include "compiler/make_effect_facts.h"
 
 namespace {
 
@@ -21,7 +26,7 @@ void Compile(clipc::Compiler& compiler, clipc::CompileRequest request, const std
   const clipc::PixelShader pixel = request.link.pixel_shader;
   request.link = {};
   request.debug.verify = true;
-  request.outputs.reflection = true;
+  request.outputs.facts = true;
   for (int half = 0; half < (pixel.entry.empty() ? 1 : 2); ++half) {
     if (half == 1) {
       request.language.profile = pixel.profile;
@@ -48,9 +53,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const std::vector<clipc::ShaderGroup>& groups = loaded.programs.groups;
-  if (clipc::RenderEffect(loaded.effect, loaded.programs, command,
-                          std::vector<clipc::BatchEntry>(groups.size()))
-          .empty())
+  const clipc::EffectFacts facts = clipc::MakeEffectFacts(
+      loaded.effect, loaded.programs, command, std::vector<clipc::BatchEntry>(groups.size()),
+      std::vector<std::shared_ptr<const clipc::EffectCode>>(groups.size()));
+  if (clipc::EffectJson(facts).empty()) std::abort();
+  clipc::Diagnostics diagnostics;
+  if (clipc::GlEffectHeader(clipc::MakeGlEffect(facts, false, diagnostics), "fuzz").empty())
     std::abort();
   for (std::size_t i = 0; i < std::min(groups.size(), kMostPrograms); ++i)
     Compile(compiler, groups[i].command.request, text);

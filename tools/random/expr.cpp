@@ -132,6 +132,8 @@ Expr MakeIntegerOperation(const Wanted& wanted) {
   const Operator& op = kOperators[choice];
   Expr a = wanted.Operand();
   if (choice >= 8) {
+    const Expr any = MakeAnyDivisor(context, kind, shape);
+    if (!any.text.empty()) return Binary(wanted, a, op, any, Wild(kind));
     const Expr b = MakeDivisor(context, kind, context.Chance(30) ? kScalar : shape, depth - 1);
     const Range range = choice == 8 ? a.range : a.range.low < 0 ? Range{-16, 16} : Range{0, 16};
     return Binary(wanted, a, op, b, range);
@@ -350,6 +352,23 @@ Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth) {
   const Expr value = MakeIn(context, kind, shape, {0, 15}, depth);
   return Binary({context, kind, shape, depth}, value, {"+", Level::kSum}, Literal(kind, 2),
                 {2, 17});
+}
+
+Expr MakeAnyDivisor(Context& context, Kind kind, Shape shape) {
+  Expr value;
+  if (context.only_literals || !context.Chance(Feature::kZeroDivisors, 30)) return value;
+  std::vector<const Variable*> found;
+  for (const Variable* variable : context.Visible()) {
+    // A constant 0 is an error.
+    const bool fits = variable->writable && variable->type.IsNumeric() &&
+                      variable->type.kind == kind && context.MayUse(*variable, false);
+    if (fits) found.push_back(variable);
+  }
+  if (found.empty()) return value;
+  const Variable& variable = *context.OneOf(found);
+  context.Use(variable, false);
+  value = {variable.name, Level::kPostfix, kind, variable.type.shape, RangeOf(variable, kind)};
+  return Reshape(context, value, shape);
 }
 
 Expr MakeIndex(Context& context, int count, int depth) {

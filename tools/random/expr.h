@@ -51,6 +51,9 @@ Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int de
 Expr MakeValue(Context& context, const Type& type, int depth);
 // An int or uint in [2, 17], which may divide any other.
 Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth);
+// Now and then a variable that may be 0, whose quotients and remainders may be any number; an empty
+// text otherwise.
+Expr MakeAnyDivisor(Context& context, Kind kind, Shape shape);
 // An int or uint in [0, count).
 Expr MakeIndex(Context& context, int count, int depth);
 

@@ -196,6 +196,12 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
                       std::to_string(number) + ";\n";
     outputs.statements += "  result." + name + " = " + value + ";\n";
     ++number;
+    if (type.shape.IsMatrix() || type.shape.IsScalar() || !context.Chance(20)) return;
+    context.EndExpression();
+    const std::string index = MakeIndex(context, type.shape.columns, 2).text;
+    const bool is_compound = type.kind == Kind::kFloat && context.Chance(50);
+    outputs.statements += "  result." + name + "[" + index + "]" + (is_compound ? " += " : " = ") +
+                          Argument(MakeIn(context, type.kind, kScalar, {0, 16, 2}, 1)) + ";\n";
   };
   if (soft) {
     for (int i = 0; i < 2; ++i) add({Kind::kFloat, {0, 4}}, MakeSoft(context, 4, 2));

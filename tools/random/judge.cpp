@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include <spirv-tools/libspirv.hpp>
+
 #include "backend-glsl/target.h"
 #include "compiler/validate.h"
 #include "tools/draw/build.h"
@@ -63,15 +65,18 @@ std::string Words(const Comparison& comparison) {
   return text;
 }
 
-// Whether the message is about a known gap of glslang or Mesa. OpenGL ES of glslang 12
-// and of Mesa 22.3 does not have clip distances in a vertex shader as clipc writes them, and
-// glslang knows neither the variable of GL_ARB_draw_instanced in GLSL 1.20 nor GL_EXT_draw_buffers.
-bool IsKnown(const std::string& target, const std::string& problem) {
-  const auto has = [&](const char* word) { return problem.find(word) != std::string::npos; };
-  const bool is_es = target.starts_with("essl") || target.starts_with("webgl");
-  return has("gl_InstanceIDARB") || has("GL_EXT_draw_buffers") ||
-         (is_es && (has("gl_ClipDistance") || has("gl_CullDistance") || has("gl_PerVertex") ||
-                    has("clip_cull_distance")));
+// What is wrong with the SPIR-V of the shader; empty if nothing is.
+std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
+  const Spirv spirv = MakeSpirv(shader.glsl, target, shader.typed.stage, {}, "program");
+  if (!spirv.problems.empty()) return spirv.problems[0];
+  std::string problem;
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
+  tools.SetMessageConsumer(
+      [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+        if (problem.empty()) problem = std::string("spirv-val: ") + message;
+      });
+  if (tools.Validate(spirv.words)) return "";
+  return problem.empty() ? "spirv-val refuses it" : problem;
 }
 
 }  // namespace
@@ -155,10 +160,14 @@ void Judge::State::CheckTarget(const draw::CheckedShader& checked, const std::st
   try {
     const Shader shader = checked.BuildFor(target);
     Step("validate " + target);
-    const std::vector<std::string> problems =
-        Validate(shader.glsl, *glsl::Target::Parse(target), shader.typed.stage);
-    if (!problems.empty() && !IsKnown(target, problems[0]))
+    const glsl::Target parsed = *glsl::Target::Parse(target);
+    const std::vector<std::string> problems = Validate(shader.glsl, parsed, shader.typed.stage);
+    if (!problems.empty() && UnknownToValidator(shader.glsl, parsed).empty())
       Report(Fault::kInvalid, target, problems[0] + "\n" + shader.glsl);
+    if (!parsed.IsVulkan()) return;
+    Step("SPIR-V");
+    const std::string problem = SpirvProblem(shader, parsed);
+    if (!problem.empty()) Report(Fault::kInvalid, target, problem + "\n" + shader.glsl);
   } catch (const draw::NotForTarget&) {
     return;  // the target lacks something, and clipc said so
   }

@@ -19,7 +19,7 @@ enum class Fault : std::uint8_t {
   kRefused,    // clipc or the evaluator refuses the program
   kLayout,     // a constant lies elsewhere than Direct3D's rules say
   kUndefined,  // the evaluator takes a value for undefined
-  kInvalid,    // glslang refuses the GLSL
+  kInvalid,    // glslang refuses the GLSL, or spirv-val its SPIR-V
   kWrong,      // a driver's values are not the evaluator's
   kDriver,     // a driver refuses the GLSL
   kCrash,      // the process ended

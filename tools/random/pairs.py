@@ -37,6 +37,8 @@ class Varying:
         self.read = self.count if self.array or r.random() < 0.6 else r.randint(1, self.count)
         self.modifier = r.choice(MODIFIERS) if self.scalar == "float" else "nointerpolation "
         self.other_modifier = r.choice(MODIFIERS) if r.random() < 0.5 else self.modifier
+        if self.scalar != "float" and self.other_modifier != "nointerpolation ":
+            self.other_modifier = ""  # integers are never interpolated: X4576
         self.name = "v_" + semantic.lower()
 
     def field(self, modifier, count):

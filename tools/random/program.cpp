@@ -3,6 +3,7 @@
 
 #include "tools/random/interface.h"
 #include "tools/random/layout.h"
+#include "tools/random/loops.h"
 
 namespace clipc::random {
 namespace {
@@ -93,6 +94,7 @@ std::string Program::Options() const {
 }
 
 Program MakeProgram(Choices& choices, const Features& features) {
+  if (features.Has(Feature::kOnlyLoops)) return MakeLoops(choices, features);
   Context context(choices, features);
   context.scopes.emplace_back();
   Program program;

@@ -86,8 +86,11 @@ std::string MakeCompound(Context& context) {
   const std::size_t choice =
       context.Pick({other, other, other, other, other, other, 1, 4, other / 2, other / 2});
   const bool divides = choice == 6 || choice == 7;
-  const Expr value =
-      divides ? MakeDivisor(context, kind, shape, kDepth) : MakeExpr(context, kind, shape, kDepth);
+  Expr value;
+  if (divides && IsWild(place)) value = MakeAnyDivisor(context, kind, shape);
+  if (value.text.empty())
+    value = divides ? MakeDivisor(context, kind, shape, kDepth)
+                    : MakeExpr(context, kind, shape, kDepth);
   return Line(context, place.text + kOperators[choice] + Argument(value)) +
          (divides ? "" : fit(Wild(kind)));
 }
@@ -137,8 +140,12 @@ std::string MakeDeclaration(Context& context) {
     }
   }
   context.Add({name, type, !is_const, is_wild ? Holds::kWild : Holds::kVariable});
-  return Line(context, (is_const ? "const " : "") + Declaration(context.structs, type, name) +
-                           " = " + value);
+  const bool may_be_late = context.model >= 60 && !clipc::InfoOf(context.stage).draws_pixels;
+  const bool is_static = may_be_late && context.Chance(Feature::kLateStatics, 10);
+  // What a call writes, the next one may read.
+  context.writes_globals |= is_static;
+  return Line(context, (is_static ? "static " : "") + std::string(is_const ? "const " : "") +
+                           Declaration(context.structs, type, name) + " = " + value);
 }
 
 std::string MakeBlock(Context& context, int most, int depth) {

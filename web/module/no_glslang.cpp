@@ -2,6 +2,7 @@
 // What the page's first module has in place of glslang, which is half of the whole module and which
 // SPIR-V, --validate and pixel shaders in GLSL need. A compile that needs it is made again by the
 // whole module, which the page loads then.
+#include "compiler/list_spirv.h"
 #include "compiler/validate.h"
 #include "link/read.h"
 
@@ -29,6 +30,8 @@ namespace clipc {
 std::vector<std::string> Validate(const std::string&, const glsl::Target&, Stage) {
   return Missing();
 }
+
+std::string_view UnknownToValidator(std::string_view, const glsl::Target&) { return {}; }
 
 Spirv MakeSpirv(const std::string&, const glsl::Target&, Stage, const SpirvRequest&,
                 const std::string&) {

@@ -2,14 +2,10 @@
 // A function that the page calls beside those of module.cpp and runtime/clipc_runtime.h: it writes
 // SPIR-V as text.
 #include <cstddef>
-#include <sstream>
 #include <string>
-#include <utility>
-#include <vector>
-
-#include <glslang/SPIRV/disassemble.h>
 
 #include "compiler/clipc.h"
+#include "compiler/list_spirv.h"
 
 #define CLIPC_EXPORT(name) __attribute__((export_name(#name)))
 
@@ -20,9 +16,7 @@ CLIPC_EXPORT(clipc_module_disassemble)
 const clipc_bytes* clipc_module_disassemble(const unsigned* words, std::size_t count) {
   static std::string text;
   static clipc_bytes bytes;
-  std::ostringstream out;
-  spv::Disassemble(out, std::vector<unsigned>(words, words + count));
-  text = std::move(out).str();
+  text = clipc::ListSpirv({words, words + count});
   bytes = {text.data(), text.size()};
   return &bytes;
 }

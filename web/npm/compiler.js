@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The compiler over an instance of clipc.wasm; web/module/module.cpp is the other side.
+import { wordsOf } from './options.js';
 import { emptySystem } from './system.js';
 
 const STATUS = ['compiled', 'errors', 'bad-request', 'no-memory', 'cancelled', 'known'];
@@ -78,21 +79,6 @@ export class Instance {
   }
 }
 
-function optionsOf(options) {
-  const list = [];
-  if (options.profile) list.push('-T', options.profile);
-  if (options.entry) list.push('-E', options.entry);
-  if (options.target) list.push(`--target=${options.target}`);
-  if (options.lower) list.push(`--lower=${options.lower}`);
-  if (options.pixelShader) list.push(`--pixel-shader=${options.pixelShader}`);
-  if (options.pixelEntry) list.push(`--pixel-entry=${options.pixelEntry}`);
-  if (options.pixelShader || options.pixelEntry) list.push('--pixel-output=.frag');
-  for (const [name, value] of Object.entries(options.defines ?? {})) {
-    list.push('-D', value === true ? name : `${name}=${value}`);
-  }
-  return list.concat(options.options ?? []);
-}
-
 const text = (bytes) => decoder.decode(bytes);
 const json = (bytes) => (bytes.length ? JSON.parse(text(bytes)) : null);
 
@@ -112,7 +98,9 @@ export class Compiler {
   }
 
   compile(source, options = {}) {
-    const strings = listOf([options.path ?? 'shader.hlsl', ...optionsOf(options)]);
+    const { words, isPair, mistake } = wordsOf(options);
+    if (mistake) return nothing('bad-request', mistake);
+    const strings = listOf([options.path ?? 'shader.hlsl', ...words]);
     const shader = typeof source === 'string' ? encoder.encode(source) : source;
     let thrown = null;
     const readInclude = (path) => {
@@ -125,7 +113,6 @@ export class Compiler {
     };
     try {
       const instance = this.#started(readInclude);
-      const isPair = Boolean(options.pixelShader || options.pixelEntry);
       const result = this.#compile(instance, strings, shader, isPair);
       if (thrown) throw thrown;
       return result;
@@ -134,7 +121,7 @@ export class Compiler {
       // The stack or the memory is at its end, and the instance is not to be called again.
       this.#instance = null;
       if (error instanceof RangeError || error instanceof WebAssembly.RuntimeError)
-        return stopped();
+        return nothing('no-memory', STOPPED);
       throw error;
     }
   }
@@ -193,11 +180,12 @@ export class Compiler {
   }
 }
 
-function stopped() {
+/** The result of a call that compiles nothing. */
+export function nothing(status, messages) {
   return {
     ok: false,
-    status: 'no-memory',
-    messages: STOPPED,
+    status,
+    messages,
     diagnostics: [],
     dependencies: [],
     glsl: '',

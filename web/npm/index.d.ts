@@ -50,7 +50,7 @@ export interface CompileResult {
   /** Whether `status` is "compiled". */
   ok: boolean;
   /**
-   * "errors": the shader has errors. "bad-request": an option is wrong. "no-memory": the shader needs more memory or stack
+   * "errors": the shader has errors. "bad-request": an option is wrong or unknown. "no-memory": the shader needs more memory or stack
    * than WebAssembly gives.
    */
   status: 'compiled' | 'errors' | 'bad-request' | 'no-memory' | 'cancelled';
@@ -64,7 +64,7 @@ export interface CompileResult {
   glsl: string;
   /** With `lower: "discard"`: GLSL that discards, for the fragment shader. */
   discard: string;
-  /** The pixel shader, with `pixelEntry` or `pixelShader`. */
+  /** The pixel shader, with `pixelEntry`, `pixelShader` or the option `--pixel-output=.frag`. */
   pixel: string;
   /** With the option `-spirv`. */
   spirv: Uint32Array;

@@ -3,22 +3,16 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 
+import { nothing } from './compiler.js';
 import { createCompiler } from './node.js';
+import { optionsOfQuery } from './options.js';
 
 let compiler;
 
-/** The options of `import './x.hlsl?target=webgl2&lower=discard'`, over those of the configuration. */
-function optionsOf(query, configured) {
-  const options = { profile: 'vs_5_0', target: 'webgl2', ...configured };
-  for (const [name, value] of new URLSearchParams(query)) {
-    if (['profile', 'entry', 'target', 'lower', 'pixelEntry'].includes(name)) options[name] = value;
-    else if (name === 'options') options.options = value.split(/\s+/).filter(Boolean);
-  }
-  return options;
-}
-
 /** @returns {{result: CompileResult, files: string[], code: string}} `files`: the includes */
 export async function compileModule(path, text, query, configured) {
+  const { options, mistake } = optionsOfQuery(query, configured);
+  if (mistake) return { result: nothing('bad-request', mistake), files: [], code: '' };
   compiler ??= createCompiler();
   const files = [];
   const readInclude = (name) => {
@@ -30,11 +24,7 @@ export async function compileModule(path, text, query, configured) {
       return null;
     }
   };
-  const result = (await compiler).compile(text, {
-    ...optionsOf(query, configured),
-    path,
-    readInclude,
-  });
+  const result = (await compiler).compile(text, { ...options, path, readInclude });
   const exported = ['glsl', 'pixel', 'hlsl', 'discard', 'table', 'reflection'];
   const code = exported
     .map((name) => `export const ${name} = ${JSON.stringify(result[name])};\n`)

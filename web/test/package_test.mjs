@@ -71,6 +71,11 @@ await test('both shaders of a program', () => {
   assert.equal(result.status, 'compiled', result.messages);
   assert.match(result.pixel, /SV_Target0/);
   assert.equal(result.pixelSpirv[0], 0x07230203);
+  const same = compiler.compile(text, {
+    options: ['-E', 'vs', '--pixel-entry=ps', '--pixel-output=.frag', '-spirv'],
+  });
+  assert.equal(same.pixel, result.pixel);
+  assert.equal(same.discard, '');
 });
 
 await test('HLSL with clip distances', () => {

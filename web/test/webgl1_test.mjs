@@ -211,7 +211,7 @@ const drawn = (description) => page.evaluate(`drawWebgl1(${JSON.stringify(descri
 const count = { shaders: 0, cut: 0 };
 for (const path of folders
   .flatMap((folder) =>
-    readdirSync(folder)
+    readdirSync(folder, { recursive: folder === 'testdata/glsl' })
       .sort()
       .map((name) => join(folder, name)),
   )

@@ -8,6 +8,12 @@ namespace clipc::glsl {
 
 using namespace ir;
 
+namespace {
+
+bool IsConstant(const Program& program, ExprId expr) { return IsConstantIndex(program, expr, {}); }
+
+}  // namespace
+
 CountedLoops::CountedLoops(const Program& program, StmtId body)
     : program_(program), uses_(program.vars.size()), uses_in_loops_(program.vars.size()) {
   const auto count = [&](auto root, std::vector<std::uint32_t>& uses) {
@@ -19,7 +25,8 @@ CountedLoops::CountedLoops(const Program& program, StmtId body)
   std::vector<std::uint32_t> uses(program.vars.size());
   ForEachStmt(program, body, [&](StmtId stmt) {
     CountedLoop loop;
-    if (!As<For>(program, stmt) || !WhyNotAlone(stmt, loop).empty() || loop.is_declared) return;
+    if (!As<For>(program, stmt) || !WhyNotAlone(program, stmt, loop).empty() || loop.is_declared)
+      return;
     uses[loop.counter.index] = 0;
     count(stmt, uses);
     uses_in_loops_[loop.counter.index] += uses[loop.counter.index];
@@ -27,7 +34,7 @@ CountedLoops::CountedLoops(const Program& program, StmtId body)
 }
 
 std::string_view CountedLoops::WhyNot(StmtId stmt, CountedLoop& loop) const {
-  const std::string_view why = WhyNotAlone(stmt, loop);
+  const std::string_view why = WhyNotAlone(program_, stmt, loop);
   if (!why.empty() || !loop.counter || loop.is_declared) return why;
   const std::uint32_t index = loop.counter.index;
   const bool is_local = program_.vars[loop.counter].storage == Storage::kLocal;
@@ -36,25 +43,23 @@ std::string_view CountedLoops::WhyNot(StmtId stmt, CountedLoop& loop) const {
              : "has an index that is used outside of it";
 }
 
-std::string_view CountedLoops::WhyNotAlone(StmtId stmt, CountedLoop& loop) const {
-  if (As<While>(program_, stmt)) return "is a `while`";
-  if (As<DoWhile>(program_, stmt)) return "is a `do`";
-  const auto* node = As<For>(program_, stmt);
+std::string_view WhyNotAlone(const Program& program, StmtId stmt, CountedLoop& loop) {
+  if (As<While>(program, stmt)) return "is a `while`";
+  if (As<DoWhile>(program, stmt)) return "is a `do`";
+  const auto* node = As<For>(program, stmt);
   if (!node) return "";
-  loop = PartsOf(program_, *node);
+  loop = PartsOf(program, *node);
   if (!loop.counter) return "does not begin with a value of its index";
-  if (!loop.start || !IsConstant(loop.start)) return "does not begin at a constant";
+  if (!loop.start || !IsConstant(program, loop.start)) return "does not begin at a constant";
   if (!node->condition) return "has no condition";
-  const auto* compare = As<Binary>(program_, loop.comparison);
-  if (!compare || !IsConstant(compare->right)) return "does not end at a constant";
-  if (loop.more && !IsPure(program_, loop.more)) return "has a condition that changes something";
-  if (!loop.step || (loop.step_size && !IsConstant(loop.step_size)))
+  const auto* compare = As<Binary>(program, loop.comparison);
+  if (!compare || !IsConstant(program, compare->right)) return "does not end at a constant";
+  if (loop.more && !IsPure(program, loop.more)) return "has a condition that changes something";
+  if (!loop.step || (loop.step_size && !IsConstant(program, loop.step_size)))
     return "does not step by a constant";
-  if (IsChangedInBody(program_, *node, loop.counter)) return "changes its index";
+  if (IsChangedInBody(program, *node, loop.counter)) return "changes its index";
   return "";
 }
-
-bool CountedLoops::IsConstant(ExprId expr) const { return IsConstantIndex(program_, expr, {}); }
 
 bool IsConstantIndex(const Program& program, ExprId expr, std::span<const char> loop_indices) {
   const auto is_constant = [&](ExprId part) {

@@ -26,14 +26,14 @@ class CountedLoops {
   std::string_view WhyNot(ir::StmtId stmt, ir::CountedLoop& loop) const;
 
  private:
-  std::string_view WhyNotAlone(ir::StmtId stmt, ir::CountedLoop& loop) const;
-  bool IsConstant(ir::ExprId expr) const;
-
   const ir::Program& program_;
   // The number of references to each variable, by VarId: in the body, and in counted loops that
   // have the variable as their index without declaring it.
   std::vector<std::uint32_t> uses_, uses_in_loops_;
 };
+
+// The reason why the loop is not of that form, whatever uses its index outside of it.
+std::string_view WhyNotAlone(const ir::Program& program, ir::StmtId stmt, ir::CountedLoop& loop);
 
 // Whether the expression is a constant-index-expression (GLSL ES 1.00, appendix A, 5): made of
 // constants and of the indices of counted loops, `loop_indices` by VarId.

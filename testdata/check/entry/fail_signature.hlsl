@@ -3,6 +3,7 @@
 // RUN: %clipc -T vs_5_0 -E counted %s -o %t 2>&1 | FileCheck %s --check-prefix=COUNTED
 // RUN: not %clipc -T vs_5_0 -E of_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=TARGET
 // RUN: not %clipc -T vs_5_0 -E into_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=FRONT
+// RUN: not %clipc -T vs_5_0 -E of_group %s 2>&1 | FileCheck %s --check-prefix=GROUP
 // RUN: not %clipc -T vs_5_0 -E misspelt %s 2>&1 | FileCheck %s --check-prefix=MISSPELT
 // RUN: not %clipc -T vs_5_0 -E wrong_id %s 2>&1 | FileCheck %s --check-prefix=ID
 // RUN: not %clipc -T vs_5_0 -E wrong_layer %s 2>&1 | FileCheck %s --check-prefix=LAYER
@@ -14,8 +15,10 @@ float4 twice(float4 a : POSITION, out float4 b : SV_Position) : sv_position0 { r
 // A matrix takes an index a row, and this is plain data. COUNTED: warning: semantic `TEXCOORD2` is used twice among the inputs
 float4 counted(float4x4 m : TEXCOORD0, float4 b : TEXCOORD2) : SV_Position { return mul(b, m); }
 
-// TARGET: error: `SV_Target` is not an output of a vertex shader [semantic-not-for-stage, X4502]
+// TARGET: error: `SV_Target` is not an output of a vertex shader; `-T ps_5_0` compiles a pixel shader [semantic-not-for-stage, X4502]
 float4 of_pixel_shader(float4 v : POSITION) : SV_Target { return v; }
+// GROUP: error: `SV_DispatchThreadID` is not an input of a vertex shader; compute shaders have it, which dxc and glslang compile [semantic-not-for-stage, X4502]
+float4 of_group(uint3 thread : SV_DispatchThreadID) : SV_Position { return thread.xyzx; }
 // FRONT: error: `SV_IsFrontFace` is not an input of a vertex shader [semantic-not-for-stage, X4502]
 float4 into_pixel_shader(float4 v : POSITION, bool front : SV_IsFrontFace) : SV_Position { return v; }
 // MISSPELT: error: `SV_VertexIndex` is not an input of a vertex shader; did you mean `SV_VertexID`? [semantic-not-for-stage, X4502]

@@ -8,6 +8,8 @@
 // RUN: FileCheck %s --input-file=%t.json --check-prefix=JSON
 // RUN: %clipc -T vs_5_0 %s -o - --validate --target=vulkan | FileCheck %s --check-prefix=WHOLE
 // RUN: %clipc -T vs_5_0 %s -o - --validate --target=glsl330 --names=dxc | FileCheck %s --check-prefix=NAMED
+// RUN: %clipc -T vs_5_0 %s -o - --validate --target=webgl1 --names=dxc | FileCheck %s --check-prefix=SQUARE
+// SQUARE-NOT: mat2x3
 // WHOLE:      layout(location = 0) out mat2x3 vs_MIXED0;
 // WHOLE-NEXT: layout(location = 2) out mat2x3 vs_EVEN0;
 // WHOLE:      vs_MIXED0[1] =

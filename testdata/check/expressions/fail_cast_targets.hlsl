@@ -3,7 +3,7 @@ cbuffer C { float4 set; };
 float4 main(float4 p : POSITION, int i : I) : SV_Position {
   const int fixed = i;
   float4x4 m = 0;
-  // CHECK: [[#@LINE+1]]:11: error: `set` is set by the application; a shader cannot assign to it [uniform-assigned, X3025]
+  // CHECK: [[#@LINE+1]]:11: error: `set` is set by the application; a shader cannot assign to it; `static` makes a variable of the shader's own [uniform-assigned, X3025]
   (float3)set = 1;
   // CHECK: [[#@LINE+1]]:10: error: `fixed` is constant; it cannot be assigned to [const-assigned, X3025]
   (float)fixed = 1;

@@ -16,7 +16,7 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   m._m04;
   // CHECK: [[#@LINE+1]]:3: error: components are repeated; each can be assigned only once [swizzle-repeats, X3025]
   v.xx = v.xy;
-  // CHECK: [[#@LINE+1]]:3: error: `color` is set by the application; a shader cannot assign to it [uniform-assigned, X3025]
+  // CHECK: [[#@LINE+1]]:3: error: `color` is set by the application; a shader cannot assign to it; `static` makes a variable of the shader's own [uniform-assigned, X3025]
   color.x = 1;
   // CHECK: [[#@LINE+1]]:3: error: `kOne` is constant; it cannot be assigned to [const-assigned, X3025]
   kOne += 1;

@@ -5,7 +5,7 @@ cbuffer C { B set; };
 void change(inout A v) { v.p *= 2; }
 float4 main(float4 p : POSITION) : SV_Position {
   const B fixed = { p, p };
-  // CHECK: [[#@LINE+1]]:13: error: `set` is set by the application; a shader cannot assign to it [uniform-assigned, X3025]
+  // CHECK: [[#@LINE+1]]:13: error: `set` is set by the application; a shader cannot assign to it; `static` makes a variable of the shader's own [uniform-assigned, X3025]
   change((A)set);
   // CHECK: [[#@LINE+1]]:13: error: `fixed` is constant; it cannot be assigned to [const-assigned, X3025]
   change((A)fixed);

@@ -10,7 +10,7 @@ float of_type(float x);
 // CHECK-DAG: [[#@LINE+1]]:8: error: `of_type(float)` returns `float2` here and `float` elsewhere; overloads differ in their parameters [return-type-differs, X3116]
 float2 of_type(float x) { return x; }
 // CHECK-DAG: [[#@LINE+1]]:7: error: not every path through `falls` returns a value; its type is `float` [not-all-paths-return, X3507]
-float falls(float x) { if (x > 0) return 1; }
+float falls(float x) { if (x > 0) x = 1; }
 // CHECK-DAG: [[#@LINE+1]]:25: error: `returns` returns a value; its type is `void` [return-from-void, X3079]
 void returns() { return 1; }
 // CHECK-DAG: [[#@LINE+1]]:17: error: `return` without a value in `empty`; its type is `float` [return-without-value, X3080]

@@ -17,7 +17,7 @@ cbuffer Lights {
 float4 main(float4 p : POSITION, int i : I) : SV_Position {
   Light local = light;
   local.dim();
-  // CHECK: [[#@LINE+1]]:9: error: `light` is set by the application; a shader cannot assign to it [uniform-assigned, X3025]
+  // CHECK: [[#@LINE+1]]:9: error: `light` is set by the application; a shader cannot assign to it; `static` makes a variable of the shader's own [uniform-assigned, X3025]
   light.dim();
   // CHECK: [[#@LINE+1]]:13: error: `others` is set by the application
   others[i].reset();

@@ -29,7 +29,7 @@ float4 pixel(float4 p : SV_Position) : SV_Target { return p; }
 Texture2D image : register(t0);
 SamplerState linear_sampler : register(s0);
 StructuredBuffer<float4> rows : register(t1);
-RWTexture2D<float4> drawn : register(u0);
+RWTexture2D<float4> drawn : register(u1);
 float4 stored() : SV_Target { return drawn[uint2(0, 0)] = rows[0]; }
 float4 textured(float2 uv : TEXCOORD0) : SV_Target { return image.Sample(linear_sampler, uv); }
 """,

@@ -6,6 +6,8 @@
 // RUN: %clipc -T ps_5_0 -E through_calls %s -o - 2>&1 >%t.frag | FileCheck %s --check-prefix=CALLS
 // RUN: %clipc -T ps_5_0 -E uniform_flow -Werror %s -o %t.frag
 // RUN: %clipc -T ps_5_0 -E once %s -o - 2>&1 >%t.frag | FileCheck %s --check-prefix=ONCE --implicit-check-not=warning
+// RUN: %clipc -T ps_5_0 -E same_place -Werror %s -o %t.frag
+// RUN: %clipc -T ps_5_0 -E place_by_branch %s -o - 2>&1 >%t.frag | FileCheck %s --check-prefix=PLACE --implicit-check-not=warning
 Texture2D map;
 SamplerState linearly;
 cbuffer C {
@@ -80,4 +82,28 @@ float4 once(float2 uv : UV) : SV_Target {
     c += map.Sample(linearly, 2 * uv);
   } while (false);
   return c + map.Sample(linearly, 3 * uv);
+}
+
+// A place that all pixels of a quad agree on has no differences, in whatever flow: uniforms, constants, flat inputs, through functions,
+// locals and arrays.
+static const float2 kPlaces[2] = {float2(0.25, 0.5), float2(0.5, 0.75)};
+float2 Place(float2 uv) { return uv * 2 + setting.zw; }
+float4 same_place(float2 uv : UV, nointerpolation float2 flat_uv : FLAT) : SV_Target {
+  float4 c = 0;
+  float2 local = setting.xy;
+  local.x += 1;
+  if (uv.x > 0.5) {
+    c = map.Sample(linearly, setting.xy) + map.Sample(linearly, float2(0.5, 0.5)) + map.Sample(linearly, local);
+    c += map.Sample(linearly, Place(setting.xy)) + Read(flat_uv) + map.Sample(linearly, kPlaces[count]) + ddx(setting.x);
+  }
+  return c;
+}
+// The branches chose other places.
+float4 place_by_branch(float2 uv : UV) : SV_Target {
+  float2 place = setting.xy;
+  if (uv.x > 0.5) place = setting.zw;
+  // PLACE: [[#@LINE+1]]:26: warning: a sample uses {{.*}} [-Wgradient-in-branch]
+  if (uv.y > 0.5) return map.Sample(linearly, place);
+  // PLACE: [[#@LINE+1]]:10: warning: a sample uses {{.*}} [-Wgradient-in-branch]
+  return map.Sample(linearly, Place(uv));
 }

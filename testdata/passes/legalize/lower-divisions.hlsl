@@ -4,9 +4,9 @@
 // RUN: %draw compare %s -T vs_5_0
 // RUN: %clipc -T vs_5_0 -E others --verify %s -o - | FileCheck --check-prefix=OTHERS %s
 
-// CHECK-DAG: int modulo(int x, int y) {{{[[:space:]]+}}return imod(x, y == -1 ? 1 : y);
-// CHECK-DAG: int divide(int x, int y) {{{[[:space:]]+}}return y == -1 ? -x : x / (y == -1 ? 1 : y);
-// CHECK-DAG: ivec2 divide(ivec2 x, ivec2 y) {{{[[:space:]]+}}return mix(x / mix(y, ivec2(1), equal(y, ivec2(-1))), -x, equal(y, ivec2(-1)));
+// CHECK-DAG: int modulo(int x, int y) {{{[[:space:]]+}}return y == 0 ? x < 0 ? 1 : -1 : imod(x, y == -1 ? 1 : y == 0 ? 1 : y);
+// CHECK-DAG: int divide(int x, int y) {{{[[:space:]]+}}return y == 0 ? x < 0 ? 1 : -1 : y == -1 ? -x : x / (y == -1 ? 1 : y == 0 ? 1 : y);
+// CHECK-DAG: ivec2 divide(ivec2 x, ivec2 y) {{{[[:space:]]+}}return mix(mix(x / mix(mix(y, ivec2(1), equal(y, ivec2(0))), ivec2(1), equal(y, ivec2(-1))), -x, equal(y, ivec2(-1))), mix(ivec2(-1), ivec2(1), lessThan(x, ivec2(0))), equal(y, ivec2(0)));
 // CHECK: ivec2 z = ivec2(int(0x80000000u), 3) + divide(ivec2(x, 7), ivec2(y, 2));
 // CHECK-NEXT: x = modulo(x, y);
 // CHECK: x = divide(x, y);
@@ -20,8 +20,9 @@ float4 main(int w : W) : SV_Position {
   return float4(x / y, x / 2, x / -1, x / w) + z.xxyy;
 }
 
-// Where no such constant is, only a divisor that is -1 changes.
-// OTHERS: in_W0 / y
+// Where no such constant is, a choice of scalars may have an operand that is not computed.
+// OTHERS: return y == 0 ? x < 0 ? 1 : -1 : y == -1 ? -x : x / y;
+// OTHERS: divide(in_W0, y)
 // OTHERS: -in_W0
 // OTHERS: imod(in_W0, 1)
 float4 others(int w : W) : SV_Position {

@@ -4,22 +4,13 @@
 #include <algorithm>
 #include <variant>
 
+#include "ir/access.h"
 #include "tools/harness/offscreen.h"
 
 namespace clipc::draw::vulkan {
 namespace {
 
 using namespace ir;
-
-bool IsArrayOfArrays(const TypeTable& types, TypeId id) {
-  return types[id].kind == TypeKind::kArray && types[types[id].element].kind == TypeKind::kArray;
-}
-
-// Whether the call is a gather with four offsets. No other call has seven arguments (texture,
-// sampler, coordinate, and four offsets).
-bool HasFourOffsets(const Program& program, const ObjectCall& call) {
-  return TakesSampler(call.op) && program.expr_lists[call.arguments].size() == 7;
-}
 
 // Whether the object is an element of an array, or another texture has a lower register.
 bool MayNotBeTheFirst(const Program& program, ExprId object) {
@@ -37,14 +28,11 @@ bool MayNotBeTheFirst(const Program& program, ExprId object) {
 }  // namespace
 
 void RefuseDriverBugs(const Program& program) {
-  for (const Resource& resource : program.resources) {
-    if (!IsArrayOfArrays(program.types, program.vars[resource.var].type)) continue;
-    throw harness::DrawError("an array of arrays of textures, which lavapipe does not read");
-  }
   for (const ExprId id : program.exprs.ids()) {
     const auto* call = std::get_if<ObjectCall>(&program.exprs[id].node);
-    if (!call || !HasFourOffsets(program, *call) ||
-        !MayNotBeTheFirst(program, program.expr_lists[call->arguments][0]))
+    const bool is_gather_of_four = call && OperandsOf(*call, OperandKind::kOffset).size == 4;
+    if (!is_gather_of_four ||
+        !MayNotBeTheFirst(program, OperandOf(program, *call, OperandKind::kObject)))
       continue;
     throw harness::DrawError(
         "a gather with four offsets, which lavapipe reads from another texture");

@@ -5,9 +5,8 @@
 
 namespace clipc::draw::vulkan {
 
-// Throws DrawError where the program uses something that lavapipe of Mesa 22.3 gets wrong:
-// - in an array of arrays of textures or buffers it takes the last index for the element's number;
-// - a gather with four offsets reads the first texture of the set, whichever it was asked for.
+// Throws DrawError where the program has a gather with four offsets: lavapipe of Mesa 22.3 reads
+// the first texture of the set, whichever it was asked for.
 void RefuseDriverBugs(const ir::Program& program);
 
 }  // namespace clipc::draw::vulkan

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "frontend/rules/check_values.h"
+#include "frontend/rules/rules.h"
+#include "frontend/rules/written.h"
+#include "frontend/rules/written_paths.h"
+
+// The walk of CheckWritten: check_written.cpp has the statements, written_walk.cpp the expressions.
+namespace clipc::rules {
+
+// What a function has written when it returns.
+struct WrittenSummary {
+  std::vector<WrittenComponents> result;                   // by slot of the type
+  std::vector<std::vector<WrittenComponents>> parameters;  // empty for those that are not kOut
+};
+
+// What all functions share.
+struct WrittenShared {
+  const Program& program;
+  Diagnostics& diagnostics;
+  WrittenSlots slots;
+  ValueCheck values;
+  WrittenPaths paths;
+  std::vector<WrittenSummary> summaries;  // by FunctionId
+  std::vector<bool> is_reported;          // by VarId
+  std::vector<IoVar*> outputs;            // by VarId
+};
+
+// Walks a function in the order in which it runs.
+class WrittenWalk {
+ public:
+  WrittenWalk(WrittenShared& shared, WrittenState& state, FunctionId function)
+      : shared_(shared), program_(shared.program), state_(state), function_(function) {}
+
+  void Run();
+
+ private:
+  // How control leaves a statement; by break or continue it jumps.
+  enum class Flow : std::uint8_t { kNext, kJump, kReturn };
+  // A read of what nothing before it in the text has written; the rest of a loop around it may.
+  struct Read {
+    WrittenPlace place;
+    Span span;
+  };
+
+  bool IsMain() const { return function_ == program_.main; }
+  bool IsEntry() const { return function_ == program_.entry; }
+
+  // ---- statements
+  Flow WalkList(List<StmtId> list);
+  Flow Walk(StmtId stmt);
+  Flow WalkIf(const If& node);
+  Flow WalkSwitch(const Switch& node);
+  std::uint32_t ArmOf(const Switch& node, std::int64_t value) const;
+  Flow WalkLoop(StmtId stmt);
+  void WalkDeclare(const Declare& node);
+  void WalkReturn(ExprId value);
+  void Leave();
+  void ReportParameters();
+  JoinPoint PointAfter(ExprId condition);
+
+  // ---- expressions
+  void Visit(ExprId expr);
+  void VisitChoice(ExprId expr);
+  bool VisitTarget(ExprId path);
+  void VisitAssign(const Assign& node);
+  void VisitCall(ExprId expr, const Call& node);
+  void CheckRead(ExprId path);
+  void Report(const Read& read);
+  void Track(VarId var);
+  void Unwrite(VarId var);
+  void WriteTo(ExprId target, std::span<const WrittenComponents> values);
+  void Write(const WrittenPlace& place, std::span<const WrittenComponents> values = {});
+  // What the parts of a value are that an assignment copies; empty: all are written.
+  std::vector<WrittenComponents> ValueOf(ExprId value);
+
+  // ---- main
+  void CheckOutput(const Assign& node);
+
+  WrittenShared& shared_;
+  const Program& program_;
+  WrittenState& state_;
+  FunctionId function_;
+  bool has_returned_ = false;
+  int loops_ = 0;            // around the place of the walk
+  int choices_ = 0;          // the conditions and loops that decide whether control comes there
+  std::vector<Read> reads_;  // in loops that have not ended
+  WrittenSummary summary_;
+};
+
+}  // namespace clipc::rules
