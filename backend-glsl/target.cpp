@@ -141,6 +141,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kFreeLoops, {110}, {300}},
     {Feature::kFreeIndices, {110}, {300}},
     {Feature::kArrayValues, {120}, {300}},
+    {Feature::kStructChoices, {110}, {300}},
     {Feature::kArraysOfArrays, {430}, {310}},
     {Feature::kGlobalInitializers, {110}, {}},
     {Feature::kPrecise, {400}, {320, 310, "GL_EXT_gpu_shader5"}},

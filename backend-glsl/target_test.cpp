@@ -54,9 +54,9 @@ TEST(TargetTest, VersionGates) {
   EXPECT_TRUE(Of("essl300").Has(Feature::kSampleVariables));
   EXPECT_FALSE(Of("webgl2").Has(Feature::kInterpolants));
   EXPECT_TRUE(Of("glsl130").Has(Feature::kClipVertex));
-  for (const Feature feature :
-       {Feature::kFreeLoops, Feature::kFreeIndices, Feature::kArrayValues, Feature::kFullMatrices,
-        Feature::kCentroid, Feature::kUniformTransposes, Feature::kTexture3D}) {
+  for (const Feature feature : {Feature::kFreeLoops, Feature::kFreeIndices, Feature::kArrayValues,
+                                Feature::kStructChoices, Feature::kFullMatrices, Feature::kCentroid,
+                                Feature::kUniformTransposes, Feature::kTexture3D}) {
     EXPECT_TRUE(Of("glsl120").Has(feature));
     EXPECT_TRUE(Of("essl300").Has(feature));
     EXPECT_FALSE(Of("essl100").Has(feature));

@@ -87,9 +87,17 @@ class StoreGuard {
     const ObjectCall call = std::get<ObjectCall>(program_.exprs[id].node);
     const ExprId atomic = b.Add(type, call);
     const auto* added = As<Literal>(program_, OperandOf(program_, call, OperandKind::kValue));
-    const bool counts_down = call.op == ObjectOp::kAtomicAdd && added && added->bits == ~0u;
+    const bool counts_down = call.op == ObjectOp::kAtomicAdd && added && added->bits == ~0u &&
+                             IsCounter(OperandOf(program_, call, OperandKind::kObject));
     const ExprId lost = counts_down ? b.Uint(1) : b.ZeroOf(type);
     program_.exprs[id].node = Conditional{b.Ref(flag_), lost, atomic};
+  }
+
+  bool IsCounter(ExprId object) const {
+    const VarId root = RootOf(program_, object);
+    return std::ranges::any_of(program_.resources, [&](const Resource& resource) {
+      return resource.var == root && resource.counter_of;
+    });
   }
 
   Program& program_;

@@ -90,8 +90,8 @@ bool MayChange(const Program& program, const Target& target, const Expr& expr) {
                     As<Swizzle>(program, node.base) != nullptr);
           },
           [&](const Conditional&) {
-            return IsMatrix(program, expr.type) ||
-                   program.types[expr.type].kind == TypeKind::kArray;
+            const TypeKind kind = program.types[expr.type].kind;
+            return kind != TypeKind::kScalar && kind != TypeKind::kVector;
           },
           [](const OneOf<Select, MatrixTruncate> auto&) { return true; },
           [](const auto&) { return false; },

@@ -61,9 +61,16 @@ bool IsMistakenForVector(const Legalizer& legalizer, TypeId type) {
   return shape.kind == Shape::kRows || (types[type].kind == TypeKind::kArray && shape.IsVector());
 }
 
+// Whether statements make a choice between two values of the type, in place of `?:`.
+bool IsChosenByStatements(const Legalizer& legalizer, TypeId type) {
+  return IsMistakenForVector(legalizer, type) ||
+         (legalizer.program.types[type].kind == TypeKind::kStruct &&
+          !legalizer.target.Has(Feature::kStructChoices));
+}
+
 void LowerConditional(Legalizer& legalizer, ExprId expr, const Conditional& node) {
   const TypeId type = legalizer.program.exprs[expr].type;
-  if (!IsMistakenForVector(legalizer, type) || !legalizer.MayBeSkipped(node.when_true) ||
+  if (!IsChosenByStatements(legalizer, type) || !legalizer.MayBeSkipped(node.when_true) ||
       !legalizer.MayBeSkipped(node.when_false)) {
     return;
   }

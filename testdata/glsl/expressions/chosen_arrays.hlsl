@@ -1,10 +1,14 @@
 // A choice between arrays is made by statements on Vulkan: SPIR-V before 1.4 selects scalars and vectors only, and glslang takes an
-// array of vectors for one. Other targets have the choice as it is.
+// array of vectors for one. So it is in WebGL 1, where arrays that are values are structs, and GLSL ES 1.00 has no choice between
+// these. Other targets have the choice as it is.
 // RUN: %clipc %s -T vs_5_0 --target=vulkan --verify --validate -o - | FileCheck %s
 // RUN: %clipc %s -T vs_5_0 -spirv -o %t.spv && spirv-val --target-env vulkan1.1 %t.spv
 // RUN: %clipc %s -T vs_5_0 --target=glsl450 --validate -o - | FileCheck %s --check-prefix=OPENGL
-// RUN: %draw compare %s -T vs_5_0 --target vulkan,glsl450
+// RUN: %clipc %s -T vs_5_0 --target=webgl1 --validate -o - | FileCheck %s --check-prefix=WEBGL
+// RUN: %draw compare %s -T vs_5_0 --target vulkan,glsl450,essl100
 // OPENGL-NOT: choose
+// WEBGL-NOT: ? {{[a-z]}}
+// WEBGL-DAG: return choose
 struct Rows { int2x4 rows; float4 places[2]; };
 // CHECK: ivec4[2] choose(bool condition, ivec4 a[2], ivec4 b[2]) {
 // CHECK-NEXT: if (condition) {
