@@ -1,5 +1,5 @@
 // The atomic operation of a pixel whose discard waits does not happen, and its value is zero; that of a counter that goes down is
-// one, since the index is one below it. An addition of -1 to an element of a buffer is no counter's.
+// one, since the index is one below it. An addition of -1 to an element of a buffer is not one of a counter.
 // RUN: %clipc -T ps_5_0 %s --dump-after=defer-discards | FileCheck %s
 RWStructuredBuffer<uint> sums : register(u1);
 RWStructuredBuffer<float> stack : register(u2);
