@@ -94,7 +94,7 @@ enum class Feature : std::uint8_t {
   kFreeLoops,           // any loop; else constant bounds only: appendix A of GLSL ES 1.00
   kFreeIndices,         // any index; else, if not constant, of uniforms only: the same appendix
   kArrayValues,         // arrays are values: constructors, assignments, results of functions
-  kStructChoices,       // `?:` between structs
+  kStructChoices,       // `?:` between structs, and so between arrays where these are structs
   kArraysOfArrays,      // else the inner array is wrapped in a struct
   kGlobalInitializers,  // values of global variables that are not constant expressions
   kPrecise,             // `precise`

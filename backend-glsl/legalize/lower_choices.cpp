@@ -61,11 +61,17 @@ bool IsMistakenForVector(const Legalizer& legalizer, TypeId type) {
   return shape.kind == Shape::kRows || (types[type].kind == TypeKind::kArray && shape.IsVector());
 }
 
+// Whether a value of the type is a struct or an array in GLSL.
+bool IsComposite(const Legalizer& legalizer, TypeId type) {
+  const Type& node = legalizer.program.types[type];
+  return node.kind == TypeKind::kStruct || node.kind == TypeKind::kArray ||
+         (node.kind == TypeKind::kMatrix && ShapeOf(node, legalizer.target).kind == Shape::kRows);
+}
+
 // Whether statements make a choice between two values of the type, in place of `?:`.
 bool IsChosenByStatements(const Legalizer& legalizer, TypeId type) {
   return IsMistakenForVector(legalizer, type) ||
-         (legalizer.program.types[type].kind == TypeKind::kStruct &&
-          !legalizer.target.Has(Feature::kStructChoices));
+         (!legalizer.target.Has(Feature::kStructChoices) && IsComposite(legalizer, type));
 }
 
 void LowerConditional(Legalizer& legalizer, ExprId expr, const Conditional& node) {

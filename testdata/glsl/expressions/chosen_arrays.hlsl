@@ -7,8 +7,9 @@
 // RUN: %clipc %s -T vs_5_0 --target=webgl1 --validate -o - | FileCheck %s --check-prefix=WEBGL
 // RUN: %draw compare %s -T vs_5_0 --target vulkan,glsl450,essl100
 // OPENGL-NOT: choose
-// WEBGL-NOT: ? {{[a-z]}}
-// WEBGL-DAG: return choose
+// WEBGL-NOT: {{ \? }}
+// WEBGL: Rows p = choose({{.*}}, n, m);
+// WEBGL-NOT: {{ \? }}
 struct Rows { int2x4 rows; float4 places[2]; };
 // CHECK: ivec4[2] choose(bool condition, ivec4 a[2], ivec4 b[2]) {
 // CHECK-NEXT: if (condition) {

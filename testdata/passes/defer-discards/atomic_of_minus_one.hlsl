@@ -16,5 +16,5 @@ float4 main(float4 p : SV_Position, float2 uv : TEXCOORD0) : SV_Target
     return map.Sample(linear_sampler, uv) + before + index;
 }
 
-// CHECK:     is_discarded ? 0{{.*}} : atomic_add(sums
-// CHECK:     is_discarded ? 1{{.*}} : atomic_add(stack
+// CHECK:     before = is_discarded ? zero<uint> : atomic_add(sums
+// CHECK:     (is_discarded ? 1u : atomic_add(counter_var_stack
