@@ -85,7 +85,8 @@ void JsonWriter::Key(std::string_view key) {
 
 void JsonWriter::Append(std::int64_t number) {
   std::array<char, 24> digits;
-  text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  text_.append(digits.data(),
+               std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
 }
 
 void JsonWriter::Append(std::string_view text) {
