@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "link/match.h"
+#include "ir/program.h"
+#include "link/interface.h"
+#include "link/matches.h"
 
 namespace clipc::link {
 

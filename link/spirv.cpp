@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "frontend/rules/semantics.h"
+#include "frontend/signature/semantics.h"
 #include "link/names.h"
 #include "link/read.h"
 #include "link/spirv_module.h"
@@ -230,7 +230,7 @@ class SpirvReader {
     input.name = GlslNameOf(module_.NameOf(place));
     input.location = location;
     if (const std::string* written = FindIn(module_.semantics, place)) {
-      const rules::SemanticName semantic = rules::SplitSemantic(*written);
+      const signature::SemanticName semantic = signature::SplitSemantic(*written);
       input.semantic = semantic.name;
       input.index = semantic.index;
     }

@@ -10,21 +10,21 @@
 // Declarations of the syntax tree.
 namespace clipc::ast {
 
-// The position of each qualifier in qualifiers.def.
+// The position of each qualifier in qualifier_bits.def.
 namespace qualifier_position {
 enum : std::uint32_t {
 #define QUALIFIER(bit, spelling, word) bit,
 #define PACKING(bit, text) bit,
-#include "frontend/parse/qualifiers.def"
+#include "frontend/parse/qualifier_bits.def"
 };
 }  // namespace qualifier_position
 
-// A set of the bits that qualifiers.def names: kConst, kStatic, ...
+// A set of the bits that qualifier_bits.def names: kConst, kStatic, ...
 using Qualifiers = std::uint32_t;
 enum Qualifier : Qualifiers {
 #define QUALIFIER(bit, spelling, word) bit = 1u << qualifier_position::bit,
 #define PACKING(bit, text) bit = 1u << qualifier_position::bit,
-#include "frontend/parse/qualifiers.def"
+#include "frontend/parse/qualifier_bits.def"
 };
 
 struct Semantic {

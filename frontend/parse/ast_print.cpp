@@ -95,7 +95,7 @@ class Printer {
   void PutPart(QualifierBits qualifiers) {
 #define QUALIFIER(bit, spelling, word) Put(If((qualifiers.bits & bit) != 0, " " spelling));
 #define PACKING(bit, text) Put(If((qualifiers.bits & bit) != 0, " " text));
-#include "frontend/parse/qualifiers.def"
+#include "frontend/parse/qualifier_bits.def"
   }
   void PutPart(const Sequence& sequence) {
     Put(sequence.open);

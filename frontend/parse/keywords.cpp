@@ -59,7 +59,7 @@ constexpr auto kWords = [] {
       Plain("void", kNumericType),
       Plain("DWORD", kNumericType),
 #define QUALIFIER(bit, spelling, word) {spelling, {word, false, ast::bit}},
-#include "frontend/parse/qualifiers.def"
+#include "frontend/parse/qualifier_bits.def"
       {"inout", {kQualifier, false, ast::kIn | ast::kOut}},
       // Qualifiers to which clipc gives no meaning.
       MayQualify("reordercoherent"),

@@ -10,7 +10,7 @@
 
 #include "base/not_copied.h"
 #include "frontend/parse/attributes.h"
-#include "frontend/parse/parse.h"
+#include "frontend/parse/parse_options.h"
 #include "frontend/parse/qualifiers.h"
 #include "frontend/parse/tree_builder.h"
 

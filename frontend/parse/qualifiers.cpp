@@ -69,7 +69,7 @@ std::vector<std::string_view> SpellingsOf(Qualifiers qualifiers) {
   }
 #define QUALIFIER(bit, spelling, word) \
   if (qualifiers & (bit)) spellings.push_back(spelling);
-#include "frontend/parse/qualifiers.def"
+#include "frontend/parse/qualifier_bits.def"
   return spellings;
 }
 
