@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
-#include "frontend/rules/position_input.h"
+#include "frontend/signature/position_input.h"
 #include "passes/outputs.h"
 
 namespace clipc {
@@ -56,7 +56,8 @@ ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& r
     CheckDistanceCount(program, request.distances, diagnostics);
   if (request.plane_space != PlaneSpace::kObject) return {};
   const std::string& semantic = request.position_input;
-  return rules::CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);
+  return signature::CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic,
+                                       diagnostics);
 }
 
 void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,

@@ -20,7 +20,7 @@
 #include "compiler/rewrite_hlsl.h"
 #include "compiler/stages.h"
 #include "frontend/parse/ast_print.h"
-#include "frontend/rules/resolve.h"
+#include "frontend/resolve/resolve.h"
 #include "ir/print.h"
 
 namespace clipc {
@@ -109,7 +109,7 @@ class JobHolder {
 
 // Whether the request ends the passes before the program of a shader is complete.
 bool StopsInFront(const DebugOptions& debug) {
-  const auto names = rules::ResolvePasses();
+  const auto names = resolve::ResolvePasses();
   return !debug.stop_after.empty() && std::ranges::find(names, debug.stop_after) != names.end();
 }
 

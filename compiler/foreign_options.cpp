@@ -11,7 +11,7 @@
 namespace clipc {
 namespace {
 
-using rules::PositionName;
+using signature::PositionName;
 
 // Ignores an option for the code of another compiler, which GLSL has no use for.
 void Ignore(Reading&, const std::string&) {}

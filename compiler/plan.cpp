@@ -54,7 +54,7 @@ CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagno
   if (auto profile = ir::ParseProfile(language.profile)) {
     // fxc X3539; "Compiling Shaders" of Microsoft's HLSL guide has /Gec promote ps_1_x to ps_2_0.
     if (profile->stage == Stage::kPixel && profile->major == 1) {
-      if (language.position_name != rules::PositionName::kBoth)
+      if (language.position_name != signature::PositionName::kBoth)
         diagnostics.Report({}, diag::ProfileRetired, profile->name);
       profile = ir::ParseProfile("ps_2_0");
     }

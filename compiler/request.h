@@ -52,7 +52,7 @@ struct LanguageOptions {
   bool legacy_macro_expansion = false;       // read `##` as fxc from shader model 6 on too
   bool byte_matrices_by_row = false;         // CheckOptions::byte_matrices_by_row
   MatrixPacking packing = MatrixPacking::kColumnMajor;
-  rules::PositionName position_name = rules::PositionName::kSystemValue;
+  signature::PositionName position_name = signature::PositionName::kSystemValue;
 };
 
 // The places of the files that a shader includes.

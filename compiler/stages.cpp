@@ -8,7 +8,7 @@
 #include "backend-glsl/check_target.h"
 #include "backend-glsl/legalize/legalize.h"
 #include "frontend/parse/parse.h"
-#include "frontend/rules/resolve.h"
+#include "frontend/resolve/resolve.h"
 
 namespace clipc {
 namespace {
@@ -58,7 +58,7 @@ Lowered Lower(ir::Program program, const LowerOptions& options) {
 }
 
 std::vector<std::string_view> PassNames() {
-  std::vector<std::string_view> names = rules::ResolvePasses();
+  std::vector<std::string_view> names = resolve::ResolvePasses();
   std::ranges::copy(passes::PassNames(), std::back_inserter(names));
   names.push_back(kUnrollLoops);
   for (const auto& pass : glsl::LegalizePasses()) names.push_back(pass.name);

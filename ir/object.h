@@ -11,7 +11,7 @@ enum class ObjectKind : std::uint8_t {
 #define OBJECT(Enumerator, ...) k##Enumerator,
 #include "base/builtin_types.def"
   kSampler2DShadow,  // a sampler2D whose texture Direct3D 9's driver compares, less or equal: HLSL
-                     // has no word for it, rules::CompareSamplers makes it
+                     // has no word for it, resolve::CompareSamplers makes it
   kOther,  // an object that clipc lets no stage use (a stream, ...): it may only be declared
 };
 

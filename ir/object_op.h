@@ -34,7 +34,7 @@ enum class OperandKind : std::uint8_t {
   kDdx,         // float{1..3}: the steps of the coordinate from pixel to pixel
   kDdy,
   kSample,     // an int, the number of a multisampled object's sample
-  kOffset,     // int{1..3} in texels: literals, but for a gather and before rules::KnowOffsets
+  kOffset,     // int{1..3} in texels: literals, but for a gather and before resolve::KnowOffsets
   kStep,       // an integer
   kComparand,  // what an element is compared with, of the value's type
   kValue,      // what is written, or combined with an element

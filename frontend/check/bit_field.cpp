@@ -10,7 +10,7 @@
 #include "frontend/check/operator.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/constant.h"
+#include "frontend/typing/constant.h"
 
 namespace clipc::check {
 namespace {

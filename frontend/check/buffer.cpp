@@ -9,7 +9,7 @@
 #include "frontend/check/init.h"
 #include "frontend/check/type.h"
 #include "frontend/check/vulkan.h"
-#include "frontend/rules/registers.h"
+#include "frontend/resolve/registers.h"
 #include "ir/evaluate.h"
 #include "ir/packing.h"
 

@@ -21,8 +21,8 @@
 #include "frontend/check/type.h"
 #include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/intrinsics.h"
-#include "frontend/rules/objects.h"
+#include "frontend/typing/intrinsics.h"
+#include "frontend/typing/objects.h"
 
 namespace clipc::check {
 namespace {

@@ -16,8 +16,8 @@
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/check/static_local.h"
-#include "frontend/rules/build_main.h"
-#include "frontend/rules/resolve.h"
+#include "frontend/resolve/resolve.h"
+#include "frontend/signature/build_main.h"
 #include "ir/packing.h"
 
 namespace clipc {
@@ -57,13 +57,13 @@ void Run(Context& context, const ir::PassOptions& passes) {
   CheckUnusedClipPlanes(context, attributes);
   if (!context.diagnostics.has_errors()) SettleStaticLocals(context);
   FinishGlobals(context);
-  rules::Resolve(program,
-                 {.is_specialised = !context.options.entry_call.empty(),
-                  .has_preshader = context.options.has_preshader,
-                  .shadow_samplers = context.options.shadow_samplers,
-                  .struct_registers = context.globals.struct_registers,
-                  .registers_of_unused = [&] { return RegistersOfUnused(context); }},
-                 passes, context.diagnostics);
+  resolve::Resolve(program,
+                   {.is_specialised = !context.options.entry_call.empty(),
+                    .has_preshader = context.options.has_preshader,
+                    .shadow_samplers = context.options.shadow_samplers,
+                    .struct_registers = context.globals.struct_registers,
+                    .registers_of_unused = [&] { return RegistersOfUnused(context); }},
+                   passes, context.diagnostics);
 }
 
 }  // namespace

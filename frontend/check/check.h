@@ -8,7 +8,7 @@
 #include "base/diagnostics.h"
 #include "frontend/lex/source.h"
 #include "frontend/parse/ast.h"
-#include "frontend/rules/semantics.h"
+#include "frontend/signature/semantics.h"
 #include "ir/profile.h"
 #include "ir/program.h"
 #include "ir/run_passes.h"
@@ -35,7 +35,7 @@ struct CheckOptions {
   // Whether clip planes go to SetClipPlane (the level9 lowering), which takes whole registers only:
   // anything less is reported (X4594).
   bool whole_register_planes = false;
-  rules::PositionName position_name = rules::PositionName::kSystemValue;
+  signature::PositionName position_name = signature::PositionName::kSystemValue;
   // Whether `&&`, `||` and `?:` of scalars evaluate only the operands that decide the value, as
   // they do in HLSL 2021 (dxc's "Logical Operation Short Circuiting"). Before it, both sides are
   // evaluated.
@@ -53,10 +53,10 @@ struct CheckOptions {
   bool has_templates = true, has_enums = true;
   bool casts_structs = false, scopes_loops = false;
   // The names of the samplers of a pixel shader that Direct3D 9's driver compares:
-  // rules::CompareSamplers.
+  // resolve::CompareSamplers.
   std::vector<std::string> shadow_samplers;
   bool is_interface_only = false;    // ir::Program::is_interface_only
-  bool stages_match_by_row = false;  // rules::EntrySignature::stages_match_by_row
+  bool stages_match_by_row = false;  // signature::EntrySignature::stages_match_by_row
 };
 
 // Resolves the names, types and overloads of everything that the entry point reaches. Returns the
@@ -64,7 +64,7 @@ struct CheckOptions {
 // except errors of the syntax, which the parser reports. The program is meaningful only when
 // `diagnostics` has no errors afterwards. Bodies of functions that the entry point does not reach
 // are not looked at, so the same file may hold pixel shaders and other stages.
-// `passes` sees the passes of rules::Resolve, and may end them.
+// `passes` sees the passes of resolve::Resolve, and may end them.
 ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics,
                   const ir::PassOptions& passes = {});
 

@@ -14,8 +14,8 @@
 #include "frontend/check/scope.h"
 #include "frontend/check/text.h"
 #include "frontend/parse/attributes.h"
-#include "frontend/rules/build_main.h"
-#include "frontend/rules/constant.h"
+#include "frontend/signature/build_main.h"
+#include "frontend/typing/constant.h"
 #include "ir/packing.h"
 
 namespace clipc::check {

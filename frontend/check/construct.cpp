@@ -7,8 +7,8 @@
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/conversion.h"
-#include "frontend/rules/reread.h"
+#include "frontend/typing/conversion.h"
+#include "frontend/typing/reread.h"
 
 namespace clipc::check {
 namespace {

@@ -18,7 +18,7 @@
 #include "frontend/check/symbols.h"
 #include "frontend/check/tables.h"
 #include "frontend/parse/ast.h"
-#include "frontend/rules/conversion.h"
+#include "frontend/typing/conversion.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/program.h"

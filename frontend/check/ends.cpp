@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontend/check/flow.h"
-#include "frontend/rules/constant.h"
+#include "frontend/typing/constant.h"
 #include "ir/call_order.h"
 #include "ir/evaluate.h"
 #include "ir/walk.h"

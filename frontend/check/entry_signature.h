@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frontend/check/context.h"
-#include "frontend/rules/build_main.h"
+#include "frontend/signature/build_main.h"
 // The signature of the entry point, as its parameters and its result are written.
 namespace clipc::check {
 

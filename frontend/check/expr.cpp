@@ -23,7 +23,7 @@
 #include "frontend/check/type.h"
 #include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/intrinsics.h"
+#include "frontend/typing/intrinsics.h"
 
 namespace clipc::check {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/overloaded.h"
-#include "frontend/rules/constant.h"
 #include "frontend/rules/loop_iterations.h"
+#include "frontend/typing/constant.h"
 #include "ir/walk.h"
 
 namespace clipc::check {
@@ -28,7 +28,7 @@ class Flow {
  private:
   Condition Known(ExprId condition) const {
     if (!condition) return {.may_fail = false};  // for (;;)
-    const auto known = rules::EvaluateInteger(program_, condition);
+    const auto known = typing::EvaluateInteger(program_, condition);
     if (!known) return KnownOfSides(condition);
     return {.may_hold = *known != 0, .may_fail = *known == 0};
   }
@@ -86,7 +86,7 @@ class Flow {
     return {.falls = ends || inner.breaks, .returns = inner.returns};
   }
   Exits Of(const Switch& node) const {
-    const auto value = rules::EvaluateInteger(program_, node.value);
+    const auto value = typing::EvaluateInteger(program_, node.value);
     const auto cases = program_.switch_cases[node.cases];
     bool has_default = false, has_label = false;
     for (const SwitchCase& arm : cases) {
@@ -107,7 +107,7 @@ class Flow {
   }
   bool HasLabel(const SwitchCase& arm, std::int64_t value) const {
     for (std::uint32_t i = 0; i < arm.labels.size; ++i) {
-      if (rules::EvaluateInteger(program_, program_.expr_lists[arm.labels][i]) == value)
+      if (typing::EvaluateInteger(program_, program_.expr_lists[arm.labels][i]) == value)
         return true;
     }
     return false;

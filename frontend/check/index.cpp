@@ -7,8 +7,8 @@
 #include "frontend/check/member.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/constant.h"
-#include "frontend/rules/objects.h"
+#include "frontend/typing/constant.h"
+#include "frontend/typing/objects.h"
 
 namespace clipc::check {
 namespace {

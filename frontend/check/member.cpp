@@ -12,7 +12,7 @@
 #include "frontend/check/struct.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/objects.h"
+#include "frontend/typing/objects.h"
 
 namespace clipc::check {
 namespace {

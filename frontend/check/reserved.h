@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frontend/check/context.h"
-#include "frontend/rules/registers.h"
+#include "frontend/resolve/registers.h"
 
 namespace clipc::check {
 

@@ -8,7 +8,7 @@
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
 #include "frontend/check/type.h"
-#include "frontend/rules/intrinsics.h"
+#include "frontend/typing/intrinsics.h"
 
 namespace clipc::check {
 namespace {

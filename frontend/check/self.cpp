@@ -6,7 +6,7 @@
 
 #include "base/overloaded.h"
 #include "frontend/parse/ast_walk.h"
-#include "frontend/rules/intrinsics.h"
+#include "frontend/typing/intrinsics.h"
 #include "ir/access.h"
 #include "ir/call_order.h"
 #include "ir/walk.h"

@@ -8,7 +8,10 @@
 #include "base/id.h"
 #include "base/span.h"
 #include "frontend/parse/ast.h"
-#include "frontend/rules/rules.h"
+#include "frontend/resolve/names.h"
+#include "frontend/rules/names.h"
+#include "frontend/signature/names.h"
+#include "frontend/typing/names.h"
 
 // The checker's records of declarations. In namespace check the types and functions of the program,
 // and the rules about them, have their plain names; the types of the syntax tree begin with
@@ -16,7 +19,10 @@
 namespace clipc::check {
 
 using namespace ir;
+using namespace resolve;
 using namespace rules;
+using namespace signature;
+using namespace typing;
 
 struct Symbol;
 struct Scope;

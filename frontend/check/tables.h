@@ -11,7 +11,7 @@
 #include "frontend/check/out_of_line.h"
 #include "frontend/check/symbols.h"
 #include "frontend/parse/ast.h"
-#include "frontend/rules/resolve_objects.h"
+#include "frontend/resolve/resolve_objects.h"
 #include "ir/program.h"
 
 // What the checker knows of the text's types and of the variables outside of functions.

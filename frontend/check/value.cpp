@@ -7,7 +7,7 @@
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
-#include "frontend/rules/constant.h"
+#include "frontend/typing/constant.h"
 
 namespace clipc::check {
 

@@ -3,14 +3,14 @@
 
 #include "frontend/check/value.h"
 #include "frontend/parse/attributes.h"
-#include "frontend/rules/locations.h"
+#include "frontend/signature/locations.h"
 
 namespace clipc::check {
 namespace {
 
 // The largest numbers that glslang takes: layoutLocationEnd, layoutSpecConstantIdEnd,
 // layoutBindingEnd, layoutAttachmentEnd.
-constexpr std::int64_t kMaxLocation = rules::kLocations - 1;
+constexpr std::int64_t kMaxLocation = signature::kLocations - 1;
 constexpr std::int64_t kMaxConstantId = 2046;
 constexpr std::int64_t kMaxBinding = 0xfffe;
 constexpr std::int64_t kMaxOffset = 65536;

@@ -8,9 +8,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "frontend/rules/constant.h"
 #include "frontend/rules/known_values.h"
 #include "frontend/rules/loop_iterations.h"
+#include "frontend/typing/constant.h"
 #include "ir/access.h"
 #include "ir/counted_loop.h"
 #include "ir/walk.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 
 namespace clipc::rules {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/diagnostics.h"
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 
 namespace clipc::rules {
 

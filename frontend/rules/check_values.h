@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 
 namespace clipc::rules {
 

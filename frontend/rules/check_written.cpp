@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/overloaded.h"
-#include "frontend/rules/constant.h"
 #include "frontend/rules/written_messages.h"
 #include "frontend/rules/written_walk.h"
+#include "frontend/typing/constant.h"
 #include "ir/access.h"
 #include "ir/call_order.h"
 #include "ir/walk.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 #include "ir/value_graph.h"
 
 namespace clipc::rules {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/loop_iterations.h"
 
-#include "frontend/rules/constant.h"
+#include "frontend/typing/constant.h"
 #include "ir/access.h"
 #include "ir/counted_loop.h"
 #include "ir/walk.h"

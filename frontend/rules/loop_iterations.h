@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 
 // The number of iterations of a loop, as far as its own text gives it.
 namespace clipc::rules {

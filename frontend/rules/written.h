@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 #include "frontend/rules/written_paths.h"
 
 namespace clipc::rules {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 #include "frontend/rules/written.h"
 
 // The messages about what a shader does not write.

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/overloaded.h"
-#include "frontend/rules/constant.h"
 #include "frontend/rules/written_messages.h"
+#include "frontend/typing/constant.h"
 #include "ir/access.h"
 #include "ir/walk.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontend/rules/check_values.h"
-#include "frontend/rules/rules.h"
+#include "frontend/rules/names.h"
 #include "frontend/rules/written.h"
 #include "frontend/rules/written_paths.h"
 

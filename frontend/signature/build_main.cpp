@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/signature/build_main.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "frontend/signature/attribute_reads.h"
+#include "frontend/signature/distances.h"
+#include "frontend/signature/locations.h"
+#include "frontend/signature/pixel_inputs.h"
+#include "frontend/signature/semantic_check.h"
+#include "frontend/signature/signature_leaves.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+
+namespace clipc::signature {
+namespace {
+
+class MainBuilder {
+ public:
+  MainBuilder(Program& program, const EntrySignature& signature, PositionName position,
+              Diagnostics& diagnostics)
+      : program_(program),
+        stage_(InfoOf(program.stage)),
+        signature_(signature),
+        diagnostics_(diagnostics),
+        semantics_(program, position, diagnostics),
+        builder_(program, program.functions[program.entry].span),
+        leaves_(program, builder_, diagnostics) {}
+
+  void Run() {
+    body_.reserve(16);
+    const Function& entry = program_.functions[program_.entry];
+    leaves_.SetByRow(signature_.stages_match_by_row && stage_.has_stage_before);
+    for (std::size_t i = 0; i < entry.parameters.size(); ++i)
+      PrepareParameter(entry.parameters[i], signature_.parameters[i]);
+    CenterPositions();
+    const bool reads_gaps = FitWithGaps(clip_reads_, cull_reads_);
+    ReadDistances(Builtin::kClipDistanceInput, clip_reads_, reads_gaps);
+    ReadDistances(Builtin::kCullDistanceInput, cull_reads_, reads_gaps);
+    attributes_.Finish();
+    CallEntry();
+    leaves_.SetByRow(signature_.stages_match_by_row);
+    for (const Carrier& output : pending_outputs_) {
+      for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
+    }
+    const bool writes_gaps = FitWithGaps(clip_, cull_);
+    WriteDistances(Builtin::kClipDistance, clip_, writes_gaps);
+    WriteDistances(Builtin::kCullDistance, cull_, writes_gaps);
+    CheckDistanceCount();
+    leaves_.ReportMissing();
+    semantics_.CheckPosition(signature_.has_later_stage);
+    for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
+    const StmtId body = builder_.BlockOf(body_);
+    program_.main = program_.functions.Add({"main", program_.types.Void(), {}, body, entry.span});
+  }
+
+ private:
+  // ---- parameters
+
+  void PrepareParameter(VarId id, const EntryParameter& parameter) {
+    const Var var = program_.vars[id];
+    if (parameter.is_uniform) {
+      arguments_.push_back(builder_.Ref(parameter.uniform_var));
+      return;
+    }
+    const bool reads = var.storage != Storage::kOut;
+    const bool writes = var.storage != Storage::kIn;
+    Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
+    if (!writes && program_.types[var.type].IsScalarOrVector()) {
+      const std::span<const Carrier> leaves = leaves_.Of(whole);
+      if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
+      return;
+    }
+    const VarId local = builder_.Local(var.name, var.type);
+    whole.part = leaves_.Whole(local);
+    body_.push_back(builder_.Stmt(Declare{local, {}}));
+    leaves_.SetTakesObjects(bool{parameter.objects});
+    if (reads) ReadInto(whole, parameter.objects);
+    leaves_.SetTakesObjects(false);
+    arguments_.push_back(builder_.Ref(local));
+    if (writes) pending_outputs_.push_back(std::move(whole));
+  }
+
+  // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once, and textures
+  // and samplers from those of `objects`.
+  void ReadInto(const Carrier& whole, VarId objects) {
+    std::vector<ExprId> columns;
+    for (const Carrier& leaf : leaves_.Of(whole)) {
+      const bool is_object = program_.types[leaf.type].kind == TypeKind::kObject;
+      ExprId value = is_object ? InVar(leaves_.ValueOf(leaf.part), objects) : Input(leaf);
+      if (!value) continue;
+      PartNumber target = leaf.part;
+      if (const Part part = leaves_[target]; part.columns > 0) {
+        if (part.number == 0) columns.clear();
+        columns.push_back(value);
+        if (columns.size() < part.columns) continue;
+        target = part.whole;
+        const Type type = program_.types[leaf.type];
+        value = leaves_.Transposed(builder_.ConstructOf(
+            program_.types.Matrix(type.scalar, part.columns, type.columns), columns));
+      }
+      body_.push_back(builder_.Eval(builder_.AssignTo(leaves_.ValueOf(target), value)));
+    }
+  }
+
+  // The path, into `var` in place of its own variable.
+  ExprId InVar(ExprId path, VarId var) {
+    ExprId root = path;
+    while (const ExprId whole = WholeOf(program_, root)) root = whole;
+    program_.exprs[root].node = VarRef{var};
+    return path;
+  }
+
+  void CallEntry() {
+    const Function& entry = program_.functions[program_.entry];
+    if (arguments_.size() != entry.parameters.size()) return;  // an error was reported
+    const ExprId call = builder_.CallOf(program_.entry, arguments_);
+    if (entry.return_type == program_.types.Void()) {
+      body_.push_back(builder_.Eval(call));
+      return;
+    }
+    const VarId result = builder_.Local("result", entry.return_type);
+    body_.push_back(builder_.Stmt(Declare{result, call}));
+    pending_outputs_.push_back({leaves_.Whole(result), entry.return_type, entry.name, entry.span,
+                                ResultCursor(entry), signature_.result.row_major});
+  }
+
+  // The cursor of the result. A pixel's result without a semantic can only be its colour.
+  Cursor ResultCursor(const Function& entry) {
+    Cursor cursor = CursorOf(signature_.result);
+    const bool is_colour = stage_.draws_pixels && !program_.is_interface_only && !cursor.given &&
+                           program_.types[entry.return_type].IsScalarOrVector();
+    if (!is_colour) return cursor;
+    cursor.semantic = {.name = "SV_Target"};
+    cursor.given = true;
+    diagnostics_.Report(entry.span, diag::SemanticMissing, entry.name, "SV_Target");
+    return cursor;
+  }
+
+  // ---- inputs
+
+  // The input's value in the leaf's own type; none after an error.
+  ExprId Input(const Carrier& leaf) {
+    const SystemValue value = semantics_.LookUp(leaf, Direction::kInput);
+    if (stage_.has_stage_before) semantics_.CheckInterpolation(leaf);
+    using Use = SystemValue::Use;
+    // No output of the stage before matches what the rasterizer makes.
+    const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
+    if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
+    if (value.use == Use::kPlain) {
+      if (const VarId shared = SharedInput(leaf)) return Fit(builder_.Ref(shared), leaf.type);
+    }
+    if (value.use == Use::kRefused || !semantics_.MayAdd(leaf, Direction::kInput, value)) return {};
+    const bool is_lacking =
+        stage_.draws_pixels && !program_.is_interface_only && semantics_.Lacks(leaf.cursor, value);
+    if (value.use == Use::kBuiltin && !is_lacking) return BuiltinInput(leaf, value);
+    const bool is_plain = (value.use == Use::kPlain && !is_lacking) || program_.is_interface_only;
+    if (is_plain && program_.profile.IsDirect3D9()) return Attribute(leaf);
+    const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
+    return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
+               leaf.type);
+  }
+
+  // The input that a pixel shader has already for the same semantic and type; from 4.0 to 5.1 both
+  // read it (vkd3d's entry-point-semantics.shader_test, checked against fxc).
+  VarId SharedInput(const Carrier& leaf) {
+    const bool shares = stage_.has_stage_before && !program_.is_interface_only &&
+                        program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
+    if (!shares) return {};
+    const VarId input = attributes_.InputOf(leaf.cursor.semantic);
+    return input && program_.vars[input].type == StoredType(leaf.type) ? input : VarId{};
+  }
+
+  // The part that this input has of the register that all inputs of its semantic read.
+  ExprId Attribute(const Carrier& leaf) {
+    VarId input = attributes_.InputOf(leaf.cursor.semantic);
+    if (!input) input = AddIo(program_.inputs, leaf, StoredType(leaf.type), Builtin::kNone);
+    return Fit(attributes_.Read(input, program_.types[leaf.type].Components()), leaf.type);
+  }
+
+  // The value of a built-in input; none after an error.
+  ExprId BuiltinInput(const Carrier& leaf, const SystemValue& value) {
+    const Type type = program_.types[leaf.type];
+    const Scalar kind = BaseOf(type.scalar);
+    std::string_view wanted = "a `uint`";
+    bool fits = IsInteger(kind) && type.Components() == 1;
+    Builtin builtin = value.builtin;
+    if (builtin == Builtin::kClipDistanceInput || builtin == Builtin::kCullDistanceInput)
+      return DistanceInput(leaf, builtin);
+    if (builtin == Builtin::kBarycentrics) {
+      if (leaf.cursor.interpolation == Interpolation::kNoPerspective)
+        builtin = Builtin::kBarycentricsNoPerspective;
+      wanted = "a `float3`";
+      fits = kind == Scalar::kFloat && type.Components() == 3;
+    } else if (value.builtin == Builtin::kPixelPosition) {
+      wanted = "a `float4`";
+      fits = kind == Scalar::kFloat;
+    } else if (value.builtin == Builtin::kFrontFacing) {
+      const bool is_sign = value.form == SystemValue::Form::kSign;
+      wanted = is_sign ? "a `float`" : "a `bool`";
+      fits = type.Components() == 1 &&
+             (is_sign ? kind == Scalar::kFloat : kind == Scalar::kBool || IsInteger(kind));
+    }
+    // fxc's bool is the first sample's bit; DXC has no such bool.
+    const bool is_first = builtin == Builtin::kCoverageInput && kind == Scalar::kBool &&
+                          type.Components() == 1 && !program_.profile.IsAtLeast(6, 0);
+    if (!fits && !is_first) {
+      semantics_.Refuse(leaf, wanted);
+      return {};
+    }
+    const auto known = std::ranges::find(program_.inputs, builtin, &IoVar::builtin);
+    const VarId input = known != program_.inputs.end()
+                            ? known->var
+                            : AddIo(program_.inputs, leaf, TypeOf(builtin), builtin);
+    if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
+    const ExprId read = builder_.Ref(input);
+    if (value.builtin == Builtin::kFrontFacing)
+      return Fit(FacingOf(builder_, read, kind), leaf.type);
+    return Fit(is_first ? FirstBitOf(program_, read) : read, leaf.type);
+  }
+
+  // The leading components of the position that the leaf has. Direct3D 9's pixels have whole
+  // numbers, those of later versions their centres.
+  ExprId PixelPosition(VarId input, const Carrier& leaf, SystemValue::Form form) {
+    const std::uint32_t count = program_.types[leaf.type].Components();
+    ExprId value = builder_.Ref(input);
+    if (leaf.cursor.sample)
+      value = BySample(value, leaf);
+    else
+      center_reads_.push_back(value);
+    if (leaf.cursor.centroid)
+      diagnostics_.Report(leaf.span, diag::QualifierWithoutEffect, "centroid",
+                          "the position, which GLSL has at the pixel's center");
+    if (count < 4) value = builder_.SwizzledRun(value, 0, count);
+    if (form == SystemValue::Form::kCorner) value = CornerOf(builder_, value, count);
+    return Fit(value, leaf.type);
+  }
+
+  // The position of the sample: GLSL has it where the shader runs for each, which reading the
+  // sample's number asks for.
+  ExprId BySample(ExprId position, const Carrier& leaf) {
+    constexpr auto kNumber = Builtin::kSampleIndex;
+    auto number = std::ranges::find(program_.inputs, kNumber, &IoVar::builtin);
+    if (number == program_.inputs.end()) {
+      AddIo(program_.inputs, leaf, TypeOf(kNumber), kNumber);
+      number = program_.inputs.end() - 1;
+      number->semantic = "SV_SampleIndex", number->index = 0;
+    }
+    return AfterSampleNumber(builder_, position, builder_.Ref(number->var));
+  }
+
+  // Direct3D's position is the center of the pixel also where the shader runs for each sample
+  // (vkd3d's eval-attrib.shader_test, checked against native); GLSL's is then the sample's.
+  void CenterPositions() {
+    const bool is_by_sample = std::ranges::any_of(program_.inputs, [](const IoVar& input) {
+      return input.builtin == Builtin::kSampleIndex || input.sample;
+    });
+    if (!is_by_sample) return;
+    for (const ExprId read : center_reads_) {
+      const ExprId whole = builder_.CopyOf(builder_.TypeOf(read), program_.exprs[read].node);
+      program_.exprs[read].node = program_.exprs[CenterOf(program_, whole)].node;
+    }
+  }
+
+  // The type in which an input or output is stored: uint for bool, the base kind for half and for
+  // minimum-precision kinds.
+  TypeId StoredType(TypeId id) {
+    const Scalar base = BaseOf(program_.types[id].scalar);
+    return program_.types.WithScalar(id, base == Scalar::kBool ? Scalar::kUint : base);
+  }
+
+  // Converts `value` to `type`, which differs from its own type in the component kind or in being a
+  // vector of one.
+  ExprId Fit(ExprId value, TypeId type) {
+    value = builder_.ConvertTo(program_.types[type].scalar, value);
+    if (builder_.TypeOf(value) == type) return value;
+    const bool to_vector = program_.types[type].kind == TypeKind::kVector;
+    return to_vector ? builder_.ConstructOf(type, {value}) : builder_.Swizzled(value, {0});
+  }
+
+  // ---- outputs
+
+  void Output(const Carrier& leaf) {
+    // The outputs of a shader that is read for its interface match nothing.
+    if (program_.is_interface_only) return WriteOutput(leaf, StoredType(leaf.type), Builtin::kNone);
+    const SystemValue value = semantics_.LookUp(leaf, Direction::kOutput);
+    if (stage_.has_stage_after) semantics_.CheckInterpolation(leaf);
+    if (value.use == SystemValue::Use::kRefused ||
+        !semantics_.MayAdd(leaf, Direction::kOutput, value))
+      return;
+    if (value.use == SystemValue::Use::kTarget && !semantics_.IsTarget(leaf)) return;
+    switch (value.builtin) {
+      case Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
+      case Builtin::kPosition: WriteFloats(leaf, "a `float4`", value.builtin); return;
+      case Builtin::kPointSize:
+      case Builtin::kDepth:
+      case Builtin::kDepthGreaterEqual:
+      case Builtin::kDepthLessEqual: WriteFloats(leaf, "a `float`", value.builtin); return;
+      case Builtin::kClipDistance:
+      case Builtin::kCullDistance: AddDistance(leaf, value.builtin); return;
+      default: WriteIndex(leaf, value.builtin); return;
+    }
+  }
+
+  void WriteFloats(const Carrier& leaf, std::string_view wanted, Builtin builtin) {
+    const Type type = program_.types[leaf.type];
+    if (static_cast<int>(type.Components()) != InfoOf(builtin).components ||
+        BaseOf(type.scalar) != Scalar::kFloat)
+      return semantics_.Refuse(leaf, wanted);
+    WriteOutput(leaf, TypeOf(builtin), builtin);
+  }
+
+  void WriteIndex(const Carrier& leaf, Builtin builtin) {
+    const Type type = program_.types[leaf.type];
+    if (type.Components() != 1 || !IsInteger(type.scalar))
+      return semantics_.Refuse(leaf, "a `uint`");
+    WriteOutput(leaf, TypeOf(builtin), builtin);
+  }
+
+  void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
+    const VarId output = AddIo(program_.outputs, leaf, stored, builtin);
+    ExprId value = Fit(leaves_.ValueOf(leaf.part), stored);
+    if (HasAllBitsForTrue(leaf)) value = builder_.UnaryOf(UnaryOp::kNegate, value);
+    if (IsClampedOutput(program_, leaf.cursor.semantic.name, program_.types[stored]))
+      value = builder_.IntrinsicOf(Intrinsic::kSaturate, stored, {value});
+    body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), value)));
+  }
+
+  // Whether `true` is all bits of a render target, as from 4.0 to 5.1, and not 1 (vkd3d's
+  // arithmetic-float-uniform.shader_test, checked against native).
+  bool HasAllBitsForTrue(const Carrier& leaf) const {
+    return !stage_.has_stage_after && program_.types[leaf.type].scalar == Scalar::kBool &&
+           program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
+  }
+
+  // The type of the variable of a built-in input or output, which is not an array.
+  TypeId TypeOf(Builtin builtin) {
+    const BuiltinInfo& info = InfoOf(builtin);
+    return info.components == 1 ? program_.types.Make(info.scalar)
+                                : program_.types.Vector(info.scalar, info.components);
+  }
+
+  VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
+    const bool is_input = &list == &program_.inputs;
+    const auto& [semantic, given, assumed, span, interpolation, centroid, sample, location,
+                 blend_index, precise] = leaf.cursor;
+    std::string name(is_input ? "in" : stage_.prefix);
+    name += '_';
+    name += ToUpper(semantic.name);
+    name += std::to_string(semantic.index);
+    const VarId id = program_.vars.Add({.name = std::move(name),
+                                        .type = type,
+                                        .storage = is_input ? Storage::kInput : Storage::kOutput,
+                                        .span = leaf.span,
+                                        .precise = precise && !is_input});
+    if (list.empty()) list.reserve(leaves_.size() + 1);  // one for the distances of clip planes
+    std::string path = leaf.name + leaf.elements;
+    std::uint32_t place = 0;
+    // Only the inputs are read of a shader that another stage's must match.
+    const bool is_matched = is_input || !program_.is_interface_only;
+    const bool is_target = builtin == Builtin::kNone && !is_input && !stage_.has_stage_after;
+    if (blend_index && !is_target)
+      diagnostics_.Report(leaf.span, diag::AttributeWithoutEffect, "vk::index");
+    if (is_target && is_matched)
+      place = TargetNumber(leaf);
+    else if (builtin == Builtin::kNone)
+      place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
+                                        path, leaf.span);
+    list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
+                    sample, semantic.has_index, is_matched && location,
+                    leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
+    if (is_target) list.back().blend_index = blend_index.value_or(0);
+    return id;
+  }
+
+  // The number of the render target that an output goes to.
+  std::uint32_t TargetNumber(const Carrier& leaf) {
+    const std::uint32_t number = leaf.cursor.location.value_or(leaf.cursor.semantic.index);
+    const auto known = std::ranges::find_if(program_.outputs, [&](const IoVar& output) {
+      return output.builtin == Builtin::kNone && output.location == number &&
+             output.blend_index == leaf.cursor.blend_index.value_or(0);
+    });
+    if (known != program_.outputs.end())
+      diagnostics_.Report(leaf.span, diag::LocationTwice, number, leaf.name, known->path);
+    return number;
+  }
+
+  // ---- clip and cull distances by hand
+
+  // A pixel shader's distances lie in the array as the vertex shader packs them, so the places of
+  // these components follow when all pieces are known.
+  ExprId DistanceInput(const Carrier& leaf, Builtin builtin) {
+    const std::uint32_t count = program_.types[leaf.type].Components();
+    if (!IsDistance(leaf)) return {};
+    std::vector<ExprId> values;
+    for (std::uint32_t i = 0; i < count; ++i) values.push_back(builder_.Float(0));
+    auto& pieces = builtin == Builtin::kClipDistanceInput ? clip_reads_ : cull_reads_;
+    pieces.Add(leaf.cursor.semantic.index, values, leaf.span);
+    const TypeId vector = program_.types.Vector(Scalar::kFloat, static_cast<int>(count));
+    return Fit(count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
+  }
+
+  void ReadDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
+    if (pieces.empty()) return;
+    const std::vector<ExprId> values = pieces.Packed(has_gaps);
+    const VarId array = AddDistances(program_.inputs, builtin, values.size(), pieces.span());
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+      const ExprId element = builder_.At(builder_.Ref(array), i);
+      if (values[i]) program_.exprs[values[i]].node = program_.exprs[element].node;
+    }
+  }
+
+  void AddDistance(const Carrier& leaf, Builtin builtin) {
+    if (!IsDistance(leaf)) return;
+    std::vector<ExprId> values;
+    for (std::uint32_t i = 0; i < program_.types[leaf.type].Components(); ++i) {
+      ExprId value = leaves_.ValueOf(leaf.part);
+      if (program_.types[leaf.type].kind != TypeKind::kScalar)
+        value = builder_.Swizzled(value, {static_cast<int>(i)});
+      values.push_back(builder_.ConvertTo(Scalar::kFloat, value));
+    }
+    auto& pieces = builtin == Builtin::kClipDistance ? clip_ : cull_;
+    pieces.Add(leaf.cursor.semantic.index, std::move(values), leaf.span);
+  }
+
+  // Writes the pieces. Distances in a gap are 0, which clips nothing.
+  void WriteDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
+    if (pieces.empty()) return;
+    const std::vector<ExprId> values = pieces.Packed(has_gaps);
+    const VarId array = AddDistances(program_.outputs, builtin, values.size(), pieces.span());
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+      const ExprId value = values[i] ? values[i] : builder_.Float(0);
+      body_.push_back(builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), value)));
+    }
+  }
+
+  // Reports and returns false unless the leaf can be distances.
+  bool IsDistance(const Carrier& leaf) {
+    if (BaseOf(program_.types[leaf.type].scalar) == Scalar::kFloat) return true;
+    semantics_.Refuse(leaf, "a `float` scalar or vector");
+    return false;
+  }
+
+  // Adds the array of distances to the inputs or outputs.
+  VarId AddDistances(std::vector<IoVar>& list, Builtin builtin, std::size_t count, Span span) {
+    const bool is_clip =
+        builtin == Builtin::kClipDistance || builtin == Builtin::kClipDistanceInput;
+    distance_count_ += static_cast<std::uint32_t>(count);
+    distance_span_ = distance_span_ ? distance_span_ : span;
+    Carrier leaf;
+    leaf.type = program_.types.Array(program_.types.Make(Scalar::kFloat),
+                                     static_cast<std::uint32_t>(count));
+    leaf.name = is_clip ? "clip_distance" : "cull_distance";
+    leaf.cursor.semantic.name = is_clip ? "SV_ClipDistance" : "SV_CullDistance";
+    leaf.span = span;
+    const VarId array = AddIo(list, leaf, leaf.type, builtin);
+    program_.vars[array].name = leaf.name;
+    return array;
+  }
+
+  void CheckDistanceCount() {
+    if (distance_count_ <= kMaxDistances) return;
+    diagnostics_.Report(distance_span_, diag::TooManyClipDistances, distance_count_);
+  }
+
+  Program& program_;
+  const StageInfo& stage_;
+  const EntrySignature& signature_;
+  Diagnostics& diagnostics_;
+  SemanticCheck semantics_;
+  Builder builder_;
+  std::vector<StmtId> body_;
+  std::vector<ExprId> arguments_;
+  SignatureLeaves leaves_;
+  std::vector<Carrier> pending_outputs_;
+  std::vector<ExprId> center_reads_;  // of the position that is not the sample's
+  Distances clip_, cull_, clip_reads_, cull_reads_;
+  Span distance_span_;  // of the first distances
+  AttributeReads attributes_{program_, builder_};
+  Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
+  std::uint32_t distance_count_ = 0;
+};
+
+}  // namespace
+
+void BuildMain(Program& program, const EntrySignature& signature, PositionName position,
+               Diagnostics& diagnostics) {
+  MainBuilder(program, signature, position, diagnostics).Run();
+}
+
+}  // namespace clipc::signature

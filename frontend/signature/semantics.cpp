@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/signature/semantics.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/spelling.h"
+
+namespace clipc::signature {
+namespace {
+
+using Use = SystemValue::Use;
+using Form = SystemValue::Form;
+
+// The meanings on the two sides of a stage.
+struct Sides {
+  SystemValue input, output;
+};
+struct Semantic {
+  std::string_view name;
+  Sides vertex, pixel;
+  bool is_old = false;  // Direct3D 9's name of an output, which is data from profile 4.0 on
+
+  const SystemValue& Of(Stage stage, Direction direction) const {
+    static constexpr Sides Semantic::* kColumns[] = {&Semantic::vertex, &Semantic::pixel};
+    const Sides& sides = this->*kColumns[static_cast<std::size_t>(stage)];
+    return direction == Direction::kInput ? sides.input : sides.output;
+  }
+};
+
+constexpr SystemValue kPlain{};
+constexpr SystemValue kRefused{Use::kRefused, Builtin::kNone, 0, 0};
+constexpr SystemValue kMade{Use::kMade, Builtin::kNone, 0, 0};
+constexpr SystemValue kLost{Use::kLost, Builtin::kNone, 0, 0};
+constexpr SystemValue kTarget{Use::kTarget, Builtin::kNone, 0, 0};
+constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
+  return {Use::kBuiltin, builtin, major, minor};
+}
+constexpr Sides kNowhere{kRefused, kRefused};
+constexpr Sides kOnlyMade{kMade, kRefused};
+constexpr Sides kAnywhere{kPlain, kPlain};
+
+// The system values, as an input and as an output of each stage. A position or clip distance that
+// the input assembler reads is data like any other (DXC: "Arb" for the vertex input).
+constexpr Semantic kSemantics[] = {
+    {"SV_Position", {kPlain, Is(Builtin::kPosition, 0)}, {Is(Builtin::kPixelPosition), kRefused}},
+    {"SV_ClipDistance",
+     {kPlain, Is(Builtin::kClipDistance)},
+     {Is(Builtin::kClipDistanceInput), kRefused}},
+    {"SV_CullDistance",
+     {kPlain, Is(Builtin::kCullDistance)},
+     {Is(Builtin::kCullDistanceInput), kRefused}},
+    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade},
+    {"SV_InstanceID", {Is(Builtin::kInstanceId), kPlain}, {kPlain, kRefused}},
+    {"SV_StartVertexLocation", {Is(Builtin::kBaseVertex, 6, 8), kRefused}, kNowhere},
+    {"SV_StartInstanceLocation", {Is(Builtin::kBaseInstance, 6, 8), kRefused}, kNowhere},
+    {"SV_ViewID", {Is(Builtin::kViewId, 6, 1), kPlain}, {Is(Builtin::kViewId, 6, 1), kRefused}},
+    {"SV_VulkanVertexID", {Is(Builtin::kVertexIndex), kRefused}, kNowhere},  // Slang's name
+    {"SV_VulkanInstanceID", {Is(Builtin::kInstanceIndex), kRefused}, kNowhere},
+    {"SV_ShadingRate",
+     {kPlain, Is(Builtin::kShadingRate, 6, 4)},
+     {Is(Builtin::kShadingRateInput, 6, 4), kRefused}},
+    {"SV_RenderTargetArrayIndex",
+     {kPlain, Is(Builtin::kLayer)},
+     {Is(Builtin::kLayerInput), kRefused}},
+    {"SV_ViewportArrayIndex",
+     {kPlain, Is(Builtin::kViewportIndex)},
+     {Is(Builtin::kViewportInput), kRefused}},
+    {"SV_PrimitiveID", {kRefused, kPlain}, {Is(Builtin::kPrimitiveId), kRefused}},
+    {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}},
+    {"SV_SampleIndex", kNowhere, {Is(Builtin::kSampleIndex, 4, 1), kRefused}},
+    {"SV_Coverage", kNowhere, {Is(Builtin::kCoverageInput, 5), Is(Builtin::kCoverage, 4, 1)}},
+    {"SV_InnerCoverage", kNowhere, {Is(Builtin::kFullyCovered, 5), kRefused}},
+    {"SV_Barycentrics", kNowhere, {Is(Builtin::kBarycentrics, 6, 1), kRefused}},
+    {"SV_Target", kNowhere, {kRefused, kTarget}},
+    {"SV_Depth", kNowhere, {kRefused, Is(Builtin::kDepth)}},
+    {"SV_DepthGreaterEqual", kNowhere, {kRefused, Is(Builtin::kDepthGreaterEqual, 5)}},
+    {"SV_DepthLessEqual", kNowhere, {kRefused, Is(Builtin::kDepthLessEqual, 5)}},
+    {"SV_StencilRef", kNowhere, {kRefused, Is(Builtin::kStencilRef, 5)}},
+    // Direct3D 9's names. Those of a pixel shader's inputs and outputs mean the same under later
+    // profiles.
+    {"VPOS", kAnywhere, {{Use::kBuiltin, Builtin::kPixelPosition, 3, 0, Form::kCorner}, kRefused}},
+    {"VFACE", kAnywhere, {{Use::kBuiltin, Builtin::kFrontFacing, 3, 0, Form::kSign}, kRefused}},
+    {"COLOR", kAnywhere, {kPlain, kTarget}},
+    {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}},
+    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kLost, kRefused}, true},
+    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, true},
+    // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
+    {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
+    // vk::PointSize is written [[vk::builtin("PointSize")]].
+    {"vk::PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
+    {"vk::BaseVertex", {Is(Builtin::kBaseVertex, 0), kRefused}, kNowhere},
+    {"vk::BaseInstance", {Is(Builtin::kBaseInstance, 0), kRefused}, kNowhere},
+    {"vk::DrawIndex", {Is(Builtin::kDrawIndex, 0), kRefused}, kNowhere},
+};
+// Any other system value. A struct may carry it to a pixel shader that does not read it.
+constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
+
+// The meaning of a name that is not a system value's: of data from stage to stage.
+SystemValue OtherName(Stage stage, Direction direction) {
+  return direction == Direction::kInput || InfoOf(stage).has_stage_after ? kPlain : kRefused;
+}
+
+}  // namespace
+
+SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage stage,
+                           Direction direction, bool is_old, PositionName position) {
+  for (const Semantic& row : kSemantics) {
+    if (row.name.size() != name.size() || !EqualIgnoringCase(row.name, name)) continue;
+    const SystemValue& value = row.Of(stage, direction);
+    const bool counts =
+        !row.is_old ||
+        (index == 0 &&
+         (is_old || (value.builtin == Builtin::kPosition && position == PositionName::kBoth)));
+    return counts ? value : OtherName(stage, direction);
+  }
+  const bool is_system =
+      EqualIgnoringCase(name.substr(0, 3), "sv_") || EqualIgnoringCase(name.substr(0, 4), "vk::");
+  return is_system ? kUnknown.Of(stage, direction) : OtherName(stage, direction);
+}
+
+std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction) {
+  std::vector<std::string_view> names;
+  for (const Semantic& row : kSemantics) {
+    const Use use = row.Of(stage, direction).use;
+    if (!row.is_old && (use == Use::kBuiltin || use == Use::kTarget || use == Use::kMade))
+      names.push_back(row.name);
+  }
+  const std::vector<std::string_view> near = NearNames(name, names);
+  return near.empty() ? std::string_view() : near.front();
+}
+
+SemanticName SplitSemantic(std::string_view written) {
+  std::size_t end = written.size();
+  while (end > 0 && written[end - 1] >= '0' && written[end - 1] <= '9' && written.size() - end < 9)
+    --end;
+  std::uint32_t index = 0;
+  for (char c : written.substr(end)) index = index * 10 + static_cast<std::uint32_t>(c - '0');
+  return {std::string(written.substr(0, end)), index, end < written.size()};
+}
+
+bool LacksInput(const Profile& profile, const SemanticName& semantic) {
+  if (profile.major != 2) return false;
+  const std::uint32_t count = EqualIgnoringCase(semantic.name, "COLOR")      ? 2
+                              : EqualIgnoringCase(semantic.name, "TEXCOORD") ? 8
+                                                                             : 0;
+  return semantic.index >= count;
+}
+
+std::uint32_t TargetsOf(const Profile& profile) {
+  if (profile.level9 == Level9::k9_0 || profile.level9 == Level9::k9_1) return 1;
+  return profile.IsDirect3D9() || profile.level9 == Level9::k9_3 ? 4 : 8;
+}
+
+const IoVar* FindPlainPosition(const Program& program) {
+  const auto found = std::ranges::find_if(program.outputs, [](const IoVar& output) {
+    return output.builtin == Builtin::kNone && output.index == 0 &&
+           EqualIgnoringCase(output.semantic, "POSITION");
+  });
+  return found == program.outputs.end() ? nullptr : &*found;
+}
+
+}  // namespace clipc::signature

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "frontend/typing/object_call.h"
+#include "ir/access.h"
+#include "ir/scalar.h"
+
+// InterlockedAdd(buffer[i], value, original) and its kin, and the methods of that name of
+// RWByteAddressBuffer. Direct3D has them in a vertex shader from 11.1 on.
+namespace clipc::typing {
+namespace {
+
+using enum ObjectOp;
+
+constexpr struct {
+  std::string_view name;
+  ObjectOp op;
+  bool compares, must_give;  // takes a value to compare with; must return the old value
+} kAtomics[] = {
+    {"InterlockedAdd", kAtomicAdd, false, false},
+    {"InterlockedAnd", kAtomicAnd, false, false},
+    {"InterlockedCompareExchange", kAtomicCompareExchange, true, true},
+    {"InterlockedCompareStore", kAtomicCompareExchange, true, false},
+    {"InterlockedExchange", kAtomicExchange, false, true},
+    {"InterlockedMax", kAtomicMax, false, false},
+    {"InterlockedMin", kAtomicMin, false, false},
+    {"InterlockedOr", kAtomicOr, false, false},
+    {"InterlockedXor", kAtomicXor, false, false},
+};
+
+// The element, or the component of one, that an atomic operation changes.
+struct AtomicPlace {
+  const ObjectCall* load = nullptr;  // the read of the element; null: there is no such element
+  std::vector<ExprId> steps = {};    // to the component; empty: the element is a scalar
+};
+
+AtomicPlace PlaceOf(const IntrinsicCheck& call) {
+  const Type& type = call.ArgumentType(0);
+  const bool is_integer =
+      type.kind == TypeKind::kScalar && !IsWide(type.scalar) && ir::IsInteger(type.scalar);
+  if (!is_integer) return {};
+  ExprId element = call.arguments[0];
+  while (const ExprId whole = WholeOf(call.program, element)) element = whole;
+  auto steps = StepsTo(call.program, call.arguments[0], element);
+  if (!steps) return {};
+  const auto* load = As<ObjectCall>(call.program, element);
+  if (!load) return {};
+  const ExprId object = OperandOf(call.program, *load, OperandKind::kObject);
+  const bool may_step = load->op == kStructuredLoad;
+  if (!LoadsElement(load->op) || !IsWritable(call.TypeOf(object).object) ||
+      (!steps->empty() && !may_step))
+    return {};
+  return {load, std::move(*steps)};
+}
+
+}  // namespace
+
+ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
+  const auto* atomic = std::begin(kAtomics);
+  while (atomic->name != call.name) ++atomic;
+  const std::size_t least = atomic->compares ? 3 : 2;
+  const bool has_no_result = atomic->compares && !atomic->must_give;
+  if (!call.HasCount(least + (atomic->must_give ? 1 : 0), least + (has_no_result ? 0 : 1)))
+    return call.Error();
+  TypeId type = call.program.types.Make(Scalar::kUint);
+  std::vector<NamedOperand> operands;
+  if (object) {
+    const auto address = call.Converted(0, type);
+    if (!address) return call.Error();
+    operands = {{OperandKind::kObject, object}, {OperandKind::kPlace, *address}};
+  } else {
+    const AtomicPlace changed = PlaceOf(call);
+    if (!changed.load) {
+      return call.Fail(call.SpanOf(call.arguments[0]), diag::IntrinsicAtomicTarget, call.name);
+    }
+    for (const OperandKind kind : {OperandKind::kObject, OperandKind::kPlace})
+      operands.push_back({kind, OperandOf(call.program, *changed.load, kind)});
+    for (const ExprId step : changed.steps) operands.push_back({OperandKind::kStep, step});
+    type = call.ArgumentTypeId(0);
+  }
+  for (std::size_t i = 1; i < least; ++i) {
+    const auto value = call.Converted(i, type);
+    if (!value) return call.Error();
+    operands.push_back({i + 1 < least ? OperandKind::kComparand : OperandKind::kValue, *value});
+  }
+  const ExprId original = call.Make().ObjectCallOf(atomic->op, type, operands);
+  if (call.arguments.size() == least) return original;
+  if (!call.IsTarget(least)) return call.Error();
+  const ExprId target = call.arguments[least];
+  return call.Make().AssignTo(target, call.Convert(original, call.TypeIdOf(target)));
+}
+
+}  // namespace clipc::typing
