@@ -29,6 +29,14 @@ if(NOT GLSLANG_INCLUDE OR NOT GLSLANG_glslang)
 endif()
 target_link_libraries(glslang_slice INTERFACE Threads::Threads)
 
+# `spirv_headers`: SPIR-V's numbers.
+find_path(SPIRV_HEADERS_INCLUDE spirv/unified1/spirv.hpp11 HINTS ${prefixes} PATH_SUFFIXES include)
+if(NOT SPIRV_HEADERS_INCLUDE)
+  message(FATAL_ERROR "no SPIR-V headers; CMAKE_PREFIX_PATH says where they are; on Debian: apt-get install spirv-headers")
+endif()
+add_library(spirv_headers INTERFACE)
+target_include_directories(spirv_headers SYSTEM INTERFACE ${SPIRV_HEADERS_INCLUDE})
+
 # `glslang_spirv`: what makes SPIR-V of it; not there where these archives are not.
 clipc_find_archive(GLSLANG_SPIRV SPIRV)
 clipc_find_archive(SPIRV_TOOLS_OPT SPIRV-Tools-opt)

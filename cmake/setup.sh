@@ -4,7 +4,7 @@
 llvm=${CLIPC_LLVM:-19}
 
 # What building clipc takes, and what testing it takes on top.
-build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
+build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev spirv-headers)
 # clang-format-19 is pinned: other versions write other text.
 test_packages=(python3 clang-format-19 valgrind "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools spirv-cross
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers libspirv-cross-c-shared-dev

@@ -19,6 +19,7 @@
 #include "compiler/pixel_half.h"
 #include "compiler/stages.h"
 #include "compiler/validate.h"
+#include "compiler/write_spirv.h"
 #include "ir/print.h"
 #include "link/whole.h"
 
@@ -220,12 +221,20 @@ std::vector<Finished> WriteVariants(const Job& job, const PixelHalf* half, const
   return variants;
 }
 
-std::vector<std::uint32_t> TranslateToSpirv(const Job& job, const std::string& glsl, Stage stage) {
+// Writes the SPIR-V of a shader; where the writer lacks something, glslang translates its GLSL.
+std::vector<std::uint32_t> SpirvOf(const Job& job, const Lowered& lowered,
+                                   const WrittenGlsl& written) {
   const CompileRequest& request = job.request;
+  const SpirvRequest& wanted = *request.outputs.spirv;
+  if (request.target.IsVulkan()) {
+    spirv::Written own = WriteSpirv(lowered.program, written.info, job.plan.write, wanted);
+    if (!own.words.empty()) return std::move(own.words);
+  }
   // The name has no folder, so that it does not matter where a shader is compiled.
+  const Stage stage = lowered.program.stage;
   const std::string name =
       fmt::format("{}{}", request.path.substr(NameBegin(request.path)), InfoOf(stage).extension);
-  Spirv spirv = MakeSpirv(glsl, request.target, stage, *request.outputs.spirv, name);
+  Spirv spirv = MakeSpirv(written.glsl, request.target, stage, wanted, name);
   for (const std::string& problem : spirv.problems)
     job.diagnostics.Report({}, diag::NoSpirv, problem);
   return std::move(spirv.words);
@@ -289,14 +298,13 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
   }
   WrittenProgram written = WriteProgram(job, half, lowered, job.request.outputs.source_lines);
   Describe(job, lowered, written, position, result);
+  if (outputs.spirv) {
+    result.spirv = SpirvOf(job, lowered.shader, written.shader);
+    if (half) result.pixel_spirv = SpirvOf(half->job, *lowered.pixel, *written.pixel);
+  }
   Finished finished = Finish(job, half, lowered, std::move(written));
   std::string_view unjudged = finished.unjudged;
   result.shaders = std::move(finished.shaders);
-  if (outputs.spirv) {
-    result.spirv = TranslateToSpirv(job, result.shaders.vertex, lowered.shader.program.stage);
-    if (half)
-      result.pixel_spirv = TranslateToSpirv(half->job, result.shaders.fragment, Stage::kPixel);
-  }
   if (job.request.planes.variants) {
     for (Finished& variant : WriteVariants(job, half, kept, options, result.shaders)) {
       if (unjudged.empty()) unjudged = variant.unjudged;

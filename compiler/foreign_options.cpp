@@ -333,7 +333,7 @@ constexpr Option kForeignOptions[] = {
      "`clipc --target=hlsl` before dxc"},
     {"-fspv-enable-maximal-reconvergence", kFlag, Refuse, nullptr,
      "glslang writes no such mode; run `clipc --target=hlsl` before dxc"},
-    {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
+    {"-fspv-", kJoined, Refuse, nullptr, "clipc writes SPIR-V in one way"},
     {"-fvk-bind-resource-heap -fvk-bind-sampler-heap -fvk-bind-counter-heap", kTwo, Refuse, nullptr,
      "GLSL has no objects without a declaration; declare arrays of them with registers"},
     {"-fvk-", kJoined, Refuse, nullptr, kFollowRegisters},

@@ -29,6 +29,7 @@ class Clipc(ConanFile):
         self.requires("fmt/[>=9]")
         self.requires("glslang/[>=1.3]")
         self.requires("nlohmann_json/[>=3.11]")
+        self.requires("spirv-headers/[>=1.3]")
         self.requires("spirv-tools/[>=1.3]")
 
     def layout(self):

@@ -11,7 +11,9 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = "base clip-table ir frontend passes backend-glsl link rewrite compiler runtime".split()
+ROOMS = (
+    "base clip-table ir frontend passes backend-glsl backend-spirv link rewrite compiler runtime"
+).split()
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 # The files of the largest circle, and why there is one.
 WALKS = {

@@ -28,6 +28,8 @@ CALLS = {
     "--version": ["--version"],
     "a vertex shader of 60 lines": ["-T", "vs_5_0", "{}/vertex.hlsl", "-o", "{}/out"],
     "a pixel shader of 60 lines": ["-T", "ps_5_0", "{}/pixel.hlsl", "-o", "{}/out"],
+    "the vertex shader to SPIR-V": ["-T", "vs_5_0", "-spirv", "{}/vertex.hlsl", "-o", "{}/out"],
+    "the pixel shader to SPIR-V": ["-T", "ps_5_0", "-spirv", "{}/pixel.hlsl", "-o", "{}/out"],
 }
 # Names of what a compiler makes for the constructors and the destructors of a file's static objects.
 CONSTRUCTOR = re.compile(r"_GLOBAL__sub_I_|__static_initialization_and_destruction|__tcf_")

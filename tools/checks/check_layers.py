@@ -38,6 +38,7 @@ ROOMS = {
     },
     "passes": {"base", "ir", VOCABULARY},
     "backend-glsl": {"base", "ir"},
+    "backend-spirv": {"base", "ir"},
     "clip-table": {VOCABULARY},
     "link": {"base", "ir", "frontend/signature"},
     "rewrite": {
@@ -59,6 +60,7 @@ ROOMS = {
         "frontend/check",
         "passes",
         "backend-glsl",
+        "backend-spirv",
         "clip-table",
         VOCABULARY,
     },
@@ -106,6 +108,7 @@ ROOMS = {
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
     r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/(draw/vulkan/glslang\.(cpp|h)|reference-compiler/glslang\.cpp)|tools/bench/reference_compilers\.cpp|web/module/page\.cpp|web/wasm/.*",
+    r"spirv/": r"backend-spirv/.*",
     r"epoxy/": r"tools/(harness|draw|values|study/program|scenes|effects)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/image\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|reference-compiler)/.*|tools/bench/reference_compilers\.cpp",

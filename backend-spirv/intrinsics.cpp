@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The functions that HLSL has built in.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <spirv/unified1/GLSL.std.450.h>
+
+#include "backend-spirv/writer.h"
+#include "ir/scalar.h"
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+namespace {
+
+// A function of the set GLSL.std.450 that is HLSL's, for floats and for signed integers; 0 where
+// there is none.
+struct ExtendedFunction {
+  std::uint32_t of_float = 0, of_int = 0;
+};
+
+std::optional<ExtendedFunction> FunctionOf(ir::Intrinsic op) {
+  using enum ir::Intrinsic;
+  switch (op) {
+    case kAbs: return {{GLSLstd450FAbs, GLSLstd450SAbs}};
+    case kAcos: return {{GLSLstd450Acos}};
+    case kAsin: return {{GLSLstd450Asin}};
+    case kAtan: return {{GLSLstd450Atan}};
+    case kAtan2: return {{GLSLstd450Atan2}};
+    case kCeil: return {{GLSLstd450Ceil}};
+    case kCos: return {{GLSLstd450Cos}};
+    case kCosh: return {{GLSLstd450Cosh}};
+    case kCross: return {{GLSLstd450Cross}};
+    case kDegrees: return {{GLSLstd450Degrees}};
+    case kDistance: return {{GLSLstd450Distance}};
+    case kExp: return {{GLSLstd450Exp}};
+    case kExp2: return {{GLSLstd450Exp2}};
+    case kFaceforward: return {{GLSLstd450FaceForward}};
+    case kFloor: return {{GLSLstd450Floor}};
+    case kFma: return {{GLSLstd450Fma}};
+    case kFrac: return {{GLSLstd450Fract}};
+    case kLength: return {{GLSLstd450Length}};
+    case kLerp: return {{GLSLstd450FMix}};
+    case kLog: return {{GLSLstd450Log}};
+    case kLog2: return {{GLSLstd450Log2}};
+    case kNormalize: return {{GLSLstd450Normalize}};
+    case kPow: return {{GLSLstd450Pow}};
+    case kRadians: return {{GLSLstd450Radians}};
+    case kReflect: return {{GLSLstd450Reflect}};
+    case kRefract: return {{GLSLstd450Refract}};
+    case kRound: return {{GLSLstd450RoundEven}};
+    case kRsqrt: return {{GLSLstd450InverseSqrt}};
+    case kSign: return {{GLSLstd450FSign, GLSLstd450SSign}};
+    case kSin: return {{GLSLstd450Sin}};
+    case kSinh: return {{GLSLstd450Sinh}};
+    case kSqrt: return {{GLSLstd450Sqrt}};
+    case kStep: return {{GLSLstd450Step}};
+    case kTan: return {{GLSLstd450Tan}};
+    case kTanh: return {{GLSLstd450Tanh}};
+    case kTrunc: return {{GLSLstd450Trunc}};
+    default: return std::nullopt;
+  }
+}
+
+// One of the functions for floats, signed and unsigned integers.
+struct NumberFunctions {
+  std::uint32_t of_float, of_int, of_uint;
+};
+std::uint32_t FunctionFor(const Shape& shape, const NumberFunctions& functions) {
+  if (shape.IsFloating()) return functions.of_float;
+  return IsUnsigned(shape.scalar) ? functions.of_uint : functions.of_int;
+}
+
+bool IsSigned(Scalar scalar) { return scalar == Scalar::kInt || scalar == Scalar::kInt64; }
+
+}  // namespace
+
+Ref Writer::Extended(std::uint32_t function, Ref type, std::initializer_list<Ref> arguments) {
+  Words operands{module_.ExtendedSet(), function};
+  operands.insert(operands.end(), arguments);
+  const Ref result = Emit(spv::Op::OpExtInst, type, operands);
+  if (is_precise_) module_.Decorate(result, spv::Decoration::NoContraction);
+  return result;
+}
+
+Ref Writer::Minimum(const Shape& shape, Ref a, Ref b) {
+  const std::uint32_t of_float = options_.nan_clamp ? GLSLstd450NMin : GLSLstd450FMin;
+  return Extended(FunctionFor(shape, {of_float, GLSLstd450SMin, GLSLstd450UMin}), types_.Of(shape),
+                  {a, b});
+}
+
+Ref Writer::Maximum(const Shape& shape, Ref a, Ref b) {
+  const std::uint32_t of_float = options_.nan_clamp ? GLSLstd450NMax : GLSLstd450FMax;
+  return Extended(FunctionFor(shape, {of_float, GLSLstd450SMax, GLSLstd450UMax}), types_.Of(shape),
+                  {a, b});
+}
+
+Ref Writer::Clamped(const Shape& shape, Ref value, Ref low, Ref high, bool by_number) {
+  const std::uint32_t of_float = by_number ? GLSLstd450NClamp : GLSLstd450FClamp;
+  return Extended(FunctionFor(shape, {of_float, GLSLstd450SClamp, GLSLstd450UClamp}),
+                  types_.Of(shape), {value, low, high});
+}
+
+// saturate() of NaN is 0: ftos of the Direct3D 11.3 functional specification.
+Ref Writer::Saturated(const Shape& shape, Ref value) {
+  return Clamped(shape, value, types_.Splat(shape, 0),
+                 types_.Splat(shape, Types::OneOf(shape.scalar)), true);
+}
+
+// mul(left, right). SPIR-V's matrices are the transposes of HLSL's, so the factors are swapped:
+// mul(v, M) is M * v.
+Ref Writer::Product(ExprId left, ExprId right, const Shape& result) {
+  const Ref a = Value(left), b = Value(right);
+  const Shape of_a = ShapeAt(left), of_b = ShapeAt(right);
+  const Ref type = types_.Of(result);
+  if (of_a.IsScalar() || of_b.IsScalar()) {
+    const Ref wide_a = of_a.IsScalar() ? Splat(result, a) : a;
+    const Ref wide_b = of_b.IsScalar() ? Splat(result, b) : b;
+    return Combine(BinaryOp::kMul, result, wide_a, wide_b);
+  }
+  if (!of_a.IsFloating()) return Lack("a product of integers");
+  if (of_a.IsVector() && of_b.IsVector()) {
+    // A vector is a row on the left and a column on the right.
+    const Type& of = TypeAt(left);
+    if (of.kind == TypeKind::kMatrix && of.columns == 1)
+      return Compute(spv::Op::OpOuterProduct, type, {b, a});
+    return Compute(spv::Op::OpDot, type, {a, b});
+  }
+  if (of_a.IsVector()) return Compute(spv::Op::OpMatrixTimesVector, type, {b, a});
+  if (of_b.IsVector()) return Compute(spv::Op::OpVectorTimesMatrix, type, {b, a});
+  return Compute(spv::Op::OpMatrixTimesMatrix, type, {b, a});
+}
+
+Ref Writer::Derivative(ir::Intrinsic op, const Shape& shape, Ref value) {
+  using enum ir::Intrinsic;
+  const Ref type = types_.Of(shape);
+  const auto exact = [&](spv::Op instruction) {
+    module_.Require(spv::Capability::DerivativeControl);
+    return Emit(instruction, type, {value});
+  };
+  switch (op) {
+    case kDdx: return Emit(spv::Op::OpDPdx, type, {value});
+    case kDdy: return Emit(spv::Op::OpDPdy, type, {value});
+    case kDdxCoarse: return exact(spv::Op::OpDPdxCoarse);
+    case kDdyCoarse: return exact(spv::Op::OpDPdyCoarse);
+    case kDdxFine: return exact(spv::Op::OpDPdxFine);
+    case kDdyFine: return exact(spv::Op::OpDPdyFine);
+    default: return Emit(spv::Op::OpFwidth, type, {value});
+  }
+}
+
+Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
+  using enum ir::Intrinsic;
+  const auto arguments = (*this)[node.arguments];
+  const Shape result = program_.types[id].IsNumeric() ? ShapeOf(program_.types[id]) : Shape{};
+  if (node.op == kMul) return Product(arguments[0], arguments[1], result);
+  if (CategoryOf(node.op) == IntrinsicCategory::kWave ||
+      CategoryOf(node.op) == IntrinsicCategory::kQuad ||
+      CategoryOf(node.op) == IntrinsicCategory::kInterpolants ||
+      CategoryOf(node.op) == IntrinsicCategory::kMemory || arguments.empty())
+    return Lack("a function of waves, of interpolation or of memory");
+  const Shape shape = ShapeAt(arguments[0]);
+  const Ref type = types_.Of(id);
+  if (node.op == kModf) {
+    if (!shape.IsFloating()) return Lack("modf of integers");
+    const Ref value = Value(arguments[0]);
+    const Place whole = PlaceOf(arguments[1]);
+    const Ref both = module_.Type(spv::Op::OpTypeStruct, {type, type});
+    const Ref parts = Extended(GLSLstd450ModfStruct, both, {value});
+    Store(whole, Part(type, parts, 1));
+    return Part(type, parts, 0);
+  }
+  if (WritesArguments(node.op)) return Lack("a function that writes an argument");
+  std::array<Ref, 4> values{};
+  for (std::size_t i = 0; i < arguments.size() && i < values.size(); ++i)
+    values[i] = Value(arguments[i]);
+  if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
+    return Derivative(node.op, shape, values[0]);
+  if (const auto function = FunctionOf(node.op)) {
+    const std::uint32_t number = shape.IsFloating() ? function->of_float : function->of_int;
+    if (number == 0 || IsUnsigned(shape.scalar)) return Lack("a function of integers");
+    const Shape made = node.op == kSign ? shape : result;
+    Ref value = 0;
+    if (arguments.size() == 1) value = Extended(number, types_.Of(made), {values[0]});
+    if (arguments.size() == 2) value = Extended(number, types_.Of(made), {values[0], values[1]});
+    if (arguments.size() == 3)
+      value = Extended(number, types_.Of(made), {values[0], values[1], values[2]});
+    return Converted(value, made, result.scalar);
+  }
+  const auto truth = [&](spv::Op all) {
+    const Ref bools = Converted(values[0], shape, Scalar::kBool);
+    return shape.IsScalar() ? bools : Emit(all, types_.Of(Scalar::kBool), {bools});
+  };
+  switch (node.op) {
+    case kMin: return Minimum(shape, values[0], values[1]);
+    case kMax: return Maximum(shape, values[0], values[1]);
+    case kClamp: return Clamped(shape, values[0], values[1], values[2], options_.nan_clamp);
+    case kSaturate: return Saturated(shape, values[0]);
+    case kAll: return shape.HasRows() ? Lack("all() of a matrix") : truth(spv::Op::OpAll);
+    case kAny: return shape.HasRows() ? Lack("any() of a matrix") : truth(spv::Op::OpAny);
+    case kDot:
+      if (shape.IsScalar()) return Combine(BinaryOp::kMul, shape, values[0], values[1]);
+      if (!shape.IsFloating()) return Lack("a dot product of integers");
+      return Compute(spv::Op::OpDot, type, {values[0], values[1]});
+    case kTranspose:
+      if (!shape.HasRows()) return values[0];
+      if (shape.kind != Shape::kMatrix) return Lack("a transpose of integers");
+      return Emit(spv::Op::OpTranspose, type, {values[0]});
+    case kDeterminant:
+      return shape.HasRows() ? Extended(GLSLstd450Determinant, type, {values[0]}) : values[0];
+    case kSmoothstep: {
+      const Ref range = Combine(BinaryOp::kSub, shape, values[1], values[0]);
+      const Ref from = Combine(BinaryOp::kSub, shape, values[2], values[0]);
+      const Ref t = Saturated(shape, Combine(BinaryOp::kDiv, shape, from, range));
+      const Ref two = types_.Splat(shape, BitsOf(-2.0f)), three = types_.Splat(shape, BitsOf(3.0f));
+      const Ref line =
+          Combine(BinaryOp::kAdd, shape, Combine(BinaryOp::kMul, shape, t, two), three);
+      return Combine(BinaryOp::kMul, shape, Combine(BinaryOp::kMul, shape, t, t), line);
+    }
+    case kIsNan: return Emit(spv::Op::OpIsNan, type, {values[0]});
+    case kIsInf: return Emit(spv::Op::OpIsInf, type, {values[0]});
+    case kIsFinite: {
+      const Ref nan = Emit(spv::Op::OpIsNan, type, {values[0]});
+      const Ref inf = Emit(spv::Op::OpIsInf, type, {values[0]});
+      return Emit(spv::Op::OpLogicalNot, type, {Emit(spv::Op::OpLogicalOr, type, {nan, inf})});
+    }
+    case kAsFloat:
+    case kAsInt:
+    case kAsUint:
+      if (arguments.size() != 1) return Lack("asuint of a double");
+      return shape.scalar == result.scalar ? values[0]
+                                           : Emit(spv::Op::OpBitcast, type, {values[0]});
+    case kCountBits: {
+      const Ref count = Emit(spv::Op::OpBitCount, types_.Of(shape), {values[0]});
+      return Converted(count, shape, result.scalar);
+    }
+    case kReverseBits: return Emit(spv::Op::OpBitReverse, type, {values[0]});
+    case kFirstBitHigh: {
+      const std::uint32_t function =
+          IsSigned(shape.scalar) ? GLSLstd450FindSMsb : GLSLstd450FindUMsb;
+      return Converted(Extended(function, types_.Of(shape), {values[0]}), shape, result.scalar);
+    }
+    case kFirstBitLow:
+      return Converted(Extended(GLSLstd450FindILsb, types_.Of(shape), {values[0]}), shape,
+                       result.scalar);
+    case kF16ToF32: {
+      if (!shape.IsScalar()) return Lack("f16tof32 of a vector");
+      const Ref two = types_.Of(ShapeOf(Scalar::kFloat, 1, 2));
+      return Part(type, Extended(GLSLstd450UnpackHalf2x16, two, {values[0]}), 0);
+    }
+    case kF32ToF16: {
+      if (!shape.IsScalar()) return Lack("f32tof16 of a vector");
+      const Ref parts[] = {values[0], types_.Float(0)};
+      const Ref two = Compose(types_.Of(ShapeOf(Scalar::kFloat, 1, 2)), parts);
+      return Extended(GLSLstd450PackHalf2x16, type, {two});
+    }
+    default: return Lack("a function that is a helper in GLSL");
+  }
+}
+
+}  // namespace clipc::spirv

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Paths in memory.
+#include <algorithm>
+
+#include "backend-spirv/writer.h"
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+namespace {
+
+// The number of elements from which on a whole array is not read out of a constant buffer.
+constexpr std::uint32_t kLongArray = 1024;
+
+}  // namespace
+
+// Notes what an expression says of variables and functions.
+void Writer::FindMemoryOf(ExprId expr) {
+  const auto keep = [&](ExprId path) {
+    if (const VarId root = RootOf(program_, path)) in_memory_[root.index] = true;
+  };
+  if (const auto* ref = As<VarRef>(expr); ref && !is_read_[ref->var.index]) {
+    is_read_[ref->var.index] = true;
+    const Var& var = (*this)[ref->var];
+    const bool is_global = var.storage == Storage::kStatic || var.storage == Storage::kConstant;
+    if (is_global && var.init)
+      ForEachExpr(program_, var.init, [&](ExprId part) { FindMemoryOf(part); });
+  }
+  ForEachWrite(program_, expr, keep);
+  if (const auto* index = As<Index>(expr)) {
+    const Type& type = TypeAt(index->base);
+    const bool is_vector = type.IsNumeric() && !ShapeOf(type).HasRows();
+    if (!As<Literal>(index->index) && !is_vector) keep(index->base);
+  }
+  const auto* call = As<Call>(expr);
+  if (call && std::ranges::find(functions_, call->function) == functions_.end())
+    functions_.push_back(call->function);
+}
+
+// Finds the variables of the function that need memory, and the functions that it calls.
+void Writer::FindMemory(FunctionId id) {
+  const StmtId body = program_.functions[id].body;
+  ForEachExpr(program_, body, [&](ExprId expr) { FindMemoryOf(expr); });
+  ForEachStmt(program_, body, [&](StmtId stmt) {
+    if (const auto* declare = As<Declare>(stmt)) {
+      if (!declare->init && !(*this)[declare->var].init) in_memory_[declare->var.index] = true;
+    }
+    // A variable of an arm lives on in the next one, which control may enter past its value.
+    const auto* choice = As<Switch>(stmt);
+    if (!choice) return;
+    for (const SwitchCase& arm : program_.switch_cases[choice->cases]) {
+      for (const StmtId part : program_.stmt_lists[arm.body]) {
+        if (const auto* declare = As<Declare>(part)) in_memory_[declare->var.index] = true;
+      }
+    }
+  });
+}
+
+bool Writer::HasPlace(ExprId path) const {
+  const VarId root = RootOf(program_, path);
+  if (!root || values_[root.index] != 0) return false;
+  if (builtin_inputs_.contains(root.index)) return false;
+  // A component of components has no place.
+  for (ExprId part = WholeOf(program_, path); part; part = WholeOf(program_, part)) {
+    if (const auto* swizzle = As<Swizzle>(part); swizzle && swizzle->count > 1) return false;
+    if (As<MatrixSwizzle>(part)) return false;
+  }
+  return !As<MatrixSwizzle>(path);
+}
+
+bool Writer::IsOnlyElement(const Index& node) const {
+  const Type& type = TypeAt(node.base);
+  return type.IsNumeric() && (type.kind == TypeKind::kMatrix ? type.rows == 1 : type.columns == 1);
+}
+
+Place Writer::PlaceOfVariable(VarId id) {
+  const Var& var = (*this)[id];
+  if (var.storage == Storage::kUniform) {
+    Place place{
+        BlockVariable(var.cbuffer), spv::StorageClass::Uniform, {}, var.type, true, var.row_major};
+    const Cbuffer& cbuffer = program_.cbuffers[var.cbuffer];
+    if (cbuffer.is_push_constant) place.storage = spv::StorageClass::PushConstant;
+    if (cbuffer.kind == CbufferKind::kConstantBuffer) return place;
+    const auto& kept = blocks_[var.cbuffer.index].kept;
+    const auto number = std::ranges::find(
+        kept, id, [&](std::uint32_t member) { return cbuffer.members[member].var; });
+    if (number == kept.end()) {
+      Lack("a member of a constant buffer that no block has at its place");
+      return place;
+    }
+    place.indices.push_back(types_.Int(static_cast<std::int32_t>(number - kept.begin())));
+    return place;
+  }
+  return {pointers_[id.index], storages_[id.index], {}, var.type};
+}
+
+Place Writer::PlaceOf(ExprId path) {
+  if (const auto* ref = As<VarRef>(path)) return PlaceOfVariable(ref->var);
+  if (const auto* field = As<FieldRef>(path)) {
+    Place place = PlaceOf(field->base);
+    if (place.in_block)
+      place.row_major = program_.types.StructOf(place.type).fields[field->field].row_major;
+    place.indices.push_back(types_.Int(static_cast<std::int32_t>(field->field)));
+    place.type = (*this)[path].type;
+    return place;
+  }
+  if (const auto* index = As<Index>(path)) {
+    Place place = PlaceOf(index->base);
+    if (!IsOnlyElement(*index)) place.indices.push_back(Value(index->index));
+    place.type = (*this)[path].type;
+    return place;
+  }
+  const auto* swizzle = As<Swizzle>(path);
+  if (!swizzle) {
+    Lack("a place of another kind");
+    Place nowhere;
+    nowhere.type = (*this)[path].type;
+    return nowhere;
+  }
+  Place place = PlaceOf(swizzle->base);
+  const Shape shape = ShapeAt(swizzle->base);
+  if (swizzle->count == 1) {
+    if (!shape.IsScalar()) place.indices.push_back(types_.Int(swizzle->components[0]));
+    place.type = (*this)[path].type;
+    return place;
+  }
+  place.vector = place.type;
+  place.type = (*this)[path].type;
+  place.components = swizzle->components;
+  place.count = swizzle->count;
+  return place;
+}
+
+Ref Writer::PointerTo(const Place& place) {
+  if (place.indices.empty()) return place.base;
+  const TypeId type = place.count > 0 ? place.vector : place.type;
+  const Ref pointee = place.in_block ? types_.InBlock(type, place.row_major) : types_.Of(type);
+  Words operands{place.base};
+  operands.insert(operands.end(), place.indices.begin(), place.indices.end());
+  return Emit(spv::Op::OpAccessChain, types_.Pointer(place.storage, pointee), operands);
+}
+
+Ref Writer::FromBlock(Ref value, TypeId id, bool row_major) {
+  if (!types_.DiffersInBlock(id)) return value;
+  const Type& type = program_.types[id];
+  if (type.IsNumeric()) {
+    const Shape shape = ShapeOf(type);
+    const auto row = [&](Ref of, const Shape& part) {
+      if (part.scalar != Scalar::kBool) return of;
+      return Emit(spv::Op::OpINotEqual, types_.Of(part),
+                  {of, types_.Splat(part.With(Scalar::kUint), 0)});
+    };
+    if (!shape.HasRows()) return row(value, shape);
+    const Shape memory = shape.scalar == Scalar::kBool ? shape.With(Scalar::kUint) : shape;
+    std::vector<Ref> rows;
+    for (std::uint32_t i = 0; i < shape.rows; ++i)
+      rows.push_back(row(Part(types_.Of(memory.Row()), value, i), shape.Row()));
+    return Compose(types_.Of(shape), rows);
+  }
+  std::vector<Ref> parts;
+  if (type.kind == TypeKind::kArray) {
+    if (type.count > kLongArray) return Lack("a long array of a constant buffer as a value");
+    const Ref element = types_.InBlock(type.element, row_major);
+    for (std::uint32_t i = 0; i < type.count; ++i)
+      parts.push_back(FromBlock(Part(element, value, i), type.element, row_major));
+  } else {
+    std::uint32_t number = 0;
+    for (const Field& field : program_.types[type.structure].fields) {
+      const Ref part = Part(types_.InBlock(field.type, field.row_major), value, number++);
+      parts.push_back(FromBlock(part, field.type, field.row_major));
+    }
+  }
+  return Compose(types_.Of(id), parts);
+}
+
+Ref Writer::Load(const Place& place) {
+  const TypeId type = place.count > 0 ? place.vector : place.type;
+  if (place.in_block && place.indices.empty()) return LoadBlock(place);
+  const Ref loaded_type = place.in_block ? types_.InBlock(type, place.row_major) : types_.Of(type);
+  const Ref pointer = PointerTo(place);
+  Ref value = Emit(spv::Op::OpLoad, loaded_type, {pointer});
+  if (place.in_block) value = FromBlock(value, type, place.row_major);
+  if (place.count == 0) return value;
+  return Components(value, ShapeOf(program_.types[type]),
+                    std::span(place.components).first(place.count));
+}
+
+// The whole of a ConstantBuffer<T>, whose block is a type of its own.
+Ref Writer::LoadBlock(const Place& place) {
+  if (program_.types[place.type].kind != TypeKind::kStruct)
+    return Lack("an array of constant buffers as a value");
+  std::vector<Ref> fields;
+  for (const Field& field : program_.types.StructOf(place.type).fields) {
+    Place part = place;
+    part.indices.push_back(types_.Int(static_cast<std::int32_t>(fields.size())));
+    part.type = field.type;
+    part.row_major = field.row_major;
+    fields.push_back(Load(part));
+  }
+  return Compose(types_.Of(place.type), fields);
+}
+
+void Writer::Store(const Place& place, Ref value) {
+  const Ref pointer = PointerTo(place);
+  if (place.count > 0) {
+    const Ref type = types_.Of(place.vector);
+    const Ref old = Emit(spv::Op::OpLoad, type, {pointer});
+    const std::uint32_t size = ShapeOf(program_.types[place.vector]).size;
+    Words operands{old, value};
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const auto* end = place.components.data() + place.count;
+      const auto* found = std::find(place.components.data(), end, i);
+      operands.push_back(
+          found == end ? i : size + static_cast<std::uint32_t>(found - place.components.data()));
+    }
+    value = Emit(spv::Op::OpVectorShuffle, type, operands);
+  }
+  Do(spv::Op::OpStore, {pointer, value});
+}
+
+Place Writer::NewLocal(TypeId type, std::string_view name) {
+  const Ref variable = module_.NewRef();
+  const auto storage = spv::StorageClass::Function;
+  Put(locals_, spv::Op::OpVariable,
+      {types_.Pointer(storage, types_.Of(type)), variable, static_cast<std::uint32_t>(storage)});
+  module_.Name(variable, name);
+  return {variable, storage, {}, type};
+}
+
+}  // namespace clipc::spirv

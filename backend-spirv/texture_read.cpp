@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-spirv/texture_read.h"
+
+#include <utility>
+
+#include "ir/evaluate.h"
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::uint8_t kFirst[] = {0, 1, 2, 3};
+constexpr Shape kNumber{};
+
+}  // namespace
+
+TextureRead::TextureRead(Writer& writer, TypeId result, const ir::ObjectCall& node)
+    : writer_(writer),
+      result_(result),
+      node_(node),
+      type_(writer.TypeAt(OperandOf(writer.program_, node, OperandKind::kObject))),
+      info_(InfoOf(type_.object)),
+      four_(ShapeOf(type_.element ? writer.program_.types[type_.element].scalar : Scalar::kFloat, 1,
+                    4)) {}
+
+Ref TextureRead::Write() {
+  image_ = writer_.Object(At(OperandKind::kObject));
+  switch (InfoOf(node_.op).result) {
+    case ObjectResult::kFourTexels: return Gather();
+    case ObjectResult::kElement: return Takes(node_.op, OperandKind::kPlace) ? Fetch() : Sample();
+    case ObjectResult::kFloat:
+      if (Takes(node_.op, OperandKind::kReference)) return Compare();
+      break;
+    default: break;
+  }
+  return Query();
+}
+
+ExprId TextureRead::At(OperandKind kind) const { return OperandOf(writer_.program_, node_, kind); }
+
+Ref TextureRead::Narrow(Ref texel) {
+  const std::uint32_t count = ShapeOf(writer_.program_.types[result_]).size;
+  return writer_.Components(texel, four_, std::span(kFirst).first(count));
+}
+
+Ref TextureRead::Sampled() {
+  if (IsCombinedSampler(type_.object)) return image_;
+  const Ref sampler = writer_.Object(At(OperandKind::kSampler));
+  const Ref type = writer_.module_.Type(spv::Op::OpTypeSampledImage, {writer_.ImageType(type_)});
+  return writer_.Emit(spv::Op::OpSampledImage, type, {image_, sampler});
+}
+
+bool TextureRead::AddLevel(ImageOperands& to) {
+  using enum spv::ImageOperandsMask;
+  if (Has(OperandKind::kBias)) {
+    to.Add(Bias, {Operand(OperandKind::kBias)});
+    return false;
+  }
+  if (Has(OperandKind::kLevel)) {
+    to.Add(Lod, {Operand(OperandKind::kLevel)});
+    return true;
+  }
+  if (Has(OperandKind::kDdx)) {
+    const Ref ddx = Operand(OperandKind::kDdx), ddy = Operand(OperandKind::kDdy);
+    to.Add(Grad, {ddx, ddy});
+    return true;
+  }
+  const bool has_neighbours = InfoOf(writer_.program_.stage).has_neighbours;
+  if (has_neighbours && node_.op != ObjectOp::kSampleCmpLevelZero) return false;
+  to.Add(Lod, {writer_.types_.Float(0)});
+  return true;
+}
+
+void TextureRead::AddOffset(ImageOperands& to, ExprId offset) {
+  if (!offset) return;
+  const auto bits = ConstantBits(writer_.program_, offset);
+  if (!bits) {
+    writer_.module_.Require(spv::Capability::ImageGatherExtended);
+    return to.Add(spv::ImageOperandsMask::Offset, {writer_.Value(offset)});
+  }
+  std::span<const std::uint64_t> left(*bits);
+  to.Add(spv::ImageOperandsMask::ConstOffset, {writer_.types_.Value(writer_[offset].type, left)});
+}
+
+Ref TextureRead::Projected() {
+  const Ref whole = Operand(OperandKind::kCoordinate);
+  const std::uint32_t axes = info_.axes == 0 ? 2 : info_.axes;
+  const Shape four = ShapeOf(Scalar::kFloat, 1, 4), place = ShapeOf(Scalar::kFloat, 1, axes);
+  const Ref divisor = writer_.Part(writer_.types_.Of(kNumber), whole, 3);
+  return writer_.Combine(BinaryOp::kDiv, place,
+                         writer_.Components(whole, four, std::span(kFirst).first(axes)),
+                         writer_.Splat(place, divisor));
+}
+
+// The instruction that takes the texture with its sampler, and these operands. Both are put together
+// last, since they must be in the block that uses them.
+Ref TextureRead::ReadBy(spv::Op op, const Shape& shape, Words operands, const ImageOperands& more) {
+  operands.insert(operands.begin(), Sampled());
+  more.AppendTo(operands);
+  return writer_.Emit(op, writer_.types_.Of(shape), operands);
+}
+
+Ref TextureRead::Sample() {
+  Words operands{node_.op == ObjectOp::kD3d9SampleProjected ? Projected()
+                                                            : Operand(OperandKind::kCoordinate)};
+  ImageOperands more;
+  const bool is_explicit = AddLevel(more);
+  AddOffset(more, At(OperandKind::kOffset));
+  return Narrow(
+      ReadBy(is_explicit ? spv::Op::OpImageSampleExplicitLod : spv::Op::OpImageSampleImplicitLod,
+             four_, std::move(operands), more));
+}
+
+Ref TextureRead::Compare() {
+  const Ref coordinate = Operand(OperandKind::kCoordinate);
+  Words operands{coordinate, Operand(OperandKind::kReference)};
+  ImageOperands more;
+  const bool is_explicit = AddLevel(more);
+  AddOffset(more, At(OperandKind::kOffset));
+  return ReadBy(
+      is_explicit ? spv::Op::OpImageSampleDrefExplicitLod : spv::Op::OpImageSampleDrefImplicitLod,
+      kNumber, std::move(operands), more);
+}
+
+Ref TextureRead::GatherAt(ExprId offset, Ref coordinate, Ref component) {
+  const bool compares = node_.op == ObjectOp::kGatherCmp;
+  ImageOperands more;
+  AddOffset(more, offset);
+  return ReadBy(compares ? spv::Op::OpImageDrefGather : spv::Op::OpImageGather, four_,
+                {coordinate, component}, more);
+}
+
+Ref TextureRead::Gather() {
+  const Ref coordinate = Operand(OperandKind::kCoordinate);
+  const Ref component = node_.op == ObjectOp::kGatherCmp
+                            ? Operand(OperandKind::kReference)
+                            : writer_.types_.Int(ComponentOf(node_.op));
+  const List<ExprId> offsets = OperandsOf(node_, OperandKind::kOffset);
+  if (offsets.size <= 1) return GatherAt(At(OperandKind::kOffset), coordinate, component);
+  // Component i is that of the gather with offset i.
+  std::vector<Ref> texels;
+  const Ref type = writer_.types_.Of(four_.Component());
+  for (std::uint32_t i = 0; i < offsets.size; ++i) {
+    const Ref four = GatherAt(writer_.program_.expr_lists[offsets][i], coordinate, component);
+    texels.push_back(writer_.Part(type, four, i));
+  }
+  return writer_.Compose(writer_.types_.Of(four_), texels);
+}
+
+// Reads a texel. The level of a multisampled texture is the number of the sample.
+Ref TextureRead::Fetch() {
+  Words operands{image_, Operand(OperandKind::kPlace)};
+  ImageOperands more;
+  const Ref level = Has(OperandKind::kLevel) ? Operand(OperandKind::kLevel) : 0;
+  if (level != 0 && !info_.is_multisampled) more.Add(spv::ImageOperandsMask::Lod, {level});
+  AddOffset(more, At(OperandKind::kOffset));
+  if (level != 0 && info_.is_multisampled) more.Add(spv::ImageOperandsMask::Sample, {level});
+  more.AppendTo(operands);
+  return Narrow(writer_.Emit(spv::Op::OpImageFetch, writer_.types_.Of(four_), operands));
+}
+
+Ref TextureRead::Query() {
+  writer_.module_.Require(spv::Capability::ImageQuery);
+  const Ref type = writer_.types_.Of(result_);
+  switch (node_.op) {
+    case ObjectOp::kTextureLevels: return writer_.Emit(spv::Op::OpImageQueryLevels, type, {image_});
+    case ObjectOp::kTextureSamples:
+      return writer_.Emit(spv::Op::OpImageQuerySamples, type, {image_});
+    case ObjectOp::kLevelOfDetail:
+    case ObjectOp::kLevelOfDetailUnclamped: {
+      const Ref two = writer_.types_.Of(ShapeOf(Scalar::kFloat, 1, 2));
+      const Ref source = Sampled();
+      const Ref both =
+          writer_.Emit(spv::Op::OpImageQueryLod, two, {source, Operand(OperandKind::kCoordinate)});
+      return writer_.Part(type, both, node_.op == ObjectOp::kLevelOfDetail ? 0 : 1);
+    }
+    default: break;
+  }
+  const bool has_level = info_.category == ObjectCategory::kTexture && !info_.is_multisampled;
+  if (!has_level) return writer_.Emit(spv::Op::OpImageQuerySize, type, {image_});
+  return writer_.Emit(spv::Op::OpImageQuerySizeLod, type, {image_, Operand(OperandKind::kLevel)});
+}
+
+}  // namespace clipc::spirv

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-spirv/types.h"
+
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "base/invariant.h"
+#include "ir/packing.h"
+#include "ir/scalar.h"
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+Shape Shape::With(Scalar of) const {
+  Shape shape = *this;
+  shape.scalar = BaseOf(of);
+  const bool is_floating = shape.IsFloating();
+  if (kind == kMatrix && !is_floating) shape.kind = kRows;
+  if (kind == kRows && is_floating) shape.kind = kMatrix;
+  return shape;
+}
+
+Shape ShapeOf(Scalar scalar, std::uint32_t rows, std::uint32_t columns) {
+  const Scalar base = BaseOf(scalar);
+  if (rows == 1 || columns == 1) {
+    const std::uint32_t size = rows * columns;
+    return {size == 1 ? Shape::kScalar : Shape::kVector, base, 1, size};
+  }
+  return {IsFloat(base) ? Shape::kMatrix : Shape::kRows, base, rows, columns};
+}
+
+Shape ShapeOf(const Type& type) { return ShapeOf(type.scalar, type.rows, type.columns); }
+
+Ref Types::Of(Scalar scalar) {
+  switch (BaseOf(scalar)) {
+    case Scalar::kBool: return module_.Type(spv::Op::OpTypeBool, {});
+    case Scalar::kInt: return module_.Type(spv::Op::OpTypeInt, {32, 1});
+    case Scalar::kUint: return module_.Type(spv::Op::OpTypeInt, {32, 0});
+    case Scalar::kInt64:
+      module_.Require(spv::Capability::Int64);
+      return module_.Type(spv::Op::OpTypeInt, {64, 1});
+    case Scalar::kUint64:
+      module_.Require(spv::Capability::Int64);
+      return module_.Type(spv::Op::OpTypeInt, {64, 0});
+    case Scalar::kDouble:
+      module_.Require(spv::Capability::Float64);
+      return module_.Type(spv::Op::OpTypeFloat, {64});
+    default: return module_.Type(spv::Op::OpTypeFloat, {32});
+  }
+}
+
+Ref Types::Vector(Ref component, std::uint32_t size) {
+  return size == 1 ? component : module_.Type(spv::Op::OpTypeVector, {component, size});
+}
+
+Ref Types::Of(const Shape& shape) {
+  const Ref row = Vector(Of(shape.scalar), shape.size);
+  switch (shape.kind) {
+    case Shape::kMatrix: return module_.Type(spv::Op::OpTypeMatrix, {row, shape.rows});
+    case Shape::kRows: return module_.Type(spv::Op::OpTypeArray, {row, Uint(shape.rows)});
+    default: return row;
+  }
+}
+
+Ref Types::Of(TypeId id) {
+  const Type& type = program_.types[id];
+  if (type.IsNumeric()) return Of(ShapeOf(type));
+  if (type.kind == TypeKind::kVoid) return Void();
+  if (type.kind == TypeKind::kArray) {
+    const Ref element = Of(type.element);
+    return module_.Type(spv::Op::OpTypeArray, {element, Uint(type.count)});
+  }
+  CLIPC_CHECK(type.kind == TypeKind::kStruct);
+  if (const auto found = structs_.find(type.structure.index); found != structs_.end())
+    return found->second;
+  const Struct& structure = program_.types[type.structure];
+  Words members;
+  for (const Field& field : structure.fields) members.push_back(Of(field.type));
+  const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
+  structs_.emplace(type.structure.index, made);
+  module_.Name(made, structure.name);
+  for (std::uint32_t i = 0; i < structure.fields.size(); ++i)
+    module_.NameMember(made, i, structure.fields[i].name);
+  return made;
+}
+
+Ref Types::Pointer(spv::StorageClass storage, Ref to) {
+  return module_.Type(spv::Op::OpTypePointer, {static_cast<std::uint32_t>(storage), to});
+}
+
+bool Types::DiffersInBlock(TypeId id) const {
+  const Type& type = program_.types[id];
+  if (!type.IsNumeric()) return true;
+  return BaseOf(type.scalar) == Scalar::kBool || ShapeOf(type).kind == Shape::kRows;
+}
+
+Ref Types::InBlock(TypeId id, bool row_major) {
+  const Type& type = program_.types[id];
+  const auto array = [&](Ref element, std::uint32_t count, std::uint32_t stride) {
+    auto [found, is_new] = arrays_.try_emplace({element, count, stride}, 0);
+    if (is_new) {
+      const std::uint32_t operands[] = {element, Uint(count)};
+      found->second = module_.OwnType(spv::Op::OpTypeArray, operands);
+      module_.Decorate(found->second, spv::Decoration::ArrayStride, {stride});
+    }
+    return found->second;
+  };
+  if (type.IsNumeric()) {
+    Shape shape = ShapeOf(type);
+    if (shape.scalar == Scalar::kBool) shape.scalar = Scalar::kUint;
+    if (shape.kind == Shape::kRows) return array(Of(shape.Row()), shape.rows, kRow);
+    return Of(shape);
+  }
+  if (type.kind == TypeKind::kArray) {
+    const Ref element = InBlock(type.element, row_major);
+    return array(element, type.count, ArrayStride(program_.types, id, row_major));
+  }
+  return StructInBlock(type.structure);
+}
+
+Ref Types::StructInBlock(StructId id) {
+  const auto found = block_structs_.find(id.index);
+  if (found != block_structs_.end()) return found->second;
+  const Ref made = NewStructInBlock(id);
+  block_structs_.emplace(id.index, made);
+  return made;
+}
+
+Ref Types::NewStructInBlock(StructId id) {
+  const Struct& structure = program_.types[id];
+  Words members;
+  for (const Field& field : structure.fields)
+    members.push_back(InBlock(field.type, field.row_major));
+  const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
+  module_.Name(made, structure.name);
+  std::uint32_t end = 0;
+  for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
+    const Field& field = structure.fields[i];
+    const std::uint32_t offset = FieldPlace(program_.types, field, end);
+    end = offset + PackedExtent(program_.types, field.type, field.row_major).size;
+    module_.NameMember(made, i, field.name);
+    module_.DecorateMember(made, i, spv::Decoration::Offset, {offset});
+    DecorateMatrix(made, i, field.type, field.row_major);
+  }
+  return made;
+}
+
+// HLSL's rows are SPIR-V's columns.
+void Types::DecorateMatrix(Ref structure, std::uint32_t member, TypeId id, bool row_major) {
+  const Type& type = program_.types[program_.types.Innermost(id)];
+  if (!type.IsNumeric() || ShapeOf(type).kind != Shape::kMatrix) return;
+  const std::uint32_t length = row_major ? type.columns : type.rows;
+  const std::uint32_t stride =
+      static_cast<std::uint32_t>(RoundUp(std::uint64_t{ByteSize(type.scalar)} * length, kRow));
+  module_.DecorateMember(structure, member,
+                         row_major ? spv::Decoration::ColMajor : spv::Decoration::RowMajor);
+  module_.DecorateMember(structure, member, spv::Decoration::MatrixStride, {stride});
+}
+
+Ref Types::Block(const Cbuffer& cbuffer, std::span<const std::uint32_t> kept,
+                 std::string_view name) {
+  if (cbuffer.kind == CbufferKind::kConstantBuffer) {
+    const TypeId type = program_.types.Innermost(program_.vars[cbuffer.members[0].var].type);
+    const Ref made = NewStructInBlock(program_.types[type].structure);
+    module_.Decorate(made, spv::Decoration::Block);
+    return made;
+  }
+  Words members;
+  for (const std::uint32_t member : kept) {
+    const Var& var = program_.vars[cbuffer.members[member].var];
+    members.push_back(InBlock(var.type, var.row_major));
+  }
+  const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
+  module_.Name(made, name);
+  module_.Decorate(made, spv::Decoration::Block);
+  for (std::uint32_t i = 0; i < kept.size(); ++i) {
+    const CbufferMember& member = cbuffer.members[kept[i]];
+    const Var& var = program_.vars[member.var];
+    module_.NameMember(made, i, var.name);
+    module_.DecorateMember(made, i, spv::Decoration::Offset, {member.offset});
+    DecorateMatrix(made, i, var.type, var.row_major);
+  }
+  return made;
+}
+
+Ref Types::Uint(std::uint32_t value) {
+  return module_.Constant(spv::Op::OpConstant, Of(Scalar::kUint), {value});
+}
+Ref Types::Int(std::int32_t value) {
+  return module_.Constant(spv::Op::OpConstant, Of(Scalar::kInt),
+                          {static_cast<std::uint32_t>(value)});
+}
+Ref Types::Float(float value) {
+  return module_.Constant(spv::Op::OpConstant, Of(Scalar::kFloat),
+                          {std::bit_cast<std::uint32_t>(value)});
+}
+Ref Types::Bool(bool value) {
+  return module_.Constant(value ? spv::Op::OpConstantTrue : spv::Op::OpConstantFalse,
+                          Of(Scalar::kBool));
+}
+
+Ref Types::Component(Scalar scalar, std::uint64_t bits) {
+  const Scalar base = BaseOf(scalar);
+  if (base == Scalar::kBool) return Bool(bits != 0);
+  const auto low = static_cast<std::uint32_t>(bits), high = static_cast<std::uint32_t>(bits >> 32);
+  if (IsWide(base)) return module_.Constant(spv::Op::OpConstant, Of(base), {low, high});
+  return module_.Constant(spv::Op::OpConstant, Of(base), {low});
+}
+
+Ref Types::Composite(Ref type, std::span<const Ref> parts) {
+  return module_.Constant(spv::Op::OpConstantComposite, type, parts);
+}
+
+Ref Types::Splat(const Shape& shape, std::uint64_t bits) {
+  if (shape.IsScalar()) return Component(shape.scalar, bits);
+  const Ref part = Splat(shape.HasRows() ? shape.Row() : shape.Component(), bits);
+  const std::vector<Ref> parts(shape.HasRows() ? shape.rows : shape.size, part);
+  return Composite(Of(shape), parts);
+}
+
+Ref Types::Value(TypeId id, std::span<const std::uint64_t>& bits) {
+  const Type& type = program_.types[id];
+  const auto next = [&] {
+    const std::uint64_t first = bits.front();
+    bits = bits.subspan(1);
+    return first;
+  };
+  std::vector<Ref> parts;
+  if (type.IsNumeric()) {
+    const Shape shape = ShapeOf(type);
+    if (shape.IsScalar()) return Component(shape.scalar, next());
+    const auto row = [&] {
+      std::vector<Ref> components;
+      for (std::uint32_t i = 0; i < shape.size; ++i)
+        components.push_back(Component(shape.scalar, next()));
+      return Composite(Of(shape.HasRows() ? shape.Row() : shape), components);
+    };
+    if (!shape.HasRows()) return row();
+    for (std::uint32_t i = 0; i < shape.rows; ++i) parts.push_back(row());
+  } else if (type.kind == TypeKind::kArray) {
+    for (std::uint32_t i = 0; i < type.count; ++i) parts.push_back(Value(type.element, bits));
+  } else {
+    for (const Field& field : program_.types[type.structure].fields)
+      parts.push_back(Value(field.type, bits));
+  }
+  return Composite(Of(id), parts);
+}
+
+std::uint64_t Types::OneOf(Scalar scalar) {
+  switch (BaseOf(scalar)) {
+    case Scalar::kFloat: return BitsOf(1.0f);
+    case Scalar::kDouble: return BitsOf(1.0);
+    default: return 1;
+  }
+}
+
+}  // namespace clipc::spirv

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "backend-spirv/module.h"
+#include "ir/program.h"
+
+namespace clipc::spirv {
+
+inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a constant buffer
+
+// The form of a numeric type of HLSL in SPIR-V. float1 is a scalar, and a matrix of one row or one
+// column a vector; other matrices of floats are matrices whose column i is HLSL's row i, and those
+// of other kinds, which SPIR-V lacks, arrays of their rows.
+struct Shape {
+  enum Kind : std::uint8_t { kScalar, kVector, kMatrix, kRows };
+  Kind kind = kScalar;
+  ir::Scalar scalar = ir::Scalar::kFloat;  // one of BaseOf's
+  std::uint32_t rows = 1;                  // kMatrix, kRows: HLSL's rows
+  std::uint32_t size = 1;                  // the components of a vector or of a row
+
+  bool IsScalar() const { return kind == kScalar; }
+  bool IsVector() const { return kind == kVector; }
+  bool HasRows() const { return kind == kMatrix || kind == kRows; }
+  bool IsFloating() const { return scalar == ir::Scalar::kFloat || scalar == ir::Scalar::kDouble; }
+  Shape Row() const { return {size == 1 ? kScalar : kVector, scalar, 1, size}; }
+  Shape Component() const { return {kScalar, scalar, 1, 1}; }
+  Shape With(ir::Scalar of) const;
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+Shape ShapeOf(const ir::Type& type);
+Shape ShapeOf(ir::Scalar scalar, std::uint32_t rows, std::uint32_t columns);
+
+// The types and constants of a module, by those of the program.
+class Types {
+ public:
+  Types(const ir::Program& program, Module& module) : program_(program), module_(module) {}
+
+  // ---- types of values
+  Ref Void() { return module_.Type(spv::Op::OpTypeVoid, {}); }
+  Ref Of(ir::Scalar scalar);
+  Ref Of(const Shape& shape);
+  Ref Of(ir::TypeId type);
+  Ref Vector(Ref component, std::uint32_t size);
+  Ref Pointer(spv::StorageClass storage, Ref to);
+
+  // ---- types in a constant buffer, with their places in memory; a bool is a uint there
+  Ref InBlock(ir::TypeId type, bool row_major);
+  // The block with those members of a buffer, by their numbers, or with the fields of a
+  // ConstantBuffer<T>.
+  Ref Block(const ir::Cbuffer& cbuffer, std::span<const std::uint32_t> kept, std::string_view name);
+  // Whether the type has bools, arrays or structs in it, which are others in a block.
+  bool DiffersInBlock(ir::TypeId type) const;
+
+  // ---- constants
+  Ref Uint(std::uint32_t value);
+  Ref Int(std::int32_t value);
+  Ref Float(float value);
+  Ref Bool(bool value);
+  // A component as ir::Literal holds it.
+  Ref Component(ir::Scalar scalar, std::uint64_t bits);
+  // One number in all components.
+  Ref Splat(const Shape& shape, std::uint64_t bits);
+  Ref Zero(ir::TypeId type) { return module_.Constant(spv::Op::OpConstantNull, Of(type)); }
+  // A value of its components, in the order of the type; takes them from the front of `bits`.
+  Ref Value(ir::TypeId type, std::span<const std::uint64_t>& bits);
+  // The bits of the number 1 in this kind.
+  static std::uint64_t OneOf(ir::Scalar scalar);
+
+ private:
+  Ref StructInBlock(ir::StructId structure);
+  Ref NewStructInBlock(ir::StructId structure);
+  void DecorateMatrix(Ref structure, std::uint32_t member, ir::TypeId type, bool row_major);
+  Ref Composite(Ref type, std::span<const Ref> parts);
+
+  const ir::Program& program_;
+  Module& module_;
+  std::map<std::uint32_t, Ref> structs_, block_structs_;                 // by StructId
+  std::map<std::tuple<Ref, std::uint32_t, std::uint32_t>, Ref> arrays_;  // with their strides
+};
+
+}  // namespace clipc::spirv

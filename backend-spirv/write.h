@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/program.h"
+
+// SPIR-V for Vulkan, word by word out of a program.
+namespace clipc::spirv {
+
+// Where the interface of the shader lies, which both forms of its output share: the names and
+// places that the GLSL has.
+struct Interface {
+  struct Variable {
+    std::string_view name;
+    std::optional<std::uint32_t> location;  // none: built in
+    bool is_used = true;
+  };
+  struct Place {
+    std::uint32_t set = 0, binding = 0;
+  };
+  struct Block : Place {
+    ir::CbufferId cbuffer;
+    std::string_view name;
+    bool is_push_constant = false;
+  };
+  struct Object : Place {
+    ir::VarId var;  // a texture, a sampler, or both in one
+    std::string_view name;
+  };
+  std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs
+  std::vector<Block> blocks;
+  std::vector<Object> objects;
+};
+
+struct Options {
+  std::uint32_t minor_version = 3;  // of SPIR-V 1.x
+  std::string entry = "main";       // the name of the entry point
+  bool nan_clamp = false;           // min, max and clamp give the operand that is a number
+  bool invariant = false;           // the position is invariant
+  // The application promises draws without a base vertex or a base instance.
+  bool base_vertex_is_zero = false, base_instance_is_zero = false;
+};
+
+struct Written {
+  std::vector<std::uint32_t> words;  // the module; empty where the writer lacks something
+  // What the writer lacks, as the rest of "it has ...". Empty exactly if there are words.
+  std::string_view lacks;
+};
+
+// Requires Form::kLegalized for Vulkan. The result depends on nothing but the arguments.
+Written Write(const ir::Program& program, const Interface& interface, const Options& options);
+
+}  // namespace clipc::spirv

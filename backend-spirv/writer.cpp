@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-spirv/writer.h"
+
+#include <algorithm>
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+Writer::Writer(const Program& program, const Interface& interface, const Options& options)
+    : program_(program),
+      interface_(interface),
+      options_(options),
+      module_(options.minor_version),
+      values_(program.vars.size()),
+      pointers_(program.vars.size()),
+      storages_(program.vars.size(), spv::StorageClass::Function),
+      in_memory_(program.vars.size()),
+      is_read_(program.vars.size()) {
+  code_.reserve(1024);
+  locals_.reserve(128);
+}
+
+Written Writer::Run() {
+  functions_.push_back(program_.main);
+  for (std::size_t i = 0; i < functions_.size(); ++i) FindMemory(functions_[i]);
+  DeclareInputs();
+  DeclareOutputs();
+  DeclareGlobals();
+  for (const FunctionId function : functions_) {
+    if (lacks_.empty()) WriteFunction(function);
+  }
+  if (!lacks_.empty()) return {{}, lacks_};
+  const bool draws_pixels = IsPixelShader();
+  if (draws_pixels) module_.Execution(spv::ExecutionMode::OriginUpperLeft);
+  if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);
+  const auto version =
+      static_cast<std::uint32_t>(program_.profile.major * 100 + program_.profile.minor * 10);
+  return {module_.Finish(draws_pixels ? spv::ExecutionModel::Fragment : spv::ExecutionModel::Vertex,
+                         FunctionRef(program_.main), options_.entry, shared_, version),
+          {}};
+}
+
+Ref Writer::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {
+  const Ref result = module_.NewRef();
+  code_.push_back(static_cast<std::uint32_t>(operands.size() + 3) << 16 | NumberOf(op));
+  code_.push_back(type);
+  code_.push_back(result);
+  code_.insert(code_.end(), operands.begin(), operands.end());
+  return result;
+}
+
+Ref Writer::Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands) {
+  return Emit(op, type, std::span(operands.begin(), operands.size()));
+}
+
+Ref Writer::Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands) {
+  const Ref result = Emit(op, type, operands);
+  if (is_precise_) module_.Decorate(result, spv::Decoration::NoContraction);
+  return result;
+}
+
+Ref Writer::Compose(Ref type, std::span<const Ref> parts) {
+  return Emit(spv::Op::OpCompositeConstruct, type, parts);
+}
+
+Ref Writer::Part(Ref type, Ref of, std::uint32_t number) {
+  return Emit(spv::Op::OpCompositeExtract, type, {of, number});
+}
+
+Ref Writer::Lack(std::string_view what) {
+  if (lacks_.empty()) lacks_ = what;
+  return module_.NewRef();
+}
+
+Written Write(const Program& program, const Interface& interface, const Options& options) {
+  return Writer(program, interface, options).Run();
+}
+
+}  // namespace clipc::spirv

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "backend-spirv/module.h"
+#include "backend-spirv/types.h"
+#include "backend-spirv/write.h"
+#include "ir/access.h"
+
+namespace clipc::spirv {
+
+// A place in memory: a path from a variable.
+struct Place {
+  Ref base = 0;  // a pointer
+  spv::StorageClass storage = spv::StorageClass::Function;
+  std::vector<Ref> indices;
+  ir::TypeId type;        // at the end of the path
+  bool in_block = false;  // it lies in a constant buffer, where a bool is a uint
+  bool row_major = false;
+  // The components that a last swizzle of several takes from a vector; then `vector` is its type.
+  std::array<std::uint8_t, 4> components{};
+  std::uint8_t count = 0;
+  ir::TypeId vector = {};
+};
+
+// The writing of one module. Its functions are spread over the files of this folder by subject;
+// each writes instructions into the current block of the current function, and returns the result.
+class Writer {
+ public:
+  Writer(const ir::Program& program, const Interface& interface, const Options& options);
+  Written Run();
+
+ private:
+  friend class TextureRead;
+
+  // ---- interface.cpp: what the shader shares with the pipeline
+  void DeclareInputs();
+  void DeclareOutputs();
+  void DeclareInput(const ir::IoVar& input, const Interface::Variable& place);
+  void DeclareOutput(const ir::IoVar& output, const Interface::Variable& place);
+  Ref BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref type,
+                      std::string_view name);
+  void Interpolate(Ref variable, const ir::IoVar& io);
+  void DeclareGlobals();
+  void DeclareStatic(ir::VarId id);
+  Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
+  Ref ReadInput(ir::VarId id);
+  Ref ReadBuiltin(const ir::IoVar& input);
+  void StartMain();
+  Ref BlockVariable(ir::CbufferId id);
+  Ref ObjectVariable(ir::VarId id);
+
+  // ---- places.cpp: paths in memory
+  void FindMemory(ir::FunctionId id);
+  void FindMemoryOf(ir::ExprId expr);
+  bool HasPlace(ir::ExprId path) const;
+  Place PlaceOf(ir::ExprId path);
+  Place PlaceOfVariable(ir::VarId id);
+  Ref PointerTo(const Place& place);
+  Ref Load(const Place& place);
+  Ref LoadBlock(const Place& place);
+  void Store(const Place& place, Ref value);
+  Ref FromBlock(Ref value, ir::TypeId type, bool row_major);
+  Place NewLocal(ir::TypeId type, std::string_view name = {});
+  bool IsOnlyElement(const ir::Index& node) const;
+
+  // ---- flow.cpp: functions and statements
+  struct Loop {
+    Ref merge = 0, next = 0;  // of a switch, `next` is that of the loop around it
+  };
+  void WriteFunction(ir::FunctionId id);
+  void WriteStatements(std::span<const ir::StmtId> list);
+  void WriteStatement(ir::StmtId id);
+  void WriteDeclare(const ir::Declare& node);
+  void WriteIf(const ir::If& node, ir::Hint hint);
+  void WriteLoop(ir::ExprId condition, ir::ExprId step, ir::StmtId body, bool asks_first,
+                 ir::Hint hint);
+  void WriteSwitch(const ir::Switch& node, ir::Hint hint);
+  void WriteReturn(const ir::Return& node);
+  void WriteDiscard();
+  void Label(Ref label);
+  void Branch(Ref label);
+  void Branch(Ref condition, Ref when_true, Ref when_false);
+  Ref FunctionRef(ir::FunctionId id);
+
+  // ---- expr.cpp: values
+  Ref Value(ir::ExprId id);
+  Ref ValueOf(ir::ExprId id, const ir::Expr& expr);
+  Ref ReadPath(ir::ExprId id);
+  Ref Element(ir::ExprId id, const ir::Index& node);
+  Ref Components(Ref value, const Shape& shape, std::span<const std::uint8_t> components);
+  Ref MatrixComponents(ir::ExprId id, const ir::MatrixSwizzle& node);
+  Ref Construct(ir::TypeId type, std::span<const ir::ExprId> arguments);
+  Ref Truncated(const ir::Type& type, ir::ExprId operand);
+  Ref Assigned(const ir::Assign& node);
+  Ref Called(const ir::Call& node);
+  Ref Chosen(ir::TypeId type, ir::ExprId condition, ir::ExprId when_true, ir::ExprId when_false);
+  bool IsTrivial(ir::ExprId id) const;
+
+  // ---- operators.cpp
+  Ref Operate(ir::UnaryOp op, ir::ExprId operand);
+  Ref Increment(ir::UnaryOp op, ir::ExprId operand);
+  Ref Operate(ir::BinaryOp op, ir::ExprId left, ir::ExprId right);
+  Ref Combine(ir::BinaryOp op, const Shape& shape, Ref left, Ref right);
+  Ref ShortCircuit(bool is_and, ir::ExprId left, ir::ExprId right);
+  Ref Converted(Ref value, const Shape& from, ir::Scalar to);
+  Ref Splat(const Shape& shape, Ref scalar);
+  template <typename Make>
+  Ref ByRows(const Shape& shape, Make&& make);
+
+  // ---- intrinsics.cpp
+  Ref Intrinsic(ir::TypeId type, const ir::IntrinsicCall& node);
+  Ref Product(ir::ExprId left, ir::ExprId right, const Shape& result);
+  Ref Extended(std::uint32_t function, Ref type, std::initializer_list<Ref> arguments);
+  Ref Minimum(const Shape& shape, Ref a, Ref b);
+  Ref Maximum(const Shape& shape, Ref a, Ref b);
+  Ref Clamped(const Shape& shape, Ref value, Ref low, Ref high, bool by_number);
+  Ref Saturated(const Shape& shape, Ref value);
+  Ref Derivative(ir::Intrinsic op, const Shape& shape, Ref value);
+
+  // ---- objects.cpp: textures
+  Ref ObjectCall(ir::TypeId type, const ir::ObjectCall& node);
+  Ref Object(ir::ExprId path);
+  Ref ImageType(const ir::Type& object);
+  Ref ObjectType(ir::TypeId type);
+
+  // ---- the current block
+  Ref Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
+  Ref Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands);
+  // The same for an instruction that computes with floats: NoContraction where the value is precise.
+  Ref Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
+  void Do(spv::Op op, std::initializer_list<std::uint32_t> operands) { Put(code_, op, operands); }
+  Ref Compose(Ref type, std::span<const Ref> parts);
+  Ref Part(Ref type, Ref of, std::uint32_t number);
+  // Says what the writer lacks; the module is not finished then. Returns a result to go on with.
+  Ref Lack(std::string_view what);
+
+  const ir::Expr& operator[](ir::ExprId id) const { return program_.exprs[id]; }
+  const ir::Var& operator[](ir::VarId id) const { return program_.vars[id]; }
+  const ir::Type& TypeAt(ir::ExprId id) const { return program_.types[program_.exprs[id].type]; }
+  Shape ShapeAt(ir::ExprId id) const { return ShapeOf(TypeAt(id)); }
+  std::span<const ir::ExprId> operator[](List<ir::ExprId> list) const {
+    return program_.expr_lists[list];
+  }
+  template <typename Node>
+  const Node* As(auto id) const {
+    return ir::As<Node>(program_, id);
+  }
+  bool IsPixelShader() const { return program_.stage == Stage::kPixel; }
+
+  // A constant buffer that a function has read.
+  struct DeclaredBlock {
+    Ref variable = 0;
+    std::vector<std::uint32_t> kept;  // the members, in the order of the block
+  };
+
+  const ir::Program& program_;
+  const Interface& interface_;
+  const Options& options_;
+  Module module_;
+  Types types_{program_, module_};
+  std::string_view lacks_;
+
+  // By VarId: the value of a variable that is never changed; the pointer to another.
+  std::vector<Ref> values_, pointers_;
+  std::vector<spv::StorageClass> storages_;
+  std::vector<bool> in_memory_;  // by VarId: it is changed, or an index chooses a part of it
+  std::vector<bool> is_read_;    // by VarId: a function mentions it
+  std::map<std::uint32_t, const ir::IoVar*> builtin_inputs_;  // by VarId
+  std::map<std::uint32_t, DeclaredBlock> blocks_;             // by CbufferId
+  std::map<std::uint32_t, Ref> objects_;                      // by VarId
+  std::map<std::pair<spv::BuiltIn, spv::StorageClass>, Ref> builtins_;
+  std::vector<Ref> shared_;                // the variables that the entry point lists
+  std::vector<ir::FunctionId> functions_;  // that `main` reaches, in the order of their first call
+  std::map<std::uint32_t, Ref> function_refs_;
+  std::vector<ir::VarId> late_;  // static variables whose value `main` computes
+
+  // The current function.
+  Words code_, locals_;
+  Ref block_ = 0;         // the label of the current block
+  bool is_open_ = false;  // the current block has no end yet
+  bool in_main_ = false;
+  bool is_precise_ = false;
+  std::vector<Loop> loops_;
+};
+
+}  // namespace clipc::spirv
