@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "compiler/write_spirv.h"
 #include "tools/draw/feed.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"
@@ -43,17 +44,24 @@ Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
   if (outputs.empty()) return {};
   const Inputs inputs = MakeInputs(shader.lowered, shader.info, trial.inputs, trial.draw);
   const DrawCall call = MakeDrawCall(shader.lowered, shader.info, inputs);
-  if (clipc::InfoOf(shader.typed.stage).draws_pixels) {
+  const bool draws_pixels = clipc::InfoOf(shader.typed.stage).draws_pixels;
+  const auto compare = [&](const Spirv& spirv) {
+    if (!draws_pixels) {
+      return CompareOutputs(outputs, runner.Capture(spirv, FindOutputs(spirv, outputs), call),
+                            trial.tolerance);
+    }
     const SurfaceSpace space{.is_vulkan = true, .flips_y = true};
     const Spirv vertex = SpirvOfGlsl(SurfaceVertexShader(shader, shader.glsl, space));
-    const std::vector<Captured> drawn =
-        runner.DrawSurface(vertex, SpirvOfGlsl(shader.glsl, Stage::kPixel),
-                           TargetsOf(shader.lowered, shader.info), call, trial.draw.samples);
+    const std::vector<Captured> drawn = runner.DrawSurface(
+        vertex, spirv, TargetsOf(shader.lowered, shader.info), call, trial.draw.samples);
     return CompareOutputs(outputs, Chosen(drawn, outputs), trial.tolerance);
-  }
-  const Spirv spirv = SpirvOfGlsl(Capturable(shader.glsl));
-  return CompareOutputs(outputs, runner.Capture(spirv, FindOutputs(spirv, outputs), call),
-                        trial.tolerance);
+  };
+  const std::string glsl = Capturable(shader.glsl);
+  const Comparison of_glsl =
+      compare(SpirvOfGlsl(glsl, draws_pixels ? Stage::kPixel : Stage::kVertex));
+  if (of_glsl.wrong > 0 || glsl != shader.glsl) return of_glsl;
+  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, {}, {});
+  return own.words.empty() ? of_glsl : compare(own.words);
 }
 
 }  // namespace clipc::draw::vulkan
