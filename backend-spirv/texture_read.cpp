@@ -94,8 +94,8 @@ Ref TextureRead::Projected() {
                          writer_.Splat(place, divisor));
 }
 
-// The instruction that takes the texture with its sampler, and these operands. Both are put together
-// last, since they must be in the block that uses them.
+// The instruction that takes the texture with its sampler, and these operands. Both are put
+// together last, since they must be in the block that uses them.
 Ref TextureRead::ReadBy(spv::Op op, const Shape& shape, Words operands, const ImageOperands& more) {
   operands.insert(operands.begin(), Sampled());
   more.AppendTo(operands);

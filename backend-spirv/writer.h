@@ -135,7 +135,7 @@ class Writer {
   // ---- the current block
   Ref Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
   Ref Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands);
-  // The same for an instruction that computes with floats: NoContraction where the value is precise.
+  // The same for an instruction that computes with floats: NoContraction for a precise value.
   Ref Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
   void Do(spv::Op op, std::initializer_list<std::uint32_t> operands) { Put(code_, op, operands); }
   Ref Compose(Ref type, std::span<const Ref> parts);

@@ -412,14 +412,15 @@ class OperandOrder {
   void VisitReversed(ExprId expr) {
     const std::size_t size = reads_.size(), writes = writes_;
     const std::vector<ExprId> operands = OperandsOf(program_, expr);
-    std::vector<Read> all;
+    std::vector<Read> all, last;
     for (const ExprId operand : operands) {
       Visit(operand);
-      const std::vector<Read> reads = Take(size);
-      all.insert(all.end(), reads.begin(), reads.end());
+      last = Take(size);
+      all.insert(all.end(), last.begin(), last.end());
     }
     if (writes_ == writes) return Put(all);
     reversed_.push_back(expr);
+    Put(last);  // the operand that stays where it is
   }
 
   void VisitObjectCall(ExprId expr, const ObjectCall& node) {
