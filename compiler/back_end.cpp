@@ -147,7 +147,7 @@ WrittenProgram WriteProgram(const Job& job, const PixelHalf* half, LoweredProgra
 
 // The shaders of a program, and what kept glslang from judging them; empty where nothing did.
 struct Finished {
-  Shaders shaders;
+  std::vector<ShaderOutput> shaders;
   std::string_view unjudged;
 };
 
@@ -185,22 +185,22 @@ Finished Finish(const Job& job, const PixelHalf* half, const LoweredProgram& low
   Finished finished;
   const bool validates = job.request.outputs.validate;
   if (validates) finished.unjudged = ValidateShader(job, lowered.shader, written.shader);
+  finished.shaders.push_back({std::move(written.shader.glsl), {}});
   if (half) {
     const std::string_view unjudged =
         validates ? ValidateShader(half->job, *lowered.pixel, *written.pixel) : "";
     if (finished.unjudged.empty()) finished.unjudged = unjudged;
-    finished.shaders.fragment = std::move(written.pixel->glsl);
+    finished.shaders.push_back({std::move(written.pixel->glsl), {}});
   } else if (lowered.shader.lowering == Lowering::kDiscard) {
-    finished.shaders.fragment = FragmentOf(job, lowered.shader, written.shader.info);
+    finished.shaders.push_back({FragmentOf(job, lowered.shader, written.shader.info), {}});
   }
-  finished.shaders.vertex = std::move(written.shader.glsl);
   return finished;
 }
 
 // The shaders for the first 0, 1 .. clip planes of `typed`; `whole` is the one for all of them. The
 // planes of a draw call are moved to the front, so their number alone tells the variant.
 std::vector<Finished> WriteVariants(const Job& job, const PixelHalf* half, const ir::Program& typed,
-                                    LowerOptions options, const Shaders& whole) {
+                                    LowerOptions options, const std::vector<ShaderOutput>& whole) {
   std::vector<Finished> variants;
   options.passes.after_pass = {};
   const std::size_t planes = typed.clip_planes.size();
@@ -240,19 +240,19 @@ std::vector<std::uint32_t> SpirvOf(const Job& job, const Lowered& lowered,
   return std::move(spirv.words);
 }
 
-// Describes the written program in the parts of the result that were asked for.
+// Describes the written program in the outputs that were asked for.
 void Describe(const Job& job, const LoweredProgram& lowered, const WrittenProgram& written,
-              const PositionMatrices& position, CompileResult& result) {
-  const OutputOptions& outputs = job.request.outputs;
-  result.table = MakeClipTable(lowered.shader, written.shader.info);
-  const DescribedStage shader{lowered.shader, written.shader.info, *result.table};
+              const PositionMatrices& position, Outputs& outputs) {
+  outputs.table = MakeClipTable(lowered.shader, written.shader.info);
+  const DescribedStage shader{lowered.shader, written.shader.info, *outputs.table};
   std::optional<clip_table::ClipTable> no_planes;
   std::optional<DescribedStage> pixel;
   if (lowered.pixel) {
     no_planes = MakeClipTable(*lowered.pixel, written.pixel->info);
     pixel.emplace(DescribedStage{*lowered.pixel, written.pixel->info, *no_planes});
   }
-  if (outputs.facts) result.facts = MakeFacts(shader, position, pixel ? &*pixel : nullptr);
+  if (job.request.outputs.facts)
+    outputs.facts = MakeFacts(shader, position, pixel ? &*pixel : nullptr);
 }
 
 }  // namespace
@@ -271,7 +271,7 @@ ir::PassOptions PassesOf(const Job& job, std::string& dump) {
 }
 
 void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, CompileResult& result) {
-  const OutputOptions& outputs = job.request.outputs;
+  const OutputOptions& wanted = job.request.outputs;
   std::optional<Lowered> pixel;
   if (half) {
     pixel =
@@ -281,7 +281,7 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
   const std::size_t outputs_written = typed.outputs.size();
   const ir::VarId position_input = Fit(job, half, pixel, typed, result.dependencies);
   if (job.diagnostics.has_errors()) return;
-  const PositionMatrices position = outputs.facts ? FollowPosition(typed) : PositionMatrices{};
+  const PositionMatrices position = wanted.facts ? FollowPosition(typed) : PositionMatrices{};
   const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
   LowerOptions options = OptionsOf(job, position_input, result.dump);
   options.passes.drops_unneeded = half && typed.outputs.size() < outputs_written;
@@ -292,32 +292,35 @@ void RunBackEnd(const Job& job, const PixelHalf* half, ir::Program typed, Compil
     return;
   }
 
-  if (outputs.listing) {
+  Outputs& outputs = result.outputs.emplace();
+  if (wanted.listing) {
     const WrittenProgram listed = WriteProgram(job, half, lowered, true);
-    result.listing = listed.shader.glsl + (listed.pixel ? "\n" + listed.pixel->glsl : "");
+    outputs.listing = listed.shader.glsl + (listed.pixel ? "\n" + listed.pixel->glsl : "");
   }
   WrittenProgram written = WriteProgram(job, half, lowered, job.request.outputs.source_lines);
-  Describe(job, lowered, written, position, result);
-  if (outputs.spirv) {
-    result.spirv = SpirvOf(job, lowered.shader, written.shader);
-    if (half) result.pixel_spirv = SpirvOf(half->job, *lowered.pixel, *written.pixel);
+  Describe(job, lowered, written, position, outputs);
+  std::vector<std::vector<std::uint32_t>> spirv;
+  if (wanted.spirv) {
+    spirv.push_back(SpirvOf(job, lowered.shader, written.shader));
+    if (half) spirv.push_back(SpirvOf(half->job, *lowered.pixel, *written.pixel));
   }
   Finished finished = Finish(job, half, lowered, std::move(written));
   std::string_view unjudged = finished.unjudged;
-  result.shaders = std::move(finished.shaders);
+  outputs.shaders = std::move(finished.shaders);
+  for (std::size_t i = 0; i < spirv.size(); ++i) outputs.shaders[i].spirv = std::move(spirv[i]);
   if (job.request.planes.variants) {
-    for (Finished& variant : WriteVariants(job, half, kept, options, result.shaders)) {
+    for (Finished& variant : WriteVariants(job, half, kept, options, outputs.shaders)) {
       if (unjudged.empty()) unjudged = variant.unjudged;
-      result.variants.push_back(std::move(variant.shaders));
+      outputs.variants.push_back(std::move(variant.shaders));
     }
   }
   if (!unjudged.empty()) {
     job.diagnostics.Report({}, diag::NotValidated,
                            fmt::format("{} does not support {}", ValidatorName(), unjudged));
   }
-  if (job.IsDump(DumpStage::kGlsl)) result.dump = result.shaders.vertex;
+  if (job.IsDump(DumpStage::kGlsl)) result.dump = outputs.shaders.front().text;
   if (job.IsDump(DumpStage::kTable)) {
-    if (auto json = clip_table::WriteJson(*result.table)) result.dump = std::move(*json);
+    if (auto json = clip_table::WriteJson(*outputs.table)) result.dump = std::move(*json);
   }
 }
 

@@ -306,7 +306,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   command.output =
       fmt::format("{}{}{}{}", command_.output, slash, entry.name, ExtensionOf(command.request));
   command.write_dependencies = false;
-  const Outputs outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
+  const OutputPaths outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
   std::vector<OutputPiece> pieces;
   if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
     return problem;

@@ -160,34 +160,41 @@ std::string ReadRequest(const clipc_request& from, clipc::CommandLine& command) 
   return {};
 }
 
-void Fill(clipc::Shaders shaders, clipc_result& to) {
-  to.parts[CLIPC_PART_GLSL] = std::move(shaders.vertex);
-  to.parts[CLIPC_PART_DISCARD] = std::move(shaders.fragment);
+// Fills the parts with the shaders of a program: texts, and SPIR-V where there is some.
+void Fill(std::vector<clipc::ShaderOutput> shaders, clipc_part first_text, clipc_result& to) {
+  const std::pair<clipc_part, clipc_part> parts[] = {{first_text, CLIPC_PART_SPIRV},
+                                                     {CLIPC_PART_DISCARD, CLIPC_PART_PIXEL_SPIRV}};
+  for (std::size_t i = 0; i < std::min(shaders.size(), std::size(parts)); ++i) {
+    const std::vector<std::uint32_t>& words = shaders[i].spirv;
+    to.parts[parts[i].first] = std::move(shaders[i].text);
+    to.parts[parts[i].second].assign(reinterpret_cast<const char*>(words.data()), 4 * words.size());
+  }
 }
 
-void Fill(clipc::CompileResult compiled, clipc_result& to) {
-  to.parts[CLIPC_PART_MESSAGES] = std::move(compiled.text);
-  to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(compiled.messages);
-  for (const std::string& file : compiled.dependencies)
-    to.parts[CLIPC_PART_DEPENDENCIES] += file + '\n';
-  Fill(std::move(compiled.shaders), to);
-  for (clipc::Shaders& variant : compiled.variants)
-    Fill(std::move(variant), *to.variants.emplace_back(std::make_unique<clipc_result>()));
-  if (compiled.hlsl) to.parts[CLIPC_PART_HLSL] = std::move(*compiled.hlsl);
-  to.parts[CLIPC_PART_SPIRV].assign(reinterpret_cast<const char*>(compiled.spirv.data()),
-                                    4 * compiled.spirv.size());
-  to.parts[CLIPC_PART_PIXEL_SPIRV].assign(
-      reinterpret_cast<const char*>(compiled.pixel_spirv.data()), 4 * compiled.pixel_spirv.size());
-  to.facts = std::move(compiled.facts);
-  to.parts[CLIPC_PART_PREPROCESSED] = std::move(compiled.preprocessed);
-  to.messages = std::move(compiled.messages);
-  if (!compiled.table) return;
+void Fill(clipc::Outputs outputs, bool is_hlsl, clipc_result& to) {
+  Fill(std::move(outputs.shaders), is_hlsl ? CLIPC_PART_HLSL : CLIPC_PART_GLSL, to);
+  for (std::vector<clipc::ShaderOutput>& variant : outputs.variants) {
+    clipc_result& part = *to.variants.emplace_back(std::make_unique<clipc_result>());
+    Fill(std::move(variant), CLIPC_PART_GLSL, part);
+  }
+  to.facts = std::move(outputs.facts);
+  if (!outputs.table) return;
   const std::pair<int, Format> forms[] = {{CLIPC_PART_TABLE_JSON, Format::kJson},
                                           {CLIPC_PART_TABLE_BINARY, Format::kBinary},
                                           {CLIPC_PART_TABLE_HEADER, Format::kHeader}};
   for (const auto& [part, form] : forms) {
-    if (auto text = clipc::clip_table::Write(*compiled.table, form, "")) to.parts[part] = *text;
+    if (auto text = clipc::clip_table::Write(*outputs.table, form, "")) to.parts[part] = *text;
   }
+}
+
+void Fill(clipc::CompileResult compiled, bool is_hlsl, clipc_result& to) {
+  to.parts[CLIPC_PART_MESSAGES] = std::move(compiled.text);
+  to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(compiled.messages);
+  for (const std::string& file : compiled.dependencies)
+    to.parts[CLIPC_PART_DEPENDENCIES] += file + '\n';
+  if (compiled.outputs) Fill(*std::move(compiled.outputs), is_hlsl, to);
+  to.parts[CLIPC_PART_PREPROCESSED] = std::move(compiled.preprocessed);
+  to.messages = std::move(compiled.messages);
 }
 
 clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc_result& to) {
@@ -200,7 +207,7 @@ clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc
   }
   clipc::CompileResult compiled = compiler.Compile(command.request);
   const clipc_status status = compiled.is_repeated ? CLIPC_KNOWN : StatusOf(compiled.status);
-  Fill(std::move(compiled), to);
+  Fill(std::move(compiled), command.request.hlsl.wanted, to);
   if (to.facts && !command.reflections.empty())
     to.parts[CLIPC_PART_STRUCTS] = clipc::WriteStructs(*to.facts, command.struct_prefix);
   return status;

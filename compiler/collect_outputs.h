@@ -20,7 +20,7 @@ struct OutputPiece {
 // Adds the outputs of a result to `pieces`, in the order in which they are written. The texts are
 // moved out of the result. A failed compile has no files, but perhaps a dump of a stage before the
 // failure. Returns the problem in words; empty if there is none.
-std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
+std::string CollectOutputs(const CommandLine& command, const OutputPaths& paths,
                            CompileResult& result, std::vector<OutputPiece>& pieces);
 
 }  // namespace clipc

@@ -199,15 +199,7 @@ CompileResult Run(const Job& job, const Job* pixel) {
 // Adds the messages to the result of Run. After errors, the outputs are removed.
 CompileResult Deliver(CompileResult result, const Job& job, const Job* pixel) {
   CollectMessages(job, pixel, result);
-  if (result.ok()) return result;
-  result.shaders = {};
-  result.variants.clear();
-  result.hlsl.reset();
-  result.table.reset();
-  result.facts.reset();
-  result.spirv.clear();
-  result.pixel_spirv.clear();
-  result.listing.clear();
+  if (!result.ok()) result.outputs.reset();
   return result;
 }
 

@@ -29,15 +29,17 @@ TEST(Compile, GivesGlslAndTable) {
   request.outputs.facts = true;
   const CompileResult result = Compile(request);
   ASSERT_TRUE(result.ok()) << result.text;
-  EXPECT_NE(result.shaders.vertex.find("gl_ClipDistance[1]"), std::string::npos)
-      << result.shaders.vertex;
-  ASSERT_TRUE(result.table.has_value());
-  EXPECT_EQ(result.table->enable_mask, 3u);
-  ASSERT_EQ(result.table->planes.size(), 2u);
-  EXPECT_EQ(result.table->planes[1].text, "right");
-  EXPECT_EQ(result.table->planes[1].constant->byte_offset, 16u);
-  ASSERT_TRUE(result.facts && result.facts->planes);
-  EXPECT_EQ(result.facts->planes->enable_mask, 3u);
+  const Outputs& outputs = *result.outputs;
+  ASSERT_EQ(outputs.shaders.size(), 1u);
+  EXPECT_NE(outputs.shaders[0].text.find("gl_ClipDistance[1]"), std::string::npos)
+      << outputs.shaders[0].text;
+  ASSERT_TRUE(outputs.table.has_value());
+  EXPECT_EQ(outputs.table->enable_mask, 3u);
+  ASSERT_EQ(outputs.table->planes.size(), 2u);
+  EXPECT_EQ(outputs.table->planes[1].text, "right");
+  EXPECT_EQ(outputs.table->planes[1].constant->byte_offset, 16u);
+  ASSERT_TRUE(outputs.facts && outputs.facts->planes);
+  EXPECT_EQ(outputs.facts->planes->enable_mask, 3u);
 }
 
 TEST(Compile, ErrorsLeaveNoOutput) {
@@ -45,8 +47,7 @@ TEST(Compile, ErrorsLeaveNoOutput) {
   *request.text += "float broken(";
   const CompileResult result = Compile(request);
   EXPECT_EQ(result.status, Status::kErrors);
-  EXPECT_TRUE(result.shaders.vertex.empty());
-  EXPECT_FALSE(result.table.has_value());
+  EXPECT_FALSE(result.outputs.has_value());
   ASSERT_FALSE(result.messages.empty());
   EXPECT_EQ(result.messages[0].place.file, "two.hlsl");
   EXPECT_NE(result.text.find("two.hlsl:4:"), std::string::npos) << result.text;
@@ -76,7 +77,7 @@ TEST(Compile, OneCompilerManyShaders) {
     const CompileResult alone = Compile(TwoPlanes(i));
     const CompileResult together = compiler.Compile(TwoPlanes(i));
     ASSERT_TRUE(together.ok()) << together.text;
-    EXPECT_EQ(alone.shaders.vertex, together.shaders.vertex);
+    EXPECT_EQ(alone.outputs->shaders, together.outputs->shaders);
   }
 }
 
@@ -90,12 +91,12 @@ TEST(Compile, ThreadsDoNotMeet) {
       for (int i = 0; i < 10; ++i) {
         CompileRequest request = TwoPlanes(7);
         request.outputs.validate = i == 9;
-        result = compiler.Compile(request).shaders.vertex;
+        result = compiler.Compile(request).outputs->shaders[0].text;
       }
     });
   }
   for (std::thread& thread : threads) thread.join();
-  for (const std::string& result : results) EXPECT_EQ(result, expected.shaders.vertex);
+  for (const std::string& result : results) EXPECT_EQ(result, expected.outputs->shaders[0].text);
 }
 
 TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {

@@ -42,12 +42,12 @@ class Driver {
  private:
   std::string CheckUsage();
   int CompileAll();
-  int Finish(CompileResult result, const Outputs& outputs);
-  std::string Write(CompileResult& result, const Outputs& outputs) const;
+  int Finish(CompileResult result, const OutputPaths& paths);
+  std::string Write(CompileResult& result, const OutputPaths& paths) const;
   void ShowNotices();
 
   CommandLine command_;
-  std::vector<Outputs> outputs_;                 // by input
+  std::vector<OutputPaths> outputs_;             // by input
   std::vector<std::vector<std::string>> files_;  // that were read, by input
   MessagePrinter printer_;
 };
@@ -149,14 +149,14 @@ int Driver::CompileAll() {
   return exit_code;
 }
 
-int Driver::Finish(CompileResult result, const Outputs& outputs) {
+int Driver::Finish(CompileResult result, const OutputPaths& paths) {
   for (const Include& include : result.includes) {
     if (command_.show_includes)
       fmt::print(stderr, "{} {}\n", std::string(include.depth, '.'), include.file);
   }
   printer_.Show(result);
   if (result.status == Status::kBadRequest) return kExitUsage;
-  if (const std::string problem = Write(result, outputs); !problem.empty())
+  if (const std::string problem = Write(result, paths); !problem.empty())
     return printer_.Fail(problem);
   return result.ok() ? kExitOk : kExitErrors;
 }
@@ -164,7 +164,7 @@ int Driver::Finish(CompileResult result, const Outputs& outputs) {
 // Shows the warnings about the options and the names of the outputs.
 void Driver::ShowNotices() {
   Diagnostics& notices = command_.notices;
-  for (const Outputs& outputs : outputs_) {
+  for (const OutputPaths& outputs : outputs_) {
     const bool is_glsl = !command_.request.outputs.spirv && !command_.request.hlsl.wanted;
     if (is_glsl && SaysOtherThanGlsl(outputs.glsl))
       notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
@@ -174,9 +174,9 @@ void Driver::ShowNotices() {
 }
 
 // Writes the outputs for one input. Returns the problem in words; empty on success.
-std::string Driver::Write(CompileResult& result, const Outputs& outputs) const {
+std::string Driver::Write(CompileResult& result, const OutputPaths& paths) const {
   std::vector<OutputPiece> pieces;
-  if (std::string problem = CollectOutputs(command_, outputs, result, pieces); !problem.empty())
+  if (std::string problem = CollectOutputs(command_, paths, result, pieces); !problem.empty())
     return problem;
   OutputFiles files;
   for (OutputPiece& piece : pieces) files.Add(std::move(piece.path), std::move(piece.contents));

@@ -149,9 +149,10 @@ RunResult RunEffect(CommandLine command) {
   std::vector<std::shared_ptr<const EffectCode>> code(batch.groups.size());
   const bool wants_header = !command.header.empty();
   batch.keep = [&](std::size_t group, const CompileResult& compiled) {
-    if (!compiled.facts) return;
-    code[group] = std::make_shared<EffectCode>(
-        EffectCode{*compiled.facts, wants_header ? compiled.shaders : Shaders()});
+    if (!compiled.outputs) return;
+    EffectCode made{*compiled.outputs->facts, {}};
+    if (wants_header) made.shaders = compiled.outputs->shaders;
+    code[group] = std::make_shared<EffectCode>(std::move(made));
   };
   const CommandLine& options = command;
   batch.end = [&, options](const std::vector<BatchEntry>& entries) {

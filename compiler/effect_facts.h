@@ -21,7 +21,7 @@ namespace clipc {
 // What a program of an effect is compiled to.
 struct EffectCode {
   Facts facts;
-  Shaders shaders;
+  std::vector<ShaderOutput> shaders;
   friend bool operator==(const EffectCode&, const EffectCode&) = default;
 };
 

@@ -54,9 +54,10 @@ std::string RowOf(const GlState& row) {
   return fmt::format("CLIPC_GL_{}, 0x{:X}u", NameOf(row.kind), row.value);
 }
 std::string RowOf(const GlEffect::Program& row) {
-  const Shaders& shaders = row.code->shaders;
-  return fmt::format("{}, {}, {}, {}, {}", Literals(shaders.vertex), Literals(shaders.fragment),
-                     RangeText(row.uses), RangeText(row.samplers), RangeText(row.planes));
+  const auto& shaders = row.code->shaders;
+  return fmt::format("{}, {}, {}, {}, {}", Literals(shaders.front().text),
+                     Literals(shaders.size() > 1 ? shaders[1].text : ""), RangeText(row.uses),
+                     RangeText(row.samplers), RangeText(row.planes));
 }
 std::string RowOf(const GlEffect::Use& row) {
   return fmt::format("{}, {}", Quoted(row.name), row.block);

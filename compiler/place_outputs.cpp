@@ -70,7 +70,7 @@ std::string PlacePixel(const CommandLine& command, const std::string& input,
 
 }  // namespace
 
-std::vector<std::string> Outputs::Named() const {
+std::vector<std::string> OutputPaths::Named() const {
   std::vector<std::string> named;
   const auto add = [&](const std::string& path) {
     if (!path.empty() && path != "-") named.push_back(path);
@@ -101,8 +101,8 @@ std::string NameAfter(const std::string& value, const std::string& name) {
   return IsExtension(value) ? WithoutExtension(name) + value : value;
 }
 
-Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
-  Outputs outputs;
+OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
+  OutputPaths outputs;
   if (command.syntax_only) return outputs;
   const std::string glsl = PlaceGlsl(command, input);
   // A file that is named after the GLSL is named after the first other file if the GLSL is written

@@ -13,7 +13,7 @@
 namespace clipc {
 
 // The paths of all outputs for one input. Empty: not asked for. "-": standard output.
-struct Outputs {
+struct OutputPaths {
   std::string glsl, fragment, dependencies, header, listing, preprocessed;
   std::vector<std::string> tables, reflections;
   std::string dependency_target;  // of the make rule
@@ -22,7 +22,7 @@ struct Outputs {
   std::vector<std::string> Named() const;
 };
 
-Outputs PlaceOutputs(const CommandLine& command, const std::string& input);
+OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input);
 
 // The extension of a shader that is named after its input: ".vert", ".frag" of a pixel shader.
 std::string_view ExtensionOf(const CompileRequest& request);

@@ -80,7 +80,7 @@ struct PlaneOptions {
   // The caller reads the planes of lowering kLevel9 from the table or the reflection and gives them
   // to the device. Without that, clip planes that the GLSL does not have are an error.
   bool given_to_device = false;
-  // Fill CompileResult::variants; the number is the most planes of a variant.
+  // Fill Outputs::variants; the number is the most planes of a variant.
   std::optional<std::uint32_t> variants;
 };
 
@@ -115,7 +115,7 @@ struct PixelShader {
 // buffers that both use. HLSL is read with the include folders, macros and packing of the request.
 struct LinkOptions {
   PixelShader pixel_shader;
-  // The pixel shader, which is HLSL, is compiled too: Shaders::fragment. Without a path it is in
+  // The pixel shader, which is HLSL, is compiled too. Without a path it is in
   // the text of the vertex shader.
   bool is_pair = false;
   bool keep_outputs = false;    // keep outputs that the pixel shader does not read
@@ -126,7 +126,7 @@ struct LinkOptions {
 
 // HLSL instead of GLSL: the main file with the planes of its entry points as clip distances. Under
 // lowering kDiscard the function LinkOptions::pixel_shader.entry of the file discards; of a pair,
-// it is in a file of its own, which Shaders::fragment gets.
+// it is in a file of its own, which is an output of its own.
 struct HlslOptions {
   bool wanted = false;
   std::vector<std::string> entries;   // beside LanguageOptions::entry
@@ -138,9 +138,9 @@ struct HlslOptions {
 struct OutputOptions {
   bool validate = false;              // give the GLSL to glslang before returning it
   bool source_lines = false;          // put the lines of the HLSL as comments into the GLSL
-  bool listing = false;               // fill CompileResult::listing
-  bool facts = false;                 // fill CompileResult::facts
-  std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
+  bool listing = false;               // fill Outputs::listing
+  bool facts = false;                 // fill Outputs::facts
+  std::optional<SpirvRequest> spirv;  // fill ShaderOutput::spirv
   bool preprocess = false;            // fill CompileResult::preprocessed, and stop
   bool text = true;                   // fill CompileResult::text
   bool colour = false;                // put escape sequences of a terminal into `text`

@@ -22,25 +22,29 @@ enum class Status : std::uint8_t {
   kCancelled,   // Limits::is_cancelled
 };
 
-struct Shaders {
-  std::string vertex;
-  // The pixel shader of a pair. Otherwise the fragment shader of lowering kDiscard, or the include
-  // with the discard; empty for other lowerings.
-  std::string fragment;
-  friend bool operator==(const Shaders&, const Shaders&) = default;
+// A shader as it is written.
+struct ShaderOutput {
+  std::string text;                  // GLSL, or HLSL on request
+  std::vector<std::uint32_t> spirv;  // of the GLSL, on request
+  friend bool operator==(const ShaderOutput&, const ShaderOutput&) = default;
+};
+
+// Everything that is made of a program without errors.
+struct Outputs {
+  // By stage, in the order of the request. Lowering kDiscard adds the fragment shader of the
+  // request, or the include with the discard, where no shader of the program discards.
+  std::vector<ShaderOutput> shaders;
+  // On request: the shaders of variants[k] have the first k planes.
+  std::vector<std::vector<ShaderOutput>> variants;
+  std::optional<clip_table::ClipTable> table;  // with GLSL
+  std::optional<Facts> facts;                  // with GLSL, on request
+  std::string listing;                         // on request: OutputOptions::source_lines
 };
 
 struct CompileResult {
   Status status = Status::kOk;
-  Shaders shaders;                  // empty unless kOk, and when compilation stopped before them
-  std::vector<Shaders> variants;    // on request: variants[k] has the first k planes
-  std::optional<std::string> hlsl;  // on request, instead of all that comes with `shaders`
-  std::optional<clip_table::ClipTable> table;  // with `shaders`
-  std::optional<Facts> facts;                  // with `shaders`, on request
-  std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
-  std::vector<std::uint32_t> pixel_spirv;      // of `shaders.fragment` of a pair, on request
-  std::string listing;       // with `shaders`, on request: see OutputOptions::source_lines
-  std::string preprocessed;  // HLSL, on request
+  std::optional<Outputs> outputs;  // none unless kOk, and where the compile ends before them
+  std::string preprocessed;        // HLSL, on request
   std::string dump;
   std::vector<Message> messages;  // in the order of the text: CollectMessages
   std::string text;               // the messages with their source lines, as a terminal shows them

@@ -267,9 +267,9 @@ void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result) {
   }
   const bool is_one_file = !request.link.is_pair;
   if (is_one_file) std::ranges::move(discarding, std::back_inserter(entries));
-  result.hlsl = Rewritten(job, entries, request.planes.variants);
-  if (!is_one_file)
-    result.shaders.fragment = Rewritten(*pixel, discarding, request.planes.variants);
+  std::vector<ShaderOutput>& files = result.outputs.emplace().shaders;
+  files.push_back({Rewritten(job, entries, request.planes.variants), {}});
+  if (!is_one_file) files.push_back({Rewritten(*pixel, discarding, request.planes.variants), {}});
 }
 
 }  // namespace clipc

@@ -6,11 +6,11 @@
 
 namespace clipc {
 
-// Fills CompileResult::hlsl with the main file, in which the clip planes of the request's entry
+// Fills the outputs with the main file as HLSL, in which the clip planes of the request's entry
 // points are clip distances; the file itself if they have none. Only what the signatures and the
 // planes name is read: elsewhere the file may have what clipc does not know. `pixel` is the job of
-// the pixel shader that discards under lowering kDiscard, or null; of a pair, its file goes to
-// Shaders::fragment, and otherwise both shaders are in one file.
+// the pixel shader that discards under lowering kDiscard, or null; of a pair, its file is an
+// output of its own, and otherwise both shaders are in one file.
 void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result);
 
 }  // namespace clipc

@@ -41,8 +41,10 @@ std::string Said(Compiler& compiler, const std::string& path, std::size_t number
   if (number % 9 == 0) request.outputs.spirv.emplace();
   request.outputs.facts = true;
   const CompileResult result = compiler.Compile(request);
-  return result.text + result.shaders.vertex + (result.facts ? FactsJson(*result.facts) : "") +
-         std::to_string(result.spirv.size());
+  if (!result.outputs) return result.text;
+  const ShaderOutput& shader = result.outputs->shaders[0];
+  return result.text + shader.text + FactsJson(*result.outputs->facts) +
+         std::to_string(shader.spirv.size());
 }
 
 TEST(Threads, EightCompileTheCorpus) {

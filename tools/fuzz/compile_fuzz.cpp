@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   request.outputs.facts = true;
   request.debug.verify = true;
   const clipc::CompileResult result = compiler.Compile(request);
-  if (result.ok() == result.shaders.vertex.empty()) std::abort();
+  if (result.ok() != result.outputs.has_value()) std::abort();
   if (!result.ok() && result.messages.empty()) std::abort();
   return 0;
 }

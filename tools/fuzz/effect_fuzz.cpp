@@ -34,7 +34,7 @@ void Compile(clipc::Compiler& compiler, clipc::CompileRequest request, const std
       request.language.entry_call = pixel.entry_call;
     }
     const clipc::CompileResult result = compiler.Compile(request);
-    if (result.ok() == result.shaders.vertex.empty()) std::abort();
+    if (result.ok() != result.outputs.has_value()) std::abort();
     if (!result.ok() && result.messages.empty()) std::abort();
   }
 }

@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* target : {"glsl450", "vulkan", "essl300"}) {
     request.target = *clipc::glsl::Target::Parse(target);
     const clipc::CompileResult result = clipc::Compile(request);
-    if (result.ok() == result.shaders.vertex.empty()) std::abort();
+    if (result.ok() != result.outputs.has_value()) std::abort();
     if (!result.ok() && result.messages.empty()) std::abort();
   }
   return 0;

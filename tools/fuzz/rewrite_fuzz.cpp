@@ -41,13 +41,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   request.hlsl.plane_distances = static_cast<std::uint32_t>(Digit(text, 4) % 9);
   request.outputs.source_lines = Digit(text, 5) % 2 == 1;
   const clipc::CompileResult result = clipc::Compile(request);
-  if (result.ok() != result.hlsl.has_value()) std::abort();
+  if (result.ok() != result.outputs.has_value()) std::abort();
   if (!result.ok()) {
     if (result.messages.empty()) std::abort();
     return 0;
   }
-  request.text = *result.hlsl;
+  request.text = result.outputs->shaders[0].text;
   const clipc::CompileResult again = clipc::Compile(request);
-  if (!again.ok() || again.hlsl != result.hlsl) std::abort();
+  if (!again.ok() || again.outputs->shaders != result.outputs->shaders) std::abort();
   return 0;
 }
