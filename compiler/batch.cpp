@@ -192,8 +192,8 @@ MacroMemo& Batch::MemoOf(const Job& job, std::vector<std::string_view>& values) 
 // macros that it asked for, or the text after preprocessing whose digest `result`, if given, has.
 std::optional<std::size_t> Batch::FindAlike(std::size_t at, const CompileResult* result) {
   const Job& job = jobs_[at];
-  // The pixel shader reads the macros too.
-  if (GroupOf(job).command.request.link.has_pixel_shader()) return std::nullopt;
+  // What the program is linked with reads the macros too.
+  if (GroupOf(job).command.request.is_linked()) return std::nullopt;
   const std::lock_guard lock(mutex_);
   std::vector<std::string_view> values;
   if (const auto alike = MemoOf(job, values).Find(values)) return alike;
@@ -217,8 +217,8 @@ CompileResult Batch::Work(std::size_t at, Compiler& compiler) {
   if (done_before_.contains(at) || FindAlike(at, nullptr)) return {};
   const Job& job = jobs_[at];
   const ShaderGroup& group = GroupOf(job);
-  CompileRequest request = group.command.request;
-  request.path = group.source;
+  ProgramRequest request = group.command.request;
+  request.first().path = group.source;
   for (std::string& define : DefinesOf(group, job.number))
     request.defines.push_back(std::move(define));
   request.record_macros = true;

@@ -56,10 +56,10 @@ class IndexText {
 }  // namespace
 
 void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
-  const CompileRequest& request = group.command.request;
+  const ProgramRequest& request = group.command.request;
   entry.source = group.source;
-  entry.entry = request.language.entry;
-  entry.profile = request.language.profile;
+  entry.entry = request.first().entry;
+  entry.profile = request.first().profile;
   entry.target = request.target.name();
   const std::vector<std::size_t> choices = ChoicesOf(group, number);
   for (std::size_t i = 0; i < choices.size(); ++i)

@@ -100,7 +100,7 @@ std::string Hex(const clipc::TokenDigest& digest) {
 // The options that decide a result beside the text: without macros, which are in the text, and
 // folders of includes. Empty if a file has more options.
 std::vector<std::string> DecisiveOptions(const clipc_request& from,
-                                         const clipc::CompileRequest& request) {
+                                         const clipc::ProgramRequest& request) {
   std::vector<std::string> options = {CLIPC_VERSION};
   for (std::size_t i = 0; i < from.option_count; ++i) {
     const std::string_view option = from.options[i];
@@ -132,11 +132,16 @@ std::string ReadRequest(const clipc_request& from, clipc::CommandLine& command) 
         option);
   }
   command = std::move(parsed.command);
-  clipc::CompileRequest& to = command.request;
-  to.path = from.path ? from.path : "";
-  if (from.text) to.text.emplace(from.text, from.text_size);
+  clipc::ProgramRequest& to = command.request;
+  clipc::ShaderSource& first = to.first();
+  first.path = from.path ? from.path : "";
+  if (from.text) first.text.emplace(from.text, from.text_size);
   if (!from.text && !from.path) return "there is no shader";
-  if (from.pixel_text) to.link.pixel_shader.text.emplace(from.pixel_text, from.pixel_text_size);
+  if (from.pixel_text && to.neighbour) {
+    to.neighbour->text.emplace(from.pixel_text, from.pixel_text_size);
+  } else if (from.pixel_text && !to.shaders.back().path.empty() && to.shaders.size() > 1) {
+    to.shaders.back().text.emplace(from.pixel_text, from.pixel_text_size);
+  }
   to.outputs.facts = true;
   to.outputs.preprocess = !command.preprocessed.empty();
   to.planes.given_to_device = true;

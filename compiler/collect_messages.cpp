@@ -13,15 +13,15 @@ namespace clipc {
 namespace {
 
 struct Found {
-  const Job* job;
+  Job* job;
   const Diagnostic* diagnostic;
   std::vector<std::uint32_t> place;  // Source::PlaceInText
 };
 
-std::vector<Found> InOrder(const Job& job) {
+std::vector<Found> InOrder(Job& job) {
   std::vector<Found> found;
   for (const Diagnostic& diagnostic : job.diagnostics.all()) {
-    Found next{&job, &diagnostic, job.source.PlaceInText(diagnostic.span)};
+    Found next{&job, &diagnostic, job.source().PlaceInText(diagnostic.span)};
     if (next.place.empty() && !found.empty()) next.place = found.back().place;
     found.push_back(std::move(next));
   }
@@ -29,21 +29,21 @@ std::vector<Found> InOrder(const Job& job) {
   return found;
 }
 
-Message MessageOf(const Found& found) { return ToMessage(*found.diagnostic, found.job->source); }
+Message MessageOf(const Found& found) { return ToMessage(*found.diagnostic, found.job->source()); }
 
 bool IsSame(const Message& a, const Message& b) {
   return a.name == b.name && a.text == b.text && a.place.file == b.place.file &&
          a.place.line == b.place.line && a.place.column == b.place.column;
 }
 
-// Adds the messages of the pixel shader that the other shader does not have.
-void AddPixel(const Job& pixel, std::vector<Found>& found) {
+// Adds the messages of a further shader that the shaders before it do not have.
+void Add(Job& job, std::vector<Found>& found) {
   std::vector<Message> others;
   std::ranges::transform(found, std::back_inserter(others), MessageOf);
   const bool is_mixed =
-      !found.empty() && found[0].job->source.MainText() == pixel.source.MainText();
+      !found.empty() && found[0].job->source().MainText() == job.source().MainText();
   const auto first = static_cast<std::ptrdiff_t>(found.size());
-  for (Found& message : InOrder(pixel)) {
+  for (Found& message : InOrder(job)) {
     const Message text = MessageOf(message);
     if (std::ranges::none_of(others, [&](const Message& other) { return IsSame(text, other); }))
       found.push_back(std::move(message));
@@ -53,21 +53,21 @@ void AddPixel(const Job& pixel, std::vector<Found>& found) {
 
 }  // namespace
 
-void CollectMessages(const Job& job, const Job* pixel, CompileResult& result) {
-  std::vector<Found> found = InOrder(job);
-  if (pixel) AddPixel(*pixel, found);
+void CollectMessages(std::span<Job> jobs, CompileResult& result) {
+  std::vector<Found> found = InOrder(jobs.front());
+  for (Job& job : jobs.subspan(1)) Add(job, found);
   for (auto at = found.begin(); at != found.end();) {
-    const Job& same = *at->job;
+    Job& same = *at->job;
     Diagnostics shown;
     for (; at != found.end() && at->job == &same; ++at) {
       shown.Add(*at->diagnostic);
       result.messages.push_back(MessageOf(*at));
     }
-    if (job.request.outputs.text)
-      result.text += same.source.RenderText(shown, job.request.outputs.colour);
+    if (same.request.outputs.text)
+      result.text += same.source().RenderText(shown, same.request.outputs.colour);
   }
   const bool has_errors =
-      job.diagnostics.has_errors() || (pixel && pixel->diagnostics.has_errors());
+      std::ranges::any_of(jobs, [](const Job& job) { return job.diagnostics.has_errors(); });
   if (has_errors && result.ok()) result.status = Status::kErrors;
 }
 

@@ -62,7 +62,7 @@ void AddVariants(const CommandLine& command, const OutputPaths& paths,
     pieces.push_back({fmt::format("glsl.{}", planes), path, std::move(shaders.front().text)});
     if (paths.fragment.empty()) continue;
     const std::string stem = WithoutExtension(paths.glsl);
-    const std::string fragment = command.request.link.is_pair
+    const std::string fragment = command.request.shaders.size() > 1
                                      ? VariantName(paths.fragment, planes)
                                      : WithoutExtension(path) + paths.fragment.substr(stem.size());
     pieces.push_back({fmt::format("fragment.{}", planes), fragment, std::move(shaders[1].text)});
@@ -76,7 +76,8 @@ std::string HeaderOf(const CommandLine& command, const Outputs& outputs) {
     return shader.spirv.empty() ? HeaderWith(shader.text, name) : HeaderWith(shader.spirv, name);
   };
   std::string header = header_of(outputs.shaders.front(), variable);
-  if (command.request.link.is_pair) header += header_of(outputs.shaders[1], variable + "_pixel");
+  if (command.request.shaders.size() > 1)
+    header += header_of(outputs.shaders[1], variable + "_pixel");
   return header;
 }
 
@@ -122,7 +123,7 @@ std::string CollectOutputs(const CommandLine& command, const OutputPaths& paths,
     if (sources.Has(path))
       return fmt::format("the output `{}` would overwrite an included file", path);
   }
-  const CompileRequest& request = command.request;
+  const ProgramRequest& request = command.request;
   if (!result.dump.empty()) pieces.push_back({"dump", "-", result.dump});
   if (result.ok() && !paths.preprocessed.empty())
     pieces.push_back({"preprocessed", paths.preprocessed, result.preprocessed});

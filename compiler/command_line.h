@@ -26,7 +26,9 @@ struct CommandLine {
   std::string help_topic;  // of --help; empty: all
   std::string explained;   // the name of a diagnostic, for --explain
   std::vector<std::string> inputs;
-  CompileRequest request;  // without path and text
+  ProgramRequest request;  // without the path and the text of its first shader
+  // What the options say of the shader after the first. Empty: not given.
+  ShaderSource pixel_shader = {.entry = {}, .profile = {}};
   // The files to write; empty if not asked for. A value that is only an extension, ".json", names
   // the file after the GLSL.
   std::string output;  // the GLSL: empty is standard output, unless the options ask for others

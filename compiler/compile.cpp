@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <new>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,8 +18,6 @@
 #include "compiler/dump_tokens.h"
 #include "compiler/job.h"
 #include "compiler/known_texts.h"
-#include "compiler/pixel_half.h"
-#include "compiler/plan.h"
 #include "compiler/rewrite_hlsl.h"
 #include "compiler/stages.h"
 #include "frontend/parse/ast_print.h"
@@ -63,132 +64,93 @@ class Stop {
 
 // ---- from a request to a result
 
-// What the compiles of one Compiler share.
-struct Shared {
-  FrontendContext& context;
-  KnownTexts& texts;
-  ValidTexts& valid;
-};
-
-// A job with everything that it refers to but its request.
-class JobHolder {
- public:
-  JobHolder(const Shared& shared, const CompileRequest& request, Watch* watch,
-            Plan (*resolve)(const CompileRequest&, Diagnostics&) = Resolve)
-      : diagnostics_(request.warnings),
-        plan_(resolve(request, diagnostics_)),
-        own_context_(request.includes.read
-                         ? std::make_unique<FrontendContext>(FrontendContext::Files::kNone)
-                         : nullptr),
-        known_(watch || !diagnostics_.all().empty()
-                   ? nullptr
-                   : shared.texts.Get(shared.context, request, plan_)),
-        source_(known_ ? nullptr
-                       : std::make_unique<Source>(own_context_ ? *own_context_ : shared.context,
-                                                  plan_.input)),
-        job{request,      plan_,       known_ ? known_->source : *source_, diagnostics_, watch,
-            shared.valid, known_.get()} {
-    if (known_) diagnostics_ = known_->messages;
-    diagnostics_.SetWatch(watch);
-  }
-  JobHolder(const JobHolder&) = delete;
-  JobHolder& operator=(const JobHolder&) = delete;
-
- private:
-  Diagnostics diagnostics_;
-  Plan plan_;
-  // Of the files that the caller's function gives, which Clang would find in the other shader's
-  // context, without their texts.
-  std::unique_ptr<FrontendContext> own_context_;
-  std::shared_ptr<KnownText> known_;
-  std::unique_ptr<Source> source_;  // of a text that is not known
-
- public:
-  const Job job;
-};
-
 // Whether the request ends the passes before the program of a shader is complete.
 bool StopsInFront(const DebugOptions& debug) {
   const auto names = resolve::ResolvePasses();
   return !debug.stop_after.empty() && std::ranges::find(names, debug.stop_after) != names.end();
 }
 
-// `pixel` is the job of the pixel shader of CompileRequest::reads_pixel_half, or null.
-void RunStages(const Job& job, const Job* pixel, CompileResult& result) {
-  Source& source = job.source;
-  Diagnostics& diagnostics = job.diagnostics;
-  const CompileRequest& request = job.request;
-  if (request.outputs.preprocess) {
-    result.preprocessed = Preprocess(source, diagnostics);
-    return;
-  }
-  if (job.IsDump(DumpStage::kTokens)) {
-    result.dump = DumpTokens(Lex(source, diagnostics), source);
-    return;
-  }
-  if (job.IsDump(DumpStage::kAst)) {
-    result.dump = PrintAst(ReadFile(source, diagnostics));
-    return;
-  }
-  if (request.hlsl.wanted) {
-    RewriteHlsl(job, pixel, result);
-    return;
-  }
+// The meaning of a job's shader. `wants`, if given, sees the tokens: see Front.
+ir::Program ProgramOf(Job& job, std::string& dump,
+                      const std::function<bool(const Tokens&)>& wants) {
+  if (job.known()) return job.known()->Check(job.plan.check, job.diagnostics);
+  return Front(job.source(), job.plan.check, job.diagnostics, PassesOf(job, dump), wants);
+}
+
+// The meanings of all shaders. The program is not complete after errors, and where the result
+// repeats another one.
+std::vector<ir::Program> ReadProgram(std::span<Job> jobs, CompileResult& result) {
+  Job& first = jobs.front();
+  const ProgramRequest& request = first.request;
   const auto is_new = [&](const Tokens& tokens) {
     // The tokens alone do not decide the result where lines of the source or words of the
     // preprocessor are a part of it.
     if (!request.is_known || request.outputs.source_lines || request.outputs.listing ||
-        request.link.has_pixel_shader() || diagnostics.has_pragmas() || !diagnostics.all().empty())
+        request.is_linked() || first.diagnostics.has_pragmas() || !first.diagnostics.all().empty())
       return true;
     result.digest = DigestOf(tokens);
     result.is_repeated = request.is_known(*result.digest);
     return !result.is_repeated;
   };
-  const auto program_of = [&](const Job& of, const std::function<bool(const Tokens&)>& wants) {
-    const ir::PassOptions passes = PassesOf(of, result.dump);
-    return of.known ? of.known->Check(of.plan.check, of.diagnostics)
-                    : Front(of.source, of.plan.check, of.diagnostics, passes, wants);
-  };
-  ir::Program program = program_of(job, is_new);
-  ir::Program pixel_program;
-  if (pixel) pixel_program = program_of(*pixel, {});
-  const bool has_errors = diagnostics.has_errors() || (pixel && pixel->diagnostics.has_errors());
-  if (has_errors || result.is_repeated || job.IsStopped()) return;
-  const bool is_stopped = StopsInFront(request.debug);
-  if (job.IsDump(DumpStage::kIr) || (is_stopped && request.debug.dump_after.empty())) {
-    result.dump = ir::Print(program);
-  } else if (is_stopped) {
+  std::vector<ir::Program> programs;
+  programs.push_back(ProgramOf(first, result.dump, is_new));
+  for (Job& job : jobs.subspan(1)) programs.push_back(ProgramOf(job, result.dump, {}));
+  return programs;
+}
+
+bool HasErrors(std::span<const Job> jobs) {
+  return std::ranges::any_of(jobs, [](const Job& job) { return job.diagnostics.has_errors(); });
+}
+
+void RunStages(std::span<Job> jobs, CompileResult& result) {
+  Job& first = jobs.front();
+  const ProgramRequest& request = first.request;
+  if (request.outputs.preprocess) {
+    result.preprocessed = Preprocess(first.source(), first.diagnostics);
     return;
-  } else if (pixel) {
-    const PixelHalf half{*pixel, pixel_program};
-    RunBackEnd(job, &half, std::move(program), result);
-  } else {
-    RunBackEnd(job, nullptr, std::move(program), result);
+  }
+  if (first.IsDump(DumpStage::kTokens)) {
+    result.dump = DumpTokens(Lex(first.source(), first.diagnostics), first.source());
+    return;
+  }
+  if (first.IsDump(DumpStage::kAst)) {
+    result.dump = PrintAst(ReadFile(first.source(), first.diagnostics));
+    return;
+  }
+  if (request.hlsl.wanted) {
+    RewriteHlsl(jobs, result);
+    return;
+  }
+  std::vector<ir::Program> programs = ReadProgram(jobs, result);
+  if (HasErrors(jobs) || result.is_repeated || first.IsStopped()) return;
+  const bool is_stopped = StopsInFront(request.debug);
+  if (first.IsDump(DumpStage::kIr) || (is_stopped && request.debug.dump_after.empty())) {
+    result.dump = ir::Print(programs.front());
+  } else if (!is_stopped) {
+    RunBackEnd(jobs, std::move(programs), result);
   }
 }
 
 // Adds the files that a source read and the macros that it asked for.
-void AddUses(const Job& job, CompileResult& result) {
+void AddUses(Job& job, CompileResult& result) {
   const auto add = [](std::vector<std::string> from, std::vector<std::string>& to) {
     if (to.empty()) to.swap(from);
     for (std::string& text : from) {
       if (std::ranges::find(to, text) == to.end()) to.push_back(std::move(text));
     }
   };
-  add(job.source.Dependencies(), result.dependencies);
-  if (job.request.record_macros) add(job.source.MacrosUsed(), result.macros_used);
-  for (Include& include : job.source.Includes()) result.includes.push_back(std::move(include));
+  add(job.source().Dependencies(), result.dependencies);
+  if (job.request.record_macros) add(job.source().MacrosUsed(), result.macros_used);
+  for (Include& include : job.source().Includes()) result.includes.push_back(std::move(include));
 }
 
 // Takes the sources through the stages. The result has everything but the messages.
-CompileResult Run(const Job& job, const Job* pixel) {
+CompileResult Run(std::span<Job> jobs) {
   CompileResult result;
-  RunStages(job, pixel, result);
-  if (job.IsStopped()) result.dump.clear();
-  const std::vector<std::string> others = std::move(result.dependencies);
-  result.dependencies.clear();
-  AddUses(job, result);
-  if (pixel) AddUses(*pixel, result);
+  RunStages(jobs, result);
+  if (jobs.front().IsStopped()) result.dump.clear();
+  const std::vector<std::string> others = std::exchange(result.dependencies, {});
+  for (Job& job : jobs) AddUses(job, result);
   for (const std::string& path : others) {
     if (std::ranges::find(result.dependencies, path) == result.dependencies.end())
       result.dependencies.push_back(path);
@@ -196,39 +158,24 @@ CompileResult Run(const Job& job, const Job* pixel) {
   return result;
 }
 
-// Adds the messages to the result of Run. After errors, the outputs are removed.
-CompileResult Deliver(CompileResult result, const Job& job, const Job* pixel) {
-  CollectMessages(job, pixel, result);
-  if (!result.ok()) result.outputs.reset();
-  return result;
-}
-
-CompileResult CompileIn(const Shared& shared, const CompileRequest& request) {
+CompileResult CompileIn(const Shared& shared, const ProgramRequest& request) {
   Stop stop(request.limits);
-  const JobHolder shader(shared, request, stop.watch());
-  std::optional<CompileRequest> pixel_request;
-  std::optional<JobHolder> half;
-  if (request.reads_pixel_half()) {
-    pixel_request = PixelRequest(request);
-    half.emplace(shared, *pixel_request, stop.watch(), ResolvePixelHalf);
-    const std::string& path = request.link.pixel_shader.path;
-    // The caller who gives the includes gives this text too: no file is read for it.
-    if (request.includes.read && !pixel_request->text && !path.empty())
-      half->job.diagnostics.Report({}, diag::PixelShader,
-                                   fmt::format("{}: there is no such file", path));
-  }
-  const Job* const pixel = half ? &half->job : nullptr;
-  const auto is_wrong = [](const Job& job) { return job.diagnostics.has_errors(); };
+  std::vector<Job> jobs;
+  jobs.reserve(request.shaders.size());
+  for (std::size_t i = 0; i < request.shaders.size(); ++i)
+    jobs.emplace_back(shared, request, i, stop.watch());
   CompileResult result;
-  if (is_wrong(shader.job) || (pixel && is_wrong(*pixel))) {
+  if (HasErrors(jobs)) {
     result.status = Status::kBadRequest;
   } else {
-    result = Run(shader.job, pixel);
-    result.status = stop.Report(shader.job.diagnostics);
-    const auto is_read = [](const Job& job) { return job.source.main_file_read(); };
-    if (!is_read(shader.job) || (pixel && !is_read(*pixel))) result.status = Status::kBadRequest;
+    result = Run(jobs);
+    result.status = stop.Report(jobs.front().diagnostics);
+    const auto is_read = [](Job& job) { return job.source().main_file_read(); };
+    if (!std::ranges::all_of(jobs, is_read)) result.status = Status::kBadRequest;
   }
-  return Deliver(std::move(result), shader.job, pixel);
+  CollectMessages(jobs, result);
+  if (!result.ok()) result.outputs.reset();
+  return result;
 }
 
 CompileResult Failure(const char* what) {
@@ -251,7 +198,7 @@ struct Compiler::Memory {
 Compiler::Compiler() : memory_(std::make_unique<Memory>()) {}
 Compiler::~Compiler() = default;
 
-FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
+FrontendContext& Compiler::ContextFor(const ProgramRequest& request) {
   if (request.includes.sandbox.empty() || request.includes.read) return context_;
   if (!sandboxed_ || sandbox_ != request.includes.sandbox) {
     memory_->texts.Clear();
@@ -262,7 +209,7 @@ FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
   return *sandboxed_;
 }
 
-CompileResult Compiler::Compile(const CompileRequest& request) {
+CompileResult Compiler::Compile(const ProgramRequest& request) {
   try {
     return CompileIn({ContextFor(request), memory_->texts, memory_->valid}, request);
   } catch (const std::bad_alloc&) {
@@ -272,6 +219,6 @@ CompileResult Compiler::Compile(const CompileRequest& request) {
   }
 }
 
-CompileResult Compile(const CompileRequest& request) { return Compiler().Compile(request); }
+CompileResult Compile(const ProgramRequest& request) { return Compiler().Compile(request); }
 
 }  // namespace clipc

@@ -8,11 +8,10 @@
 #include "compiler/result.h"
 #include "frontend/lex/source.h"
 
-// clipc as a library: one HLSL shader in, or the two of a program, GLSL and what the host must know
-// out.
+// clipc as a library: the HLSL shaders of a program in, GLSL and what the host must know out.
 namespace clipc {
 
-// A compiler of many shaders that keeps the data that they share. Use one per thread. Compile
+// A compiler of many programs that keeps the data that they share. Use one per thread. Compile
 // throws nothing, whatever the request is; the same request gives the same result, byte for byte.
 class Compiler {
  public:
@@ -21,10 +20,10 @@ class Compiler {
   Compiler(const Compiler&) = delete;
   Compiler& operator=(const Compiler&) = delete;
 
-  CompileResult Compile(const CompileRequest& request);
+  CompileResult Compile(const ProgramRequest& request);
 
  private:
-  FrontendContext& ContextFor(const CompileRequest& request);
+  FrontendContext& ContextFor(const ProgramRequest& request);
 
   struct Memory;  // known_texts.h
 
@@ -34,7 +33,7 @@ class Compiler {
   std::unique_ptr<Memory> memory_;  // refers to the contexts
 };
 
-// Compiles one shader. May be called on several threads at once.
-CompileResult Compile(const CompileRequest& request);
+// Compiles one program. May be called on several threads at once.
+CompileResult Compile(const ProgramRequest& request);
 
 }  // namespace clipc

@@ -12,10 +12,10 @@
 namespace clipc {
 namespace {
 
-CompileRequest TwoPlanes(int variant = 0) {
-  CompileRequest request;
-  request.path = "two.hlsl";
-  request.text =
+ProgramRequest TwoPlanes(int variant = 0) {
+  ProgramRequest request;
+  request.first().path = "two.hlsl";
+  request.first().text =
       "cbuffer Planes { float4 left, right; };\n"
       "[clipplanes(left, right)]\n"
       "float4 main(float4 p : POSITION) : SV_Position { return p + " +
@@ -24,7 +24,7 @@ CompileRequest TwoPlanes(int variant = 0) {
 }
 
 TEST(Compile, GivesGlslAndTable) {
-  CompileRequest request = TwoPlanes();
+  ProgramRequest request = TwoPlanes();
   request.outputs.validate = true;
   request.outputs.facts = true;
   const CompileResult result = Compile(request);
@@ -43,8 +43,8 @@ TEST(Compile, GivesGlslAndTable) {
 }
 
 TEST(Compile, ErrorsLeaveNoOutput) {
-  CompileRequest request = TwoPlanes();
-  *request.text += "float broken(";
+  ProgramRequest request = TwoPlanes();
+  *request.first().text += "float broken(";
   const CompileResult result = Compile(request);
   EXPECT_EQ(result.status, Status::kErrors);
   EXPECT_FALSE(result.outputs.has_value());
@@ -54,20 +54,22 @@ TEST(Compile, ErrorsLeaveNoOutput) {
 }
 
 TEST(Compile, BadRequests) {
-  for (const auto& change : std::vector<void (*)(CompileRequest&)>{
-           [](CompileRequest& r) { r.language.profile = "vs_9_9"; },
-           [](CompileRequest& r) { r.debug.stop_after = "nothing"; },
-           [](CompileRequest& r) { r.text.reset(), r.path = "/no/such/file.hlsl"; }}) {
-    CompileRequest request = TwoPlanes();
+  for (const auto& change : std::vector<void (*)(ProgramRequest&)>{
+           [](ProgramRequest& r) { r.first().profile = "vs_9_9"; },
+           [](ProgramRequest& r) { r.debug.stop_after = "nothing"; },
+           [](ProgramRequest& r) {
+             r.first().text.reset(), r.first().path = "/no/such/file.hlsl";
+           }}) {
+    ProgramRequest request = TwoPlanes();
     change(request);
     const CompileResult result = Compile(request);
     EXPECT_EQ(result.status, Status::kBadRequest);
     ASSERT_EQ(result.messages.size(), 1u);
     EXPECT_TRUE(result.messages[0].place.file.empty());
   }
-  CompileRequest pixel = TwoPlanes();
-  pixel.text = "float4 main() : SV_Position { return 0; }";
-  pixel.language.profile = "ps_5_0";
+  ProgramRequest pixel = TwoPlanes();
+  pixel.first().text = "float4 main() : SV_Position { return 0; }";
+  pixel.first().profile = "ps_5_0";
   EXPECT_EQ(Compile(pixel).status, Status::kErrors);
 }
 
@@ -89,7 +91,7 @@ TEST(Compile, ThreadsDoNotMeet) {
     threads.emplace_back([&result] {
       Compiler compiler;
       for (int i = 0; i < 10; ++i) {
-        CompileRequest request = TwoPlanes(7);
+        ProgramRequest request = TwoPlanes(7);
         request.outputs.validate = i == 9;
         result = compiler.Compile(request).outputs->shaders[0].text;
       }
@@ -104,8 +106,8 @@ TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {
                                    "/usr/include", "/tmp/none.hlsl", "-o",     "/Tx"};
   const ParsedCommandLine parsed = ParseCommandLine(arguments);
   ASSERT_EQ(parsed.error, "");
-  EXPECT_EQ(parsed.command.request.language.profile, "vs_4_0");
-  EXPECT_EQ(parsed.command.request.language.entry, "main");
+  EXPECT_EQ(parsed.command.request.first().profile, "vs_4_0");
+  EXPECT_EQ(parsed.command.request.first().entry, "main");
   EXPECT_EQ(parsed.command.request.defines, std::vector<std::string>{"X=1"});
   EXPECT_EQ(parsed.command.inputs, (std::vector<std::string>{"/usr/include", "/tmp/none.hlsl"}));
   EXPECT_EQ(parsed.command.output, "/Tx");

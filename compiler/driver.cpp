@@ -71,7 +71,7 @@ std::string CheckBraces(const CommandLine& command) {
 // Returns the first mistake that shows before anything is compiled; empty if there is none.
 std::string Driver::CheckUsage() {
   const auto& inputs = command_.inputs;
-  const CompileRequest& request = command_.request;
+  const ProgramRequest& request = command_.request;
   if (inputs.empty()) return "no input file; `clipc --help` lists the options";
   const bool is_dump = request.debug.dump || !request.debug.stop_after.empty();
   const bool writes_glsl = !is_dump && !command_.only_dependencies && !command_.syntax_only &&
@@ -88,7 +88,7 @@ std::string Driver::CheckUsage() {
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
-  if (!request.link.pixel_shader.path.empty()) sources.Add(request.link.pixel_shader.path);
+  if (!command_.pixel_shader.path.empty()) sources.Add(command_.pixel_shader.path);
   const std::string& messages = command_.messages;
   if (sources.Has(messages))
     return fmt::format("the messages in `{}` would overwrite a file that is read", messages);
@@ -131,11 +131,11 @@ int Driver::CompileAll() {
   CompileInOrder(
       count, command_.jobs,
       [&](std::size_t index, Compiler& compiler) {
-        CompileRequest request = command_.request;
-        request.path = command_.inputs[index];
-        // The two shaders of a pair read one text.
-        if (request.path == "-" && request.reads_pixel_half())
-          ReadText("-", request.text.emplace());
+        ProgramRequest request = command_.request;
+        ShaderSource& first = request.first();
+        first.path = command_.inputs[index];
+        // Several shaders read one text.
+        if (first.path == "-" && request.shaders.size() > 1) ReadText("-", first.text.emplace());
         return compiler.Compile(request);
       },
       [&](std::size_t index, CompileResult result) {

@@ -33,7 +33,7 @@ bool IsHeaderAlone(const CommandLine& command) {
 
 // Returns the first mistake of the command line; empty if there is none.
 std::string CheckEffectCommand(const CommandLine& command) {
-  const CompileRequest& request = command.request;
+  const ProgramRequest& request = command.request;
   if (command.inputs.size() != 1 || command.inputs[0] == "-") return "--effect compiles one file";
   if (!IsHeaderAlone(command) && !IsDirectory(command.output))
     return "--effect writes several files; give an existing folder with -o";
@@ -43,14 +43,14 @@ std::string CheckEffectCommand(const CommandLine& command) {
            "-spirv";
   if (!command.header.empty() && request.planes.variants)
     return "-Fh of an effect has one program for each pass; --variants makes several";
-  if (request.link.has_pixel_shader() || !request.link.pixel_shader.entry.empty())
+  if (request.is_linked() || !command.pixel_shader.entry.empty())
     return "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
            "file without techniques";
   if (!command.batch.empty() || command.shards != 1)
     return "--effect takes neither --batch nor --shard";
   if (request.hlsl.wanted) return "--effect writes GLSL or SPIR-V, no HLSL";
-  const LanguageOptions defaults;
-  if (request.language.entry != defaults.entry || request.language.profile != defaults.profile)
+  const ShaderSource defaults;
+  if (request.first().entry != defaults.entry || request.first().profile != defaults.profile)
     return "-E and -T are what the passes of an effect say; --technique and --pass choose one";
   return {};
 }
@@ -99,14 +99,14 @@ void AddHeader(const EffectFacts& facts, const Source& source, const CommandLine
 }  // namespace
 
 LoadedEffect LoadEffect(const CommandLine& command) {
-  CompileRequest request = command.request;
-  request.path = command.inputs[0];
+  ProgramRequest request = command.request;
+  request.first().path = command.inputs[0];
   Diagnostics diagnostics(request.warnings);
-  const Plan plan = Resolve(request, diagnostics);
+  const Plan plan = Resolve(request, 0, diagnostics);
   LoadedEffect loaded;
   loaded.context =
       std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk, request.includes.sandbox);
-  loaded.source = std::make_unique<Source>(*loaded.context, plan.input);
+  loaded.source = std::make_unique<Source>(*loaded.context, InputOf(request, 0, plan, diagnostics));
   Source& source = *loaded.source;
   ast::File file;
   if (!diagnostics.has_errors()) {

@@ -141,19 +141,19 @@ class ProgramFinder {
     group.label = fmt::format("{}.{}{}", words[0], words[1], element);
     group.name = fmt::format("{}.{}{}", AsFileName(words[0]), AsFileName(words[1]), element);
     const EffectHalf& first = program.vertex ? *program.vertex : *program.pixel;
-    CompileRequest& request = group.command.request;
-    request.language.profile = first.profile;
-    request.language.entry = first.shader->function;
-    request.language.entry_call = first.shader->call;
+    ProgramRequest& request = group.command.request;
+    ShaderSource& source = request.first();
+    source.profile = first.profile;
+    source.entry = first.shader->function;
+    source.entry_call = first.shader->call;
     request.language.is_in_effect = true;
     request.outputs.facts = true;
     request.planes.given_to_device = !command_.header.empty();  // which names them
-    request.link.is_pair = program.vertex && program.pixel;
-    if (request.link.is_pair) {
+    if (program.vertex && program.pixel) {
       group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";
-      request.link.pixel_shader.profile = program.pixel->profile;
-      request.link.pixel_shader.entry = program.pixel->shader->function;
-      request.link.pixel_shader.entry_call = program.pixel->shader->call;
+      request.shaders.push_back({.entry = program.pixel->shader->function,
+                                 .entry_call = program.pixel->shader->call,
+                                 .profile = program.pixel->profile});
     }
     return found_.groups.size() - 1;
   }

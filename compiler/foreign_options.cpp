@@ -178,7 +178,7 @@ constexpr std::string_view kUtf8 = "utf8", kDeclared = "decl", kAny = "any",
 
 using enum Option::Form;
 using Action = CommandLine::Action;
-using Request = CompileRequest;
+using Request = ProgramRequest;
 
 // The options that clipc has, by other names too; then those without effect; then those refused.
 constexpr Option kForeignOptions[] = {

@@ -14,9 +14,8 @@ namespace {
 constexpr std::size_t kMostTokens = 200'000, kMostExprs = 200'000;
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
-std::string KeyOf(const CompileRequest& request, const Plan& plan) {
-  const SourceInput& input = plan.input;
-  std::string key = fmt::format("{}\n{}\n{}\n{} {} {} {}", input.path, request.language.entry_call,
+std::string KeyOf(const Plan& plan, const SourceInput& input) {
+  std::string key = fmt::format("{}\n{}\n{}\n{} {} {} {}", input.path, plan.check.entry_call,
                                 input.preamble, input.shader_model_major, input.shader_model_minor,
                                 static_cast<int>(input.stage), static_cast<int>(input.language));
   for (const auto* list : {&input.include_dirs, &input.defines, &input.forced_includes}) {
@@ -45,21 +44,21 @@ ir::Program KnownText::Check(const CheckOptions& options, Diagnostics& diagnosti
   return program;
 }
 
-std::shared_ptr<KnownText> KnownTexts::Get(FrontendContext& context, const CompileRequest& request,
-                                           const Plan& plan) {
+std::shared_ptr<KnownText> KnownTexts::Get(FrontendContext& context, const ProgramRequest& request,
+                                           const Plan& plan, const SourceInput& input) {
   // A caller who gives the text or the includes may give others of the same name the next time.
-  const bool is_of_file = !request.text && !request.includes.read && request.path != "-";
+  const bool is_of_file = !input.text && !request.includes.read && input.path != "-";
   const bool wants_tokens = request.debug.changes_result() || request.outputs.preprocess;
   if (!request.language.is_in_effect || !is_of_file || wants_tokens || !plan.check.profile.stage)
     return nullptr;
-  std::string key = KeyOf(request, plan);
+  std::string key = KeyOf(plan, input);
   if (const auto known = texts_.find(key); known != texts_.end()) return known->second;
-  auto text = std::make_shared<KnownText>(context, plan, request.warnings);
+  auto text = std::make_shared<KnownText>(context, input, request.warnings);
   Tokens tokens = Lex(text->source, text->messages);
   if (text->messages.has_errors()) return nullptr;
   const std::size_t count = tokens.list.size();
   text->file = Parse(std::move(tokens), text->messages, FunctionBodies::kParse,
-                     {.entry_call = request.language.entry_call});
+                     {.entry_call = plan.check.entry_call});
   if (text->messages.has_errors()) return nullptr;
   if (tokens_ + count > kMostTokens) Clear();
   if (count > kMostTokens) return text;

@@ -22,8 +22,8 @@ namespace clipc {
 
 // A text of an effect that was lexed and parsed without errors.
 struct KnownText {
-  KnownText(FrontendContext& context, const Plan& plan, const WarningOptions& warnings)
-      : source(context, plan.input), messages(warnings) {}
+  KnownText(FrontendContext& context, const SourceInput& input, const WarningOptions& warnings)
+      : source(context, input), messages(warnings) {}
 
   // Returns what clipc::Check does. `options` differ from those of another call in the profile and
   // the entry alone, and `diagnostics` has the `messages`.
@@ -45,10 +45,10 @@ struct KnownText {
 // The texts of an effect, by the profile and the call that they were read for.
 class KnownTexts {
  public:
-  // Reads the text of a request, or finds it. Returns null where it is none of an effect or has
+  // Reads the text of a shader, or finds it. Returns null where it is none of an effect or has
   // errors: it is read as every other then.
-  std::shared_ptr<KnownText> Get(FrontendContext& context, const CompileRequest& request,
-                                 const Plan& plan);
+  std::shared_ptr<KnownText> Get(FrontendContext& context, const ProgramRequest& request,
+                                 const Plan& plan, const SourceInput& input);
   void Clear();
 
  private:

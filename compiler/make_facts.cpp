@@ -263,12 +263,12 @@ PlaneFacts Planes(const DescribedStage& stage, const PositionMatrices& position)
 
 }  // namespace
 
-Facts MakeFacts(const DescribedStage& stage, const PositionMatrices& position,
-                const DescribedStage* pixel) {
-  Facts facts{.target = std::string(stage.lowered.target.name())};
-  facts.stages.push_back(Describer(stage).Describe(stage.table));
-  if (InfoOf(stage.lowered.program.stage).has_stage_after) facts.planes = Planes(stage, position);
-  if (pixel) facts.stages.push_back(Describer(*pixel).Describe(pixel->table));
+Facts MakeFacts(std::span<const DescribedStage> stages, const PositionMatrices& position) {
+  Facts facts{.target = std::string(stages.front().lowered.target.name())};
+  for (const DescribedStage& stage : stages) {
+    facts.stages.push_back(Describer(stage).Describe(stage.table));
+    if (InfoOf(stage.lowered.program.stage).has_stage_after) facts.planes = Planes(stage, position);
+  }
   return facts;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
+
 #include "clip-table/clip_table.h"
 #include "compiler/count_matrices.h"
 #include "compiler/facts.h"
@@ -12,10 +14,9 @@ namespace clipc {
 struct DescribedStage {
   const Lowered& lowered;
   const glsl::GlslInfo& info;
-  const clip_table::ClipTable& table;
+  clip_table::ClipTable table;
 };
-// Describes a shader, and the pixel shader of a pair.
-Facts MakeFacts(const DescribedStage& stage, const PositionMatrices& position,
-                const DescribedStage* pixel = nullptr);
+// Describes the shaders of a program. `position` is that of the stage before the rasterizer.
+Facts MakeFacts(std::span<const DescribedStage> stages, const PositionMatrices& position);
 
 }  // namespace clipc

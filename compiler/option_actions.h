@@ -21,12 +21,12 @@ namespace clipc {
 template <typename Owner, typename Value>
 Value& MemberOf(Reading& reading, Value Owner::* member) {
   CommandLine& command = reading.command;
-  CompileRequest& request = command.request;
+  ProgramRequest& request = command.request;
   return std::get<Owner&>(std::tie(reading, reading.spirv, command, request, request.includes,
                                    request.language, request.planes, request.style,
-                                   request.style.clip_space, request.link,
-                                   request.link.pixel_shader, request.hlsl, request.outputs,
-                                   request.warnings, request.limits, request.debug)).*
+                                   request.style.clip_space, request.link, command.pixel_shader,
+                                   request.hlsl, request.outputs, request.warnings, request.limits,
+                                   request.debug)).*
          member;
 }
 
@@ -106,8 +106,8 @@ void Bind(Reading& reading, const std::string& value) {
 
 // Reads -E. The last one is the entry of GLSL; HLSL may have several.
 inline void SetEntry(Reading& reading, const std::string& value) {
-  CompileRequest& request = reading.command.request;
-  request.language.entry = value;
+  ProgramRequest& request = reading.command.request;
+  request.first().entry = value;
   request.hlsl.entries.push_back(value);
 }
 

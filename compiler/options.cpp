@@ -171,7 +171,7 @@ void FinishPreprocess(Reading& reading) {
 // for SPIR-V that is not for OpenGL. As glslang's, --vn makes a header of -o.
 void FinishTarget(Reading& reading) {
   CommandLine& command = reading.command;
-  CompileRequest& request = command.request;
+  ProgramRequest& request = command.request;
   const bool is_spirv = reading.writes_spirv || command.output.ends_with(".spv");
   if (!command.variable.empty() && command.header.empty())
     command.header = std::exchange(command.output, {});
@@ -201,19 +201,19 @@ void FinishTarget(Reading& reading) {
 // of its own.
 void FinishEntry(Reading& reading) {
   if (reading.source_entry.empty()) return;
-  std::string& entry = reading.command.request.language.entry;
+  std::string& entry = reading.command.request.first().entry;
   reading.spirv.entry = std::exchange(entry, reading.source_entry);
 }
 
 // Settles the stage that -S names, or without it, as for glslang, the name of the file.
 void FinishStage(Reading& reading) {
   const CommandLine& command = reading.command;
-  LanguageOptions& language = reading.command.request.language;
+  std::string& name = reading.command.request.first().profile;
   if (reading.names_profile) {
-    const auto profile = ir::ParseProfile(language.profile);
+    const auto profile = ir::ParseProfile(name);
     if (reading.stage && profile && profile->stage != reading.stage && reading.error.empty())
       reading.error = fmt::format("-S names a {} shader, and profile `{}` is of another one",
-                                  InfoOf(*reading.stage).name, language.profile);
+                                  InfoOf(*reading.stage).name, name);
     return;
   }
   const auto is_pixel = [](std::string_view file) {
@@ -223,7 +223,32 @@ void FinishStage(Reading& reading) {
   const auto pixel = by_name ? std::ranges::count_if(command.inputs, is_pixel) : 0;
   if (pixel > 0 && pixel < std::ssize(command.inputs) && reading.error.empty())
     reading.error = "the names of the files are of vertex and of pixel shaders; -T says which";
-  if (pixel > 0 || reading.stage == Stage::kPixel) language.profile = "ps_5_0";
+  if (pixel > 0 || reading.stage == Stage::kPixel) name = "ps_5_0";
+}
+
+// The profile of a pixel shader that is compiled beside a vertex shader: of the same model, of
+// ps_2_0 where there is none that clipc knows.
+std::string ProfileBeside(const std::string& vertex) {
+  std::string name = vertex;
+  name.replace(0, 2, "ps");
+  const auto profile = ir::ParseProfile(name);
+  return profile && profile->IsAtLeast(2, 0) ? name : "ps_2_0";
+}
+
+// Settles what the program is: a shader after the first is compiled where its output is named, and
+// rewritten where HLSL is given its entry; elsewhere it is a neighbour.
+void FinishProgram(CommandLine& command) {
+  ProgramRequest& request = command.request;
+  const ShaderSource& given = command.pixel_shader;
+  request.hlsl.in_one_file = given.path.empty() && command.pixel_output.empty();
+  if (command.pixel_output.empty() && (!request.hlsl.wanted || given.entry.empty())) {
+    if (!given.path.empty()) request.neighbour = {.path = given.path, .entry = given.entry};
+    return;
+  }
+  ShaderSource next = given;
+  if (next.entry.empty() && !next.path.empty()) next.entry = "main";
+  if (next.profile.empty()) next.profile = ProfileBeside(request.first().profile);
+  request.shaders.push_back(std::move(next));
 }
 
 // Settles the options about bindings that depend on each other.
@@ -285,8 +310,9 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   if (reading.error.empty()) reading.error = UnknownOptions(reading);
   FinishEntry(reading);
   FinishStage(reading);
-  // Without a pixel shader every output is kept.
-  if (reading.preserves_interface && command.request.link.has_pixel_shader())
+  FinishProgram(command);
+  // Where nothing is known to read them, all outputs are kept.
+  if (reading.preserves_interface && command.request.is_linked())
     command.request.link.keep_outputs = true;
   FinishPreprocess(reading);
   FinishTarget(reading);

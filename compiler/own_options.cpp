@@ -64,7 +64,7 @@ void SetNames(Reading& reading, const std::string& value) {
 
 void SetProfile(Reading& reading, const std::string& value) {
   reading.names_profile = true;
-  reading.command.request.language.profile = value;
+  reading.command.request.first().profile = value;
 }
 
 void SetPreprocess(Reading& reading, const std::string& value) {
@@ -127,7 +127,7 @@ void SetWarning(Reading& reading, const std::string& value) {
 // Reads the name of the pixel shader's GLSL, which asks for a pair.
 void SetPixelOutput(Reading& reading, const std::string& value) {
   reading.command.pixel_output = value;
-  reading.command.request.link.is_pair = true;
+  if (value.empty()) reading.error = "--pixel-output needs the name of a file, or `.frag`";
 }
 
 // Without a value it is glslang's -D, which says that the text is HLSL.
@@ -151,7 +151,7 @@ constexpr Named<DumpStage> kStages[] = {{DumpStage::kTokens, "tokens"},
 
 using enum Option::Form;
 using Action = CommandLine::Action;
-using Request = CompileRequest;
+using Request = ProgramRequest;
 
 void SetHelpTopic(Reading& reading, const std::string& value) {
   CommandLine& command = reading.command;
@@ -244,13 +244,13 @@ constexpr Option kOwnOptions[] = {
     {"--base-instance", kEquals, SetForZero<&StyleOptions::base_instance_is_zero>, "zero",
      "no draw has a base instance: SV_InstanceID is the API's own number"},
     Topic("linking", "outputs, and the pixel shader that reads them"),
-    {"--pixel-shader", kEquals, Set<&PixelShader::path>, "<FILE>",
+    {"--pixel-shader", kEquals, Set<&ShaderSource::path>, "<FILE>",
      "fit this pixel shader: HLSL, GLSL or SPIR-V"},
-    {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
+    {"--pixel-entry", kEquals, Set<&ShaderSource::entry>, "<NAME>",
      "its entry function (main; of SPIR-V the only one)"},
     {"--pixel-output", kEquals, SetPixelOutput, "<FILE>",
      "write it too: HLSL, by default of the same file; a file, or .frag beside the other"},
-    {"--pixel-profile", kEquals, Set<&PixelShader::profile>, "<NAME>",
+    {"--pixel-profile", kEquals, Set<&ShaderSource::profile>, "<NAME>",
      "its profile (ps_5_0 beside vs_5_0)"},
     {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
      "also those that it does not read"},

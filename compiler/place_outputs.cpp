@@ -33,8 +33,8 @@ std::vector<std::string> NamesAfter(const std::vector<std::string>& values,
 }
 
 // The extension of the GLSL: that of a vertex shader where the profile is unknown, an error.
-std::string_view GlslExtension(const CompileRequest& request) {
-  const auto profile = ir::ParseProfile(request.language.profile);
+std::string_view GlslExtension(const ProgramRequest& request) {
+  const auto profile = ir::ParseProfile(request.first().profile);
   return InfoOf(profile && profile->stage ? *profile->stage : Stage::kVertex).extension;
 }
 
@@ -62,7 +62,7 @@ std::string PlacePixel(const CommandLine& command, const std::string& input,
   const std::string& output = command.pixel_output;
   if (IsExtension(output)) return NameAfter(output, name);
   if (command.request.hlsl.wanted) {
-    const std::string& path = command.request.link.pixel_shader.path;
+    const std::string& path = command.pixel_shader.path;
     return InFolder(output, path.empty() ? input : path, ".hlsl");
   }
   return InFolder(output, input, command.request.outputs.spirv ? ".frag.spv" : ".frag");
@@ -82,7 +82,7 @@ std::vector<std::string> OutputPaths::Named() const {
   return named;
 }
 
-std::string_view ExtensionOf(const CompileRequest& request) {
+std::string_view ExtensionOf(const ProgramRequest& request) {
   return request.hlsl.wanted ? ".hlsl" : request.outputs.spirv ? ".spv" : GlslExtension(request);
 }
 
@@ -129,7 +129,7 @@ OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.listing = NameAfter(command.listing, name);
   outputs.tables = NamesAfter(command.tables, name);
   outputs.reflections = NamesAfter(command.reflections, name);
-  if (command.request.link.is_pair) {
+  if (!command.pixel_output.empty()) {
     outputs.fragment = PlacePixel(command, input, name);
   } else if (command.request.planes.lowering == Lowering::kDiscard &&
              !command.request.hlsl.wanted) {

@@ -25,7 +25,7 @@ struct OutputPaths {
 OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input);
 
 // The extension of a shader that is named after its input: ".vert", ".frag" of a pixel shader.
-std::string_view ExtensionOf(const CompileRequest& request);
+std::string_view ExtensionOf(const ProgramRequest& request);
 
 // "water.vert" => "water"; a dot at the start of a file's name begins no extension.
 std::string WithoutExtension(const std::string& path);

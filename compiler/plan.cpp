@@ -2,11 +2,14 @@
 #include "compiler/plan.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/spelling.h"
 #include "compiler/output_files.h"
@@ -16,9 +19,10 @@
 namespace clipc {
 namespace {
 
-SourceInput InputOf(const CompileRequest& request, const ir::Profile& profile) {
-  return {.path = request.path,
-          .text = request.text,
+SourceInput InputOf(const ProgramRequest& request, std::string path,
+                    std::optional<std::string> text, const ir::Profile& profile) {
+  return {.path = std::move(path),
+          .text = std::move(text),
           .include_dirs = request.includes.dirs,
           .defines = request.defines,
           .preamble = request.includes.preamble,
@@ -49,21 +53,21 @@ void ReportUnknownProfile(const std::string& name, Diagnostics& diagnostics) {
                 std::vector<std::string_view>(known.begin(), known.end()), diagnostics);
 }
 
-CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagnostics) {
+// The profile of this name. None, with an error, if there is no such profile.
+std::optional<ir::Profile> ProfileOf(const std::string& name, const LanguageOptions& language,
+                                     Diagnostics& diagnostics) {
+  std::optional<ir::Profile> profile = ir::ParseProfile(name);
+  if (!profile) ReportUnknownProfile(name, diagnostics);
+  if (!profile || profile->stage != Stage::kPixel || profile->major != 1) return profile;
+  // fxc X3539; "Compiling Shaders" of Microsoft's HLSL guide has /Gec promote ps_1_x to ps_2_0.
+  if (language.position_name != signature::PositionName::kBoth)
+    diagnostics.Report({}, diag::ProfileRetired, profile->name);
+  return ir::ParseProfile("ps_2_0");
+}
+
+CheckOptions CheckOptionsOf(const LanguageOptions& language, std::optional<ir::Profile> profile) {
   CheckOptions options;
-  if (auto profile = ir::ParseProfile(language.profile)) {
-    // fxc X3539; "Compiling Shaders" of Microsoft's HLSL guide has /Gec promote ps_1_x to ps_2_0.
-    if (profile->stage == Stage::kPixel && profile->major == 1) {
-      if (language.position_name != signature::PositionName::kBoth)
-        diagnostics.Report({}, diag::ProfileRetired, profile->name);
-      profile = ir::ParseProfile("ps_2_0");
-    }
-    options = CheckOptions::For(std::move(*profile), language.version);
-  } else {
-    ReportUnknownProfile(language.profile, diagnostics);
-  }
-  options.entry = language.entry;
-  options.entry_call = language.entry_call;
+  if (profile) options = CheckOptions::For(*std::move(profile), language.version);
   options.has_preshader = language.is_in_effect;
   options.packing = language.packing;
   options.byte_matrices_by_row = language.byte_matrices_by_row;
@@ -98,13 +102,14 @@ void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
   if (!debug.stop_after.empty()) check(debug.stop_after);
 }
 
-// Reports options about planes and the next stage, which a shader without one cannot have.
-void CheckStage(const CompileRequest& request, const ir::Profile& profile,
+// Reports options about planes and the next stage, which a program that begins with this profile
+// cannot have.
+void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
                 Diagnostics& diagnostics) {
   if (request.target.bindings.pixel_base && profile.stage && !InfoOf(*profile.stage).draws_pixels) {
     diagnostics.Report({}, diag::OptionWithoutEffect, "--pixel-bindings",
-                       request.link.is_pair ? "the shaders of a pair are numbered together"
-                                            : "this is not a pixel shader");
+                       request.shaders.size() > 1 ? "the shaders of a pair are numbered together"
+                                                  : "this is not a pixel shader");
   }
   if (!profile.stage || InfoOf(*profile.stage).has_stage_after) return;
   const auto refuse = [&](bool is_given, std::string_view option) {
@@ -112,7 +117,7 @@ void CheckStage(const CompileRequest& request, const ir::Profile& profile,
       diagnostics.Report({}, diag::OptionOfStage, option, profile.name,
                          InfoOf(*profile.stage).name);
   };
-  refuse(request.link.has_pixel_shader(), "--pixel-shader");
+  refuse(request.is_linked(), "--pixel-shader");
   refuse(request.planes.fragment.has_value(), "--fragment");
   refuse(request.planes.variants.has_value(), "--variants");
   refuse(request.planes.lowering.has_value(), "--lower");
@@ -120,44 +125,90 @@ void CheckStage(const CompileRequest& request, const ir::Profile& profile,
   refuse(request.style.invariant, "--invariant");
 }
 
+// The clip planes of a shader as the request has them, if a stage with planes comes after it.
+LoweringRequest LoweringOf(const ProgramRequest& request, const ir::Profile& profile) {
+  const bool has_planes = !profile.stage || InfoOf(*profile.stage).has_stage_after;
+  static const PlaneOptions kNone;
+  const PlaneOptions& planes = has_planes ? request.planes : kNone;
+  return {planes.lowering.value_or(DefaultLowering(profile)), planes.space, planes.position_input,
+          request.hlsl.plane_distances};
+}
+
+// The profile of a pixel shader beside that of a vertex shader, for what the pixel shader reads:
+// ps_5_0 for vs_5_0. Limits of the hardware are not asked here, so ps_3_0 and ps_4_0 stand for the
+// lower ones.
+ir::Profile NeighboursProfile(const ir::Profile& vertex) {
+  const std::string name =
+      vertex.IsDirect3D9() ? "ps_3_0" : fmt::format("ps_{}_{}", vertex.major, vertex.minor);
+  return *ir::ParseProfile(name);
+}
+
 }  // namespace
 
-Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
+Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& diagnostics) {
+  const ShaderSource& shader = request.shaders[number];
+  const bool is_first = number == 0;
   Plan plan;
-  const PlaneOptions& planes = request.planes;
-  plan.check = CheckOptionsOf(request.language, diagnostics);
-  plan.input = InputOf(request, plan.check.profile);
+  plan.check =
+      CheckOptionsOf(request.language, ProfileOf(shader.profile, request.language, diagnostics));
+  plan.check.entry = shader.entry;
+  plan.check.entry_call = shader.entry_call;
+  const ir::Profile& profile = plan.check.profile;
   plan.write = WriteOptionsOf(request.style, diagnostics);
-  CheckPassNames(request.debug, diagnostics);
-  plan.lowering = {planes.lowering.value_or(DefaultLowering(plan.check.profile)), planes.space,
-                   planes.position_input, request.hlsl.plane_distances};
-  CheckRequest(plan.lowering, diagnostics);
+  plan.lowering = LoweringOf(request, profile);
+  if (is_first) {
+    plan.stop_after = request.debug.stop_after;
+    CheckPassNames(request.debug, diagnostics);
+    CheckRequest(plan.lowering, diagnostics);
+  }
   if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
-  CheckStage(request, plan.check.profile, diagnostics);
-  if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
-    diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
+  if (is_first) {
+    CheckStage(request, profile, diagnostics);
+    if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
+      diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
+  } else if (!diagnostics.has_errors() && profile.stage != Stage::kPixel) {
+    diagnostics.Report({}, diag::UnknownProfile, profile.name,
+                       " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
+  }
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
   // are the usual ones where stages match by name.
   const bool is_hlslcc = request.style.names.empty()
                              ? !request.target.Has(glsl::Feature::kOutputLocations)
                              : request.style.names == "hlslcc";
-  const bool has_pixel_shader = request.link.has_pixel_shader();
-  plan.keeps_matrices_whole = !has_pixel_shader && !is_hlslcc;
+  plan.keeps_matrices_whole = !request.is_linked() && !is_hlslcc;
   // Of a pair, matrices match register by register, as in Direct3D.
-  plan.check.stages_match_by_row =
-      (has_pixel_shader && !request.link.is_pair) || plan.keeps_matrices_whole;
+  plan.check.stages_match_by_row = request.neighbour || plan.keeps_matrices_whole;
   plan.check.whole_register_planes = plan.lowering.lowering == Lowering::kLevel9;
   return plan;
 }
 
-Plan ResolvePixelHalf(const CompileRequest& request, Diagnostics& diagnostics) {
-  Plan plan = Resolve(request, diagnostics);
-  plan.keeps_matrices_whole = plan.check.stages_match_by_row = false;
-  const ir::Profile& profile = plan.check.profile;
-  if (!diagnostics.has_errors() && profile.stage != Stage::kPixel)
-    diagnostics.Report({}, diag::UnknownProfile, profile.name,
-                       " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
-  return plan;
+SourceInput InputOf(const ProgramRequest& request, std::size_t number, const Plan& plan,
+                    Diagnostics& diagnostics) {
+  const ShaderSource& file = request.FileOf(number);
+  std::optional<std::string> text = file.text;
+  // The caller who gives the includes gives the text of every shader after the first too: no file
+  // is read for it.
+  if (&file != &request.first() && !text && request.includes.read) {
+    text = request.includes.read(file.path);
+    if (!text)
+      diagnostics.Report({}, diag::PixelShader,
+                         fmt::format("{}: there is no such file", file.path));
+  }
+  return InputOf(request, file.path, std::move(text), plan.check.profile);
+}
+
+CheckOptions NeighboursCheck(const ProgramRequest& request) {
+  CheckOptions check = CheckOptionsOf(
+      request.language, NeighboursProfile(*ir::ParseProfile(request.first().profile)));
+  if (!request.neighbour->entry.empty()) check.entry = request.neighbour->entry;
+  check.is_interface_only = true;
+  check.stages_match_by_row = true;
+  return check;
+}
+
+SourceInput NeighboursInput(const ProgramRequest& request, std::string text,
+                            const CheckOptions& check) {
+  return InputOf(request, request.neighbour->path, std::move(text), check.profile);
 }
 
 }  // namespace clipc

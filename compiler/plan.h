@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "backend-glsl/write.h"
 #include "base/diagnostics.h"
 #include "compiler/check_lowering.h"
@@ -10,19 +13,28 @@
 
 namespace clipc {
 
-// What one compile does: the request with its names resolved and its defaults settled.
+// What is done with one shader of a program: its part of the request, with the names resolved and
+// the defaults settled.
 struct Plan {
-  SourceInput input;
   CheckOptions check;
   LoweringRequest lowering;
   glsl::WriteOptions write;           // without comments
   bool keeps_matrices_whole = false;  // link/whole.h
+  std::string stop_after;             // DebugOptions::stop_after, if it is about this shader
 };
 
-// Makes the plan. Reports names that nothing has, and parts of the request that do not go together
-// whatever the shader is; after errors, only `input` is meaningful.
-Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics);
-// The same for the pixel shader of a pair, whose request PixelRequest made.
-Plan ResolvePixelHalf(const CompileRequest& request, Diagnostics& diagnostics);
+// Makes the plan of ProgramRequest::shaders[number]. Reports names that nothing has, and parts of
+// the request that do not go together whatever the shader is; those of the whole request with the
+// first shader. After errors, only the profile has a meaning, for InputOf.
+Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& diagnostics);
+
+// The text of that shader, and how it is lexed. Reports a text that the caller does not give.
+SourceInput InputOf(const ProgramRequest& request, std::size_t number, const Plan& plan,
+                    Diagnostics& diagnostics);
+
+// How the HLSL of the neighbour is read, as far as its interface needs it.
+CheckOptions NeighboursCheck(const ProgramRequest& request);
+SourceInput NeighboursInput(const ProgramRequest& request, std::string text,
+                            const CheckOptions& check);
 
 }  // namespace clipc

@@ -29,8 +29,8 @@ struct DebugOptions {
   std::optional<DumpStage> dump;
   // The names of passes. The program after each of them is appended to CompileResult::dump.
   std::vector<std::string> dump_after;
-  // The name of the pass after which compilation stops. The program is dumped unless `dump_after`
-  // dumps some.
+  // The name of the pass after which the first shader's compilation stops. Its program is dumped
+  // unless `dump_after` dumps some.
   std::string stop_after;
   // The typed program is verified between passes, as in debug builds.
   bool verify = false;
@@ -39,14 +39,34 @@ struct DebugOptions {
   bool changes_result() const { return dump || !dump_after.empty() || !stop_after.empty(); }
 };
 
-// The version of HLSL and the parts of the text that are compiled.
+// One stage of a program, as it is asked for.
+struct ShaderSource {
+  // A file, or "-" for standard input. When `text` is given, it is compiled instead, and `path` is
+  // the label in messages and says in which folder includes are looked up. Empty, of a shader after
+  // the first: the function is in the text of the first.
+  std::string path = {};
+  std::optional<std::string> text = {};
+  std::string entry = "main";
+  std::string entry_call = {};  // CheckOptions::entry_call
+  std::string profile = "vs_5_0";
+};
+
+// A shader of another tool that reads what the program writes. Its interface and its layout are
+// given, and the program is written to fit them: its outputs, and the constant buffers that both
+// use.
+struct Neighbour {
+  // A file with HLSL, GLSL or SPIR-V. When `text` is given, it is read instead, and `path` is the
+  // label in messages. HLSL is read with the include folders, macros and packing of the request.
+  std::string path;
+  std::optional<std::string> text = {};
+  std::string entry = {};  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
+};
+
+// The version of HLSL and the way it is read.
 struct LanguageOptions {
   LanguageVersion version = LanguageVersion::k2021;
-  std::string profile = "vs_5_0";
-  std::string entry = "main";
-  std::string entry_call;  // CheckOptions::entry_call
-  // The shader is one of an effect: it has a preshader, CheckOptions::has_preshader, and its text
-  // is that of other shaders too, which a Compiler reads once.
+  // The shaders are those of an effect: they have a preshader, CheckOptions::has_preshader, and
+  // their text is that of other shaders too, which a Compiler reads once.
   bool is_in_effect = false;
   std::vector<std::string> shadow_samplers;  // CheckOptions::shadow_samplers
   bool legacy_macro_expansion = false;       // read `##` as fxc from shader model 6 on too
@@ -96,42 +116,25 @@ struct StyleOptions {
   // The layout that the buffers must have, which is Direct3D's too or an error.
   glsl::BufferLayout layout = glsl::BufferLayout::kDirect3D;
   // The style of names: "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: the names
-  // of the pixel shader, or "hlslcc" where it is not known.
+  // of the neighbour, or "hlslcc" where there is none.
   std::string names;
 };
 
-// The pixel shader that the vertex shader is linked with.
-struct PixelShader {
-  // A file with HLSL, GLSL or SPIR-V. When `text` is given, it is read instead, and `path` is the
-  // label in messages. Empty: the pixel shader is not known.
-  std::string path;
-  std::optional<std::string> text;
-  std::string entry;       // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
-  std::string profile;     // of a pair; empty: the one of the vertex shader's model
-  std::string entry_call;  // of a pair: CheckOptions::entry_call
-};
-
-// The other half of the program. The shader is written to fit it: its outputs, and the constant
-// buffers that both use. HLSL is read with the include folders, macros and packing of the request.
+// How the outputs of a stage and the inputs of the next one are made to fit.
 struct LinkOptions {
-  PixelShader pixel_shader;
-  // The pixel shader, which is HLSL, is compiled too. Without a path it is in
-  // the text of the vertex shader.
-  bool is_pair = false;
-  bool keep_outputs = false;    // keep outputs that the pixel shader does not read
-  bool zero_unwritten = false;  // unwritten inputs of the pixel shader become 0
-
-  bool has_pixel_shader() const { return is_pair || !pixel_shader.path.empty(); }
+  bool keep_outputs = false;    // keep outputs that the next stage does not read
+  bool zero_unwritten = false;  // unwritten inputs of the next stage become 0
 };
 
 // HLSL instead of GLSL: the main file with the planes of its entry points as clip distances. Under
-// lowering kDiscard the function LinkOptions::pixel_shader.entry of the file discards; of a pair,
-// it is in a file of its own, which is an output of its own.
+// lowering kDiscard the second shader of the request discards, in a file that is an output of its
+// own.
 struct HlslOptions {
   bool wanted = false;
-  std::vector<std::string> entries;   // beside LanguageOptions::entry
+  std::vector<std::string> entries;   // beside the first shader's
   std::string wrapper_entry;          // rewrite::Options
   std::uint32_t plane_distances = 0;  // the least number of clip distances; 0: as many as planes
+  bool in_one_file = false;           // the second shader is in the main file, and stays there
 };
 
 // The parts of the result that are filled besides the shaders and the table.
@@ -157,16 +160,15 @@ struct Limits {
   std::function<bool()> is_cancelled;
 };
 
-struct CompileRequest {
-  // A file, or "-" for standard input. When `text` is given, it is compiled instead, and `path` is
-  // the label in messages and says in which folder includes are looked up.
-  std::string path;
-  std::optional<std::string> text;
-  std::vector<std::string> defines;  // "NAME" or "NAME=VALUE"
+// A program: its shaders, and what they share.
+struct ProgramRequest {
+  std::vector<ShaderSource> shaders = std::vector<ShaderSource>(1);  // by stage, at least one
+  std::optional<Neighbour> neighbour;  // it reads what the last shader writes
+  std::vector<std::string> defines;    // "NAME" or "NAME=VALUE"
   IncludeOptions includes;
   LanguageOptions language;
   glsl::Target target = *glsl::Target::Parse("glsl450");
-  PlaneOptions planes;
+  PlaneOptions planes;  // of the shader before the rasterizer
   StyleOptions style;
   LinkOptions link;
   HlslOptions hlsl;
@@ -175,10 +177,17 @@ struct CompileRequest {
   Limits limits;
   DebugOptions debug;
 
-  // Whether the pixel shader's HLSL is read beside the vertex shader's.
-  bool reads_pixel_half() const {
-    return link.is_pair || (hlsl.wanted && !link.pixel_shader.entry.empty());
+  // The first shader, which is the only one of most programs.
+  ShaderSource& first() { return shaders.front(); }
+  const ShaderSource& first() const { return shaders.front(); }
+
+  // The shader that has the file of shader `number`: itself or the first.
+  const ShaderSource& FileOf(std::size_t number) const {
+    return shaders[number].path.empty() ? first() : shaders[number];
   }
+
+  // Whether a shader of the program is fitted to what reads its outputs.
+  bool is_linked() const { return shaders.size() > 1 || neighbour; }
 
   bool record_macros = false;  // fill CompileResult::macros_used
   // Asked about the text after preprocessing, if nothing else decides the result; when it returns

@@ -51,7 +51,7 @@ struct CompileResult {
   std::vector<std::string> dependencies;  // files read, each once, in the order first entered
   std::vector<Include> includes;          // every entry into an include file, in order
   std::vector<std::string> macros_used;   // on request: Source::MacrosUsed
-  std::optional<TokenDigest> digest;      // the one that CompileRequest::is_known was asked about
+  std::optional<TokenDigest> digest;      // the one that ProgramRequest::is_known was asked about
   bool is_repeated = false;
 
   bool ok() const { return status == Status::kOk; }

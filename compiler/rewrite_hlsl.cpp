@@ -23,8 +23,8 @@
 namespace clipc {
 namespace {
 
-std::vector<std::string> EntriesOf(const CompileRequest& request) {
-  std::vector<std::string> entries = {request.language.entry};
+std::vector<std::string> EntriesOf(const ProgramRequest& request) {
+  std::vector<std::string> entries = {request.first().entry};
   for (const std::string& entry : request.hlsl.entries) {
     if (std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
   }
@@ -94,7 +94,7 @@ bool HasName(const ast::File& file, std::string_view name) {
 
 // A main file as far as it is understood.
 struct MainFile {
-  const Job& job;
+  Job& job;
   std::vector<std::string> entries;  // names of functions
   std::vector<std::vector<rewrite::Use>> uses;
   ast::File file;
@@ -103,9 +103,8 @@ struct MainFile {
 };
 
 // Reads the main file of a job. Returns nullopt after an error.
-std::optional<MainFile> ReadMainFile(const Job& job, std::vector<std::string> entries,
-                                     bool has_bodies) {
-  Tokens tokens = Lex(job.source, job.diagnostics);
+std::optional<MainFile> ReadMainFile(Job& job, std::vector<std::string> entries, bool has_bodies) {
+  Tokens tokens = Lex(job.source(), job.diagnostics);
   if (job.diagnostics.has_errors()) return std::nullopt;
   MainFile main{job, std::move(entries), {}, {}, Diagnostics(), has_bodies};
   main.uses = UsesOf(tokens, main.entries);
@@ -127,7 +126,7 @@ bool IsDoubtful(const EntryPoint& entry, const MainFile& main) {
   for (const Diagnostic& problem : main.of_text.all()) {
     if (problem.severity != Severity::kError) continue;
     for (const Span declaration : entry.declarations) {
-      if (!main.job.source.InMainText(declaration) ||
+      if (!main.job.source().InMainText(declaration) ||
           (problem.span.begin >= declaration.begin && problem.span.begin <= declaration.end))
         return true;
     }
@@ -137,13 +136,13 @@ bool IsDoubtful(const EntryPoint& entry, const MainFile& main) {
 
 // Describes the entry of this number. Returns nullopt after an error.
 std::optional<rewrite::Entry> ReadEntry(const MainFile& main, std::size_t number) {
-  const Job& job = main.job;
+  Job& job = main.job;
   CheckOptions options = job.plan.check;
   options.entry = main.entries[number];
   Diagnostics of_entry;
   of_entry.SetWatch(job.watch);
   rewrite::Entry entry;
-  entry.source = &job.source;
+  entry.source = &job.source();
   entry.diagnostics = &job.diagnostics;
   entry.point = CheckEntryPoint(
       main.file, options, main.has_bodies ? EntryBodies::kCheck : EntryBodies::kLeave, of_entry);
@@ -159,7 +158,7 @@ std::optional<rewrite::Entry> ReadEntry(const MainFile& main, std::size_t number
 }
 
 // Reports the names of new functions that the file has already.
-void CheckNewNames(const CompileRequest& request, const ast::File& file,
+void CheckNewNames(const ProgramRequest& request, const ast::File& file,
                    const rewrite::Entry& entry) {
   const std::string& wrapper = entry.pixel ? std::string() : request.hlsl.wrapper_entry;
   std::vector<std::string> names;
@@ -174,7 +173,7 @@ void CheckNewNames(const CompileRequest& request, const ast::File& file,
 }
 
 // Settles how the planes of a vertex shader are written.
-void PlanPlanes(const Job& job, rewrite::Entry& entry) {
+void PlanPlanes(Job& job, rewrite::Entry& entry) {
   const LoweringRequest& lowering = job.plan.lowering;
   const ir::Program& program = entry.point.program;
   entry.form = {lowering.lowering, lowering.plane_space,
@@ -201,8 +200,8 @@ bool MayWriteMemory(const ast::File& file) {
 
 // The pixel shader that discards for the planes of `vertex`, the shader of `request`. Returns
 // nullopt after an error.
-std::optional<rewrite::Entry> PixelEntry(const MainFile& main, const rewrite::Entry& vertex,
-                                         const CompileRequest& request) {
+std::optional<rewrite::Entry> DiscardingEntry(const MainFile& main, const rewrite::Entry& vertex,
+                                              const ProgramRequest& request) {
   std::optional<rewrite::Entry> entry = ReadEntry(main, 0);
   if (!entry) return std::nullopt;
   const bool has_locations =
@@ -221,20 +220,21 @@ std::optional<rewrite::Entry> PixelEntry(const MainFile& main, const rewrite::En
 }
 
 // The main file of the job with its entries changed. `variants` is that of the vertex shader.
-std::string Rewritten(const Job& job, std::span<const rewrite::Entry> entries,
+std::string Rewritten(Job& job, std::span<const rewrite::Entry> entries,
                       std::optional<std::uint32_t> variants) {
-  const CompileRequest& request = job.request;
-  const std::string& text = job.source.MainText();
+  const ProgramRequest& request = job.request;
+  const std::string& text = job.source().MainText();
   if (entries.empty()) return text;
   return rewrite::Rewrite(
       text, entries,
-      {request.hlsl.wrapper_entry, variants, request.outputs.source_lines, request.path});
+      {request.hlsl.wrapper_entry, variants, request.outputs.source_lines, job.path});
 }
 
 }  // namespace
 
-void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result) {
-  const CompileRequest& request = job.request;
+void RewriteHlsl(std::span<Job> jobs, CompileResult& result) {
+  Job& job = jobs.front();
+  const ProgramRequest& request = job.request;
   const bool has_bodies = job.plan.lowering.plane_space == PlaneSpace::kObject;
   const std::optional<MainFile> main = ReadMainFile(job, EntriesOf(request), has_bodies);
   if (!main) return;
@@ -245,7 +245,7 @@ void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result) {
     if (!entry || entry->planes == 0) continue;
     PlanPlanes(job, *entry);
     CheckNewNames(request, main->file, *entry);
-    if (job.plan.lowering.lowering == Lowering::kDiscard && !pixel) {
+    if (job.plan.lowering.lowering == Lowering::kDiscard && jobs.size() == 1) {
       const auto& planes = entry->point.program.clip_planes;
       job.diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::RewriteDiscard,
                              entry->point.name, rewrite::kPlaneDistance);
@@ -255,21 +255,21 @@ void RewriteHlsl(const Job& job, const Job* pixel, CompileResult& result) {
   if (job.diagnostics.has_errors()) return;
 
   std::vector<rewrite::Entry> discarding;
-  if (pixel) {
+  for (Job& discards : jobs.subspan(1)) {
     const std::optional<MainFile> other =
-        ReadMainFile(*pixel, {pixel->request.language.entry}, false);
+        ReadMainFile(discards, {discards.plan.check.entry}, false);
     if (!other) return;
-    if (!entries.empty()) {
-      auto entry = PixelEntry(*other, entries.front(), request);
-      if (!entry) return;
-      discarding.push_back(std::move(*entry));
-    }
+    if (entries.empty()) continue;
+    auto entry = DiscardingEntry(*other, entries.front(), request);
+    if (!entry) return;
+    discarding.push_back(std::move(*entry));
   }
-  const bool is_one_file = !request.link.is_pair;
-  if (is_one_file) std::ranges::move(discarding, std::back_inserter(entries));
+  const bool has_own_file = jobs.size() > 1 && !request.hlsl.in_one_file;
+  if (!has_own_file) std::ranges::move(discarding, std::back_inserter(entries));
   std::vector<ShaderOutput>& files = result.outputs.emplace().shaders;
   files.push_back({Rewritten(job, entries, request.planes.variants), {}});
-  if (!is_one_file) files.push_back({Rewritten(*pixel, discarding, request.planes.variants), {}});
+  if (has_own_file)
+    files.push_back({Rewritten(jobs.back(), discarding, request.planes.variants), {}});
 }
 
 }  // namespace clipc

@@ -20,7 +20,8 @@
 #include "passes/pipeline.h"
 
 // The chain that every shader takes from HLSL to GLSL. Each stage takes a value and gives a value;
-// the compiler, the draw tests and whoever else compiles a shader call these and nothing below.
+// the compiler, the draw tests and whoever else compiles a shader call these and nothing below. The
+// shaders of a program take it side by side: lower_program.h links them between Front and Lower.
 //
 //   Source --Front--> ir::Program --Lower--> Lowered --Legalize--> Lowered --Write--> WrittenGlsl
 //

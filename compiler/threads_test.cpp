@@ -32,8 +32,8 @@ std::vector<std::string> Corpus() {
 // The outputs and messages of one compile as one text. Every eighth compile calls glslang, whose
 // tables the threads share.
 std::string Said(Compiler& compiler, const std::string& path, std::size_t number) {
-  CompileRequest request;
-  request.path = path;
+  ProgramRequest request;
+  request.first().path = path;
   request.outputs.validate = number % 8 == 0;
   request.target = *glsl::Target::Parse(number % 3 == 0   ? "vulkan"
                                         : number % 3 == 1 ? "essl310"

@@ -21,7 +21,7 @@ bool HoldsStructs(const std::string& file) { return file.ends_with(".h"); }
 
 // Returns the option that HLSL cannot have; empty if there is none.
 std::string_view NotForHlsl(const CommandLine& command) {
-  const CompileRequest& request = command.request;
+  const ProgramRequest& request = command.request;
   if (!command.tables.empty()) return "--table";
   if (!command.reflections.empty()) return "--reflect";
   if (!command.header.empty()) return "-Fh";
@@ -34,7 +34,7 @@ std::string_view NotForHlsl(const CommandLine& command) {
 
 // Returns the first mistake in what is said about HLSL as the target.
 std::string CheckHlsl(const CommandLine& command) {
-  const CompileRequest& request = command.request;
+  const ProgramRequest& request = command.request;
   const HlslOptions& hlsl = request.hlsl;
   const Lowering lowering = request.planes.lowering.value_or(Lowering::kClipDistance);
   if (hlsl.plane_distances > 0 && (!hlsl.wanted || lowering != Lowering::kClipDistance))
@@ -48,13 +48,12 @@ std::string CheckHlsl(const CommandLine& command) {
     return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
   if (const std::string_view option = NotForHlsl(command); !option.empty())
     return fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option);
-  const bool has_pixel = request.link.has_pixel_shader() || request.reads_pixel_half();
-  if (has_pixel && lowering != Lowering::kDiscard)
+  if (request.is_linked() && lowering != Lowering::kDiscard)
     return "with --target=hlsl, a pixel shader is for --lower=discard; it stays as it is under the "
            "other lowerings";
-  if (has_pixel && hlsl.entries.size() > 1)
+  if (request.is_linked() && hlsl.entries.size() > 1)
     return "the pixel shader fits one vertex shader; with it, give one -E";
-  if (request.link.has_pixel_shader() && !request.link.is_pair)
+  if (!command.pixel_shader.path.empty() && command.pixel_output.empty())
     return "--pixel-shader is rewritten too; --pixel-output names the file that it goes to";
   return {};
 }
@@ -67,16 +66,15 @@ bool IsIdentifier(std::string_view text) {
 
 // Returns the first mistake in what is said about the pixel shader of a pair.
 std::string CheckPair(const CommandLine& command) {
-  const LinkOptions& link = command.request.link;
-  const PixelShader& pixel = link.pixel_shader;
-  if (!link.is_pair && !pixel.profile.empty())
+  const bool is_pair = !command.pixel_output.empty();
+  if (!is_pair && !command.pixel_shader.profile.empty())
     return "--pixel-profile is for --pixel-output, which compiles the pixel shader";
-  if (!link.is_pair) return {};
-  if (command.pixel_output.empty()) return "--pixel-output needs the name of a file, or `.frag`";
+  if (!is_pair) return {};
   if (!command.fragment.empty())
     return "--fragment is for a pixel shader in GLSL; with --pixel-output clipc writes it";
   if (command.request.planes.variants && command.pixel_output == "-")
     return "--variants writes several files, named after the one that --pixel-output gives";
+  const ShaderSource& pixel = command.request.shaders.back();
   if (pixel.path.empty() && pixel.entry.empty())
     return "--pixel-output needs --pixel-entry, the pixel shader's function in the same file";
   return {};
@@ -85,7 +83,7 @@ std::string CheckPair(const CommandLine& command) {
 }  // namespace
 
 std::string CheckCommand(const CommandLine& command) {
-  const CompileRequest& request = command.request;
+  const ProgramRequest& request = command.request;
   if (std::string problem = CheckHlsl(command); !problem.empty()) return problem;
   for (const std::string& table : command.tables) {
     if (!clip_table::FormatOf(table))
@@ -109,17 +107,18 @@ std::string CheckCommand(const CommandLine& command) {
     return "--position-input is for --plane-space=object; other spaces take the position that the "
            "shader computes";
   }
-  if (!request.link.has_pixel_shader() && request.link.keep_outputs) {
+  const bool has_pixel_shader = !command.pixel_output.empty() || !command.pixel_shader.path.empty();
+  if (!has_pixel_shader && request.link.keep_outputs) {
     return "--keep-outputs is for --pixel-shader; without it every output is kept";
   }
-  if (!request.link.has_pixel_shader() && request.link.zero_unwritten) {
+  if (!has_pixel_shader && request.link.zero_unwritten) {
     return "--zero-unwritten is for --pixel-shader, which says what is read";
   }
   return {};
 }
 
 void ReportIdle(const CommandLine& command, Diagnostics& notices) {
-  const CompileRequest& request = command.request;
+  const ProgramRequest& request = command.request;
   const auto report = [&](bool is_idle, const char* option, const char* why) {
     if (is_idle) notices.Report({}, diag::OptionWithoutEffect, option, why);
   };
@@ -135,17 +134,16 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   report(!command.technique.empty(), "--technique", kForEffects);
   report(!command.pass.empty(), "--pass", kForEffects);
   report(command.shards != 1, "--shard", kForMany);
-  const bool reads_pixel = request.link.has_pixel_shader() || request.reads_pixel_half();
   report(
-      !reads_pixel && !request.link.pixel_shader.entry.empty(), "--pixel-entry",
+      !request.is_linked() && !command.pixel_shader.entry.empty(), "--pixel-entry",
       "it is for --pixel-shader, which fits a pixel shader, and --pixel-output, which writes one");
   const glsl::Target& target = request.target;
   report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),
          "--separable", "it is for targets `glsl410` to `glsl460`");
-  const auto profile = ir::ParseProfile(request.language.profile);
+  const auto profile = ir::ParseProfile(request.first().profile);
   const bool has_planes = !profile || !profile->stage || InfoOf(*profile->stage).has_stage_after;
   const bool has_pixel_shader =
-      !has_planes || request.link.is_pair || command.effect || !command.batch.empty();
+      !has_planes || request.shaders.size() > 1 || command.effect || !command.batch.empty();
   if (!request.language.shadow_samplers.empty()) {
     report(request.hlsl.wanted, "--shadow-samplers", "with --target=hlsl the text stays as it is");
     report(!request.hlsl.wanted && !has_pixel_shader, "--shadow-samplers",
@@ -170,7 +168,7 @@ CompileResult NoticesOf(const CommandLine& command) {
 }
 
 std::string PrepareRequest(CommandLine& command) {
-  CompileRequest& request = command.request;
+  ProgramRequest& request = command.request;
   if (!command.fragment.empty()) {
     const std::string problem = ReadText(command.fragment, request.planes.fragment.emplace());
     if (!problem.empty()) return fmt::format("cannot read `{}`: {}", command.fragment, problem);

@@ -84,8 +84,7 @@ class Watcher {
 };
 
 std::vector<std::string> Watcher::NamedFiles(std::size_t unit) const {
-  std::vector<std::string> files = {command_.batch, command_.fragment,
-                                    command_.request.link.pixel_shader.path};
+  std::vector<std::string> files = {command_.batch, command_.fragment, command_.pixel_shader.path};
   for (std::size_t i = 0; i < command_.inputs.size(); ++i) {
     if (is_whole_ || i == unit) files.push_back(command_.inputs[i]);
   }

@@ -31,17 +31,17 @@ std::vector<std::string> Split(const std::string& text, char separator) {
   return parts;
 }
 
-std::vector<CompileRequest> ReadList(const std::string& path) {
-  std::vector<CompileRequest> requests;
+std::vector<ProgramRequest> ReadList(const std::string& path) {
+  std::vector<ProgramRequest> requests;
   std::ifstream list(path);
   for (std::string line; std::getline(list, line);) {
     std::vector<std::string> parts = Split(line, '\t');
     if (parts.size() < 3) continue;
     parts.resize(5);
-    CompileRequest request;
-    request.path = parts[0];
-    request.language.entry = parts[1];
-    request.language.profile = parts[2];
+    ProgramRequest request;
+    request.first().path = parts[0];
+    request.first().entry = parts[1];
+    request.first().profile = parts[2];
     request.includes.dirs = Split(parts[3], ';');
     request.defines = Split(parts[4], ';');
     requests.push_back(std::move(request));
@@ -72,7 +72,7 @@ void Say(const char* who, const std::vector<char>& accepted, double seconds) {
 }  // namespace
 
 void BenchCorpus(const std::string& list) {
-  const std::vector<CompileRequest> requests = ReadList(list);
+  const std::vector<ProgramRequest> requests = ReadList(list);
   std::vector<std::pair<double, std::size_t>> times(requests.size());
   std::vector<char> accepted(requests.size()), accepted_by_reference(requests.size());
   Compiler compilers[kThreads];
@@ -108,9 +108,9 @@ void BenchCorpus(const std::string& list) {
   std::printf("the slowest ten:\n");
   std::ranges::sort(times, std::greater{});
   for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 10); ++i) {
-    const CompileRequest& request = requests[times[i].second];
-    std::printf("%8.2f ms  %s %s\n", 1000 * times[i].first, request.path.c_str(),
-                request.language.entry.c_str());
+    const ProgramRequest& request = requests[times[i].second];
+    std::printf("%8.2f ms  %s %s\n", 1000 * times[i].first, request.first().path.c_str(),
+                request.first().entry.c_str());
   }
 }
 

@@ -54,27 +54,27 @@ void BenchCold(const std::string& clipc, const std::string& hello, const std::st
 constexpr unsigned kWarmShaders = 100;  // of the measurements in one process
 
 // The requests for a hundred shaders. `text_of` gives one for each seed.
-std::vector<CompileRequest> Shaders(const char* profile, const char* entry,
+std::vector<ProgramRequest> Shaders(const char* profile, const char* entry,
                                     std::string (*text_of)(unsigned seed)) {
-  std::vector<CompileRequest> requests(kWarmShaders);
+  std::vector<ProgramRequest> requests(kWarmShaders);
   for (unsigned i = 0; i < kWarmShaders; ++i) {
-    requests[i].path = "shader.hlsl";
-    requests[i].text = text_of(i);
-    requests[i].language.profile = profile;
-    requests[i].language.entry = entry;
+    requests[i].first().path = "shader.hlsl";
+    requests[i].first().text = text_of(i);
+    requests[i].first().profile = profile;
+    requests[i].first().entry = entry;
   }
   return requests;
 }
 
-void CompileAll(Compiler& compiler, const std::vector<CompileRequest>& requests) {
-  for (const CompileRequest& request : requests) {
+void CompileAll(Compiler& compiler, const std::vector<ProgramRequest>& requests) {
+  for (const ProgramRequest& request : requests) {
     if (!compiler.Compile(request).ok()) std::exit(1);
   }
 }
 
 // Measures a hundred shaders in this process, with clipc and with the reference compilers in turn,
 // and returns the ratio.
-double WarmRatio(const char* profile, const std::vector<CompileRequest>& requests) {
+double WarmRatio(const char* profile, const std::vector<ProgramRequest>& requests) {
   constexpr int kRounds = 7;
   StartReferenceCompilers();
   Compiler compiler;
@@ -84,7 +84,7 @@ double WarmRatio(const char* profile, const std::vector<CompileRequest>& request
     CompileAll(compiler, requests);
     ours.push_back(1e3 * (harness::ProcessSeconds() - start) / kWarmShaders);
     start = harness::ProcessSeconds();
-    for (const CompileRequest& request : requests) {
+    for (const ProgramRequest& request : requests) {
       if (!CompileWithReferenceCompilers(request)) std::exit(1);
     }
     theirs.push_back(1e3 * (harness::ProcessSeconds() - start) / kWarmShaders);
@@ -110,12 +110,12 @@ void BenchPixelShader() {
   std::vector<double> alone, fitted;
   Compiler compiler;
   for (unsigned i = 0; i < kShaders; ++i) {
-    CompileRequest request;
-    request.path = "shader.hlsl";
-    request.text = SixtyLinePair(i);
+    ProgramRequest request;
+    request.first().path = "shader.hlsl";
+    request.first().text = SixtyLinePair(i);
     for (std::vector<double>* times : {&alone, &fitted}) {
       if (times == &fitted)
-        request.link.pixel_shader = {request.path, request.text, "pixel", {}, {}};
+        request.neighbour = {request.first().path, request.first().text, "pixel"};
       const double start = harness::ProcessSeconds();
       if (!compiler.Compile(request).ok()) std::exit(1);
       times->push_back(harness::ProcessSeconds() - start);
@@ -131,9 +131,9 @@ void BenchRewrite() {
   std::vector<double> glsl, hlsl;
   Compiler compiler;
   for (unsigned i = 0; i < kShaders; ++i) {
-    CompileRequest request;
-    request.path = "shader.hlsl";
-    request.text = SixtyLineShader(i);
+    ProgramRequest request;
+    request.first().path = "shader.hlsl";
+    request.first().text = SixtyLineShader(i);
     for (std::vector<double>* times : {&glsl, &hlsl}) {
       request.hlsl.wanted = times == &hlsl;
       const double start = harness::ProcessSeconds();
@@ -171,9 +171,9 @@ void BenchBatchValidation() {
   std::vector<double> plain, validated;
   Compiler compiler;
   for (unsigned i = 0; i < kWarmShaders + 1; ++i) {
-    CompileRequest request;
-    request.path = "shader.hlsl";
-    request.text = SixtyLineShader(i);
+    ProgramRequest request;
+    request.first().path = "shader.hlsl";
+    request.first().text = SixtyLineShader(i);
     for (std::vector<double>* times : {&plain, &validated}) {
       request.outputs.validate = times == &validated;
       const double start = harness::ProcessSeconds();

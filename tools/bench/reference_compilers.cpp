@@ -18,16 +18,16 @@ void StopReferenceCompilers() { glslang::FinalizeProcess(); }
 
 namespace {
 
-std::optional<std::string> CompileText(const std::string& hlsl, const CompileRequest& request) {
+std::optional<std::string> CompileText(const std::string& hlsl, const ProgramRequest& request) {
   const EShLanguage stage =
-      request.language.profile.starts_with("ps") ? EShLangFragment : EShLangVertex;
+      request.first().profile.starts_with("ps") ? EShLangFragment : EShLangVertex;
   glslang::TShader shader(stage);
   const char* text = hlsl.c_str();
-  const char* name = request.path.c_str();
+  const char* name = request.first().path.c_str();
   const int length = static_cast<int>(hlsl.size());
   shader.setStringsWithLengthsAndNames(&text, &length, &name, 1);
-  shader.setEntryPoint(request.language.entry.c_str());
-  shader.setSourceEntryPoint(request.language.entry.c_str());
+  shader.setEntryPoint(request.first().entry.c_str());
+  shader.setSourceEntryPoint(request.first().entry.c_str());
   shader.setEnvInput(glslang::EShSourceHlsl, stage, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
@@ -60,12 +60,12 @@ std::optional<std::string> CompileText(const std::string& hlsl, const CompileReq
 
 }  // namespace
 
-std::optional<std::string> CompileWithReferenceCompilers(const CompileRequest& request) {
-  return CompileText(request.text.value_or(""), request);
+std::optional<std::string> CompileWithReferenceCompilers(const ProgramRequest& request) {
+  return CompileText(request.first().text.value_or(""), request);
 }
 
-std::optional<std::string> CompileFileWithReferenceCompilers(const CompileRequest& request) {
-  std::ifstream file(request.path, std::ios::binary);
+std::optional<std::string> CompileFileWithReferenceCompilers(const ProgramRequest& request) {
+  std::ifstream file(request.first().path, std::ios::binary);
   return CompileText({std::istreambuf_iterator<char>(file), {}}, request);
 }
 

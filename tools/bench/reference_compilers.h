@@ -17,8 +17,8 @@ void StopReferenceCompilers();
 // Compiles the request's text to GLSL 4.50, between StartReferenceCompilers() and
 // StopReferenceCompilers(). Uses its path, stage, entry point, macros and include folders. Returns
 // none where the reference compilers fail.
-std::optional<std::string> CompileWithReferenceCompilers(const CompileRequest& request);
+std::optional<std::string> CompileWithReferenceCompilers(const ProgramRequest& request);
 // Compiles the file at the request's path in the same way.
-std::optional<std::string> CompileFileWithReferenceCompilers(const CompileRequest& request);
+std::optional<std::string> CompileFileWithReferenceCompilers(const ProgramRequest& request);
 
 }  // namespace clipc::bench

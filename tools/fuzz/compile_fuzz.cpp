@@ -39,14 +39,14 @@ void ChoosePlanes(std::string_view text, clipc::PlaneOptions& planes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static clipc::Compiler compiler;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  clipc::CompileRequest request;
-  request.path = "fuzz.hlsl";
-  request.text = std::string(text);
+  clipc::ProgramRequest request;
+  request.first().path = "fuzz.hlsl";
+  request.first().text = std::string(text);
   request.planes.given_to_device = true;
-  request.language.profile = kProfiles[Choose(text, 2, kProfiles.size())];
+  request.first().profile = kProfiles[Choose(text, 2, kProfiles.size())];
   request.target = *clipc::glsl::Target::Parse(kTargets[Choose(text, 3, kTargets.size())]);
   // Pixel shaders take no options about planes.
-  if (request.language.profile.starts_with("vs")) ChoosePlanes(text, request.planes);
+  if (request.first().profile.starts_with("vs")) ChoosePlanes(text, request.planes);
   request.style.clip_space = {.negative_one_to_one = true, .flip_y = true};
   request.outputs.facts = true;
   request.debug.verify = true;

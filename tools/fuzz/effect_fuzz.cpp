@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/compile.h"
@@ -19,20 +20,14 @@ namespace {
 
 constexpr std::size_t kMostPrograms = 4;
 
-void Compile(clipc::Compiler& compiler, clipc::CompileRequest request, const std::string& text) {
-  request.path = "fuzz.fx";
-  request.text = text;
-  // A pair's pixel shader is compiled alone too, since its text is not a file.
-  const clipc::PixelShader pixel = request.link.pixel_shader;
-  request.link = {};
+// Compiles each shader of a program alone, as an entry of the text.
+void Compile(clipc::Compiler& compiler, clipc::ProgramRequest request, const std::string& text) {
   request.debug.verify = true;
   request.outputs.facts = true;
-  for (int half = 0; half < (pixel.entry.empty() ? 1 : 2); ++half) {
-    if (half == 1) {
-      request.language.profile = pixel.profile;
-      request.language.entry = pixel.entry;
-      request.language.entry_call = pixel.entry_call;
-    }
+  for (const clipc::ShaderSource& shader : std::exchange(request.shaders, {})) {
+    request.shaders = {shader};
+    request.first().path = "fuzz.fx";
+    request.first().text = text;
     const clipc::CompileResult result = compiler.Compile(request);
     if (result.ok() != result.outputs.has_value()) std::abort();
     if (!result.ok() && result.messages.empty()) std::abort();
@@ -46,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   clipc::CommandLine command;
   command.inputs = {"fuzz.fx"};
-  command.request.text = text;
+  command.request.first().text = text;
   const clipc::LoadedEffect loaded = clipc::LoadEffect(command);
   if (!loaded.is_read) {
     if (loaded.messages.messages.empty()) std::abort();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Gives any bytes as the pixel shader of one vertex shader: either there is an error, or GLSL.
+// Gives any bytes as the neighbour of one vertex shader: either there is an error, or GLSL.
 #include <cstdint>
 #include <cstdlib>
 
@@ -30,11 +30,11 @@ Varyings main(float4 p : POSITION) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  clipc::CompileRequest request;
-  request.path = "vertex.hlsl";
-  request.text = kVertexShader;
-  request.link.pixel_shader.path = "pixel";
-  request.link.pixel_shader.text.emplace(reinterpret_cast<const char*>(data), size);
+  clipc::ProgramRequest request;
+  request.first().path = "vertex.hlsl";
+  request.first().text = kVertexShader;
+  request.neighbour = {.path = "pixel",
+                       .text = std::string(reinterpret_cast<const char*>(data), size)};
   for (const char* target : {"glsl450", "vulkan", "essl300"}) {
     request.target = *clipc::glsl::Target::Parse(target);
     const clipc::CompileResult result = clipc::Compile(request);

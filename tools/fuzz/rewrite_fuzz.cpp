@@ -27,17 +27,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                             clipc::Lowering::kNearPlane, clipc::Lowering::kNone,
                                             clipc::Lowering::kDiscard};
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  clipc::CompileRequest request;
-  request.path = "fuzz.hlsl";
-  request.text = std::string(text);
+  clipc::ProgramRequest request;
+  request.first().path = "fuzz.hlsl";
+  request.first().text = std::string(text);
   request.includes.read = [](const std::string&) { return std::string(); };
   request.planes.lowering = kLowerings[Digit(text, 2) % std::size(kLowerings)];
   request.planes.space =
       static_cast<clipc::PlaneSpace>(Digit(text, 3) % std::size(clipc::kPlaneSpaceNames));
   request.hlsl.wanted = true;
   request.hlsl.entries = {"main", "second"};
-  if (request.planes.lowering == clipc::Lowering::kDiscard)
-    request.link.pixel_shader.entry = "pixel";
+  if (request.planes.lowering == clipc::Lowering::kDiscard) {
+    request.shaders.push_back({.entry = "pixel", .profile = "ps_5_0"});
+    request.hlsl.in_one_file = true;
+  }
   request.hlsl.plane_distances = static_cast<std::uint32_t>(Digit(text, 4) % 9);
   request.outputs.source_lines = Digit(text, 5) % 2 == 1;
   const clipc::CompileResult result = clipc::Compile(request);
@@ -46,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (result.messages.empty()) std::abort();
     return 0;
   }
-  request.text = result.outputs->shaders[0].text;
+  request.first().text = result.outputs->shaders[0].text;
   const clipc::CompileResult again = clipc::Compile(request);
   if (!again.ok() || again.outputs->shaders != result.outputs->shaders) std::abort();
   return 0;
