@@ -125,8 +125,10 @@ std::string OutputFiles::Commit() {
   return {};
 }
 
-// The path without `.` and `..`: t.json for ./t.json.
+// The path without `.` and `..`: t.json for ./t.json. Most paths have none.
 std::string FileSet::Normal(const std::string& path) {
+  const auto has = [&](const char* part) { return path.find(part) != path.npos; };
+  if (!path.starts_with('.') && !has("/.") && !has("//") && !has("\\")) return path;
   return std::filesystem::path(path).lexically_normal().generic_string();
 }
 
