@@ -6,7 +6,7 @@
 #include <ranges>
 #include <vector>
 
-#include "backend-glsl/write.h"
+#include "backend-glsl/glsl_info.h"
 
 namespace clipc::glsl {
 
@@ -37,7 +37,7 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
   RenumberSpaces(all, other);
   const bool bound_by_option = target.bindings.globals.has_value();
   Taken taken;
-  if (other && other->written && pixel_sets_ == 0) taken = TakeFromOther(program, *other);
+  if (other && other->laid && pixel_sets_ == 0) taken = TakeFromOther(program, *other);
   const Taken others = taken;
   // Where the user says how registers are bound, the host binds them so.
   const bool has_rules = !rules_.empty();
@@ -72,9 +72,9 @@ void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all,
   }
   if (far.empty()) return;
   const auto take = [&](const GlslInfo::Binding& place) { used.insert(place.set.value_or(0)); };
-  if (other && other->written) {
-    std::ranges::for_each(other->written->blocks, take);
-    std::ranges::for_each(other->written->objects, take);
+  if (other && other->laid) {
+    std::ranges::for_each(other->laid->blocks, take);
+    std::ranges::for_each(other->laid->objects, take);
   }
   std::uint32_t next = 0;
   for (const std::uint32_t space : far) {
@@ -96,14 +96,14 @@ Descriptors::Taken Descriptors::TakeFromOther(const ir::Program& program, const 
     taken.emplace(place.set.value_or(0), *place.binding);
     if (reg) moved_.emplace(reg, ir::Descriptor{*place.binding, place.set.value_or(0)});
   };
-  for (const GlslInfo::UniformBlock& block : other.written->blocks) {
+  for (const GlslInfo::UniformBlock& block : other.laid->blocks) {
     const ir::Register* shared = nullptr;
     for (const ir::CbufferId id : program.cbuffers.ids()) {
       if (other.cbuffers[id.index] == block.cbuffer) shared = &program.cbuffers[id].reg;
     }
     take(block, shared);
   }
-  for (const GlslInfo::Object& object : other.written->objects) {
+  for (const GlslInfo::Object& object : other.laid->objects) {
     const ir::VarId theirs = object.texture ? object.texture : object.sampler;
     const ir::Register* shared = nullptr;
     for (const ir::Resource& resource : program.resources) {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "backend-glsl/glsl_info.h"
 #include "backend-glsl/target.h"
-#include "backend-glsl/write.h"
 #include "ir/program.h"
 
 // The fragment shader's part of the lowering `discard`: it reads the distances that the vertex

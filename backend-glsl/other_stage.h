@@ -12,8 +12,8 @@ namespace clipc::glsl {
 
 struct GlslInfo;
 
-// What the writer of one stage must know about the other. Ids are those of the stage that is
-// written unless they say otherwise.
+// What the layout of one stage must know about the other. Ids are those of the stage that is laid
+// out unless they say otherwise.
 struct OtherStage {
   // By CbufferId the buffer of the other stage that is declared alike and that both stages read,
   // and by VarId such an object, or the same member of such a buffer; none for every other.
@@ -22,7 +22,7 @@ struct OtherStage {
   // Whether the other stage reads the member of such a buffer, by VarId: the layout of the block
   // depends on it.
   std::vector<bool> is_read;
-  const GlslInfo* written = nullptr;  // of the other stage's shader, if that is written before
+  const GlslInfo* laid = nullptr;  // what the other stage declares, if that is laid out before
 };
 
 // Compares the buffers and objects of two stages. They are alike if name, type or members with

@@ -2,92 +2,15 @@
 #include "backend-glsl/write.h"
 
 #include <utility>
-#include <vector>
 
-#include "backend-glsl/writer/bindings.h"
-#include "backend-glsl/writer/blocks.h"
-#include "backend-glsl/writer/code.h"
-#include "backend-glsl/writer/expr.h"
-#include "backend-glsl/writer/interface.h"
-#include "backend-glsl/writer/naming.h"
-#include "backend-glsl/writer/objects.h"
-#include "backend-glsl/writer/stmt.h"
-#include "backend-glsl/writer/types.h"
+#include "backend-glsl/writer/stage_writer.h"
 
 namespace clipc::glsl {
 
-using namespace ir;
-
-namespace {
-
-struct Globals {
-  std::string text;  // the declarations
-  std::vector<LateGlobal> late;
-};
-
-Globals WriteGlobals(Code& code) {
-  Globals globals;
-  for (const VarId id : code.reached.globals) {
-    const Var& var = code[id];
-    // HLSL's static variables start as zero.
-    std::string value = var.init ? Argument(code, var.init) : ZeroText(code, var.type);
-    const bool is_specialized = var.constant_id && code.target.IsVulkan();
-    const bool is_const = is_specialized || code.constants.Has(id);
-    const bool is_late = !code.Has(Feature::kGlobalInitializers) && !code.constants.HasValueOf(id);
-    if (is_specialized) {
-      globals.text += LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
-    }
-    Append(globals.text, is_const ? "const " : "", Declaration(code, var.type, code.NameOf(id)),
-           is_late ? "" : " = ", is_late ? "" : value, ";\n");
-    // glslang 12 takes `precise vec4 a;` for a variable of `main`.
-    const std::string_view precise = PreciseText(code, var.precise && !is_const);
-    if (!precise.empty()) Append(globals.text, precise, code.NameOf(id), ";\n");
-    if (is_late) globals.late.push_back({code.NameOf(id), std::move(value)});
-  }
-  return globals;
-}
-
-std::string Header(const WriterContext& context) {
-  std::string text = context.target.VersionLine() + "\n";
-  for (const std::string& extension : context.extensions)
-    Append(text, "#extension ", extension, " : require\n");
-  for (const std::string& extension : context.enabled)
-    Append(text, "#extension ", extension, " : enable\n");
-  // Fragment shaders of OpenGL ES have no precision of their own; Direct3D's numbers have 32 bits.
-  if (InfoOf(context.program.stage).draws_pixels && context.target.IsEs())
-    text += "\nprecision highp float;\nprecision highp int;\n";
-  if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
-  if (context.has_order) {
-    const bool is_per_sample = std::ranges::any_of(context.program.inputs, [](const IoVar& input) {
-      return input.sample || input.builtin == Builtin::kSampleIndex;
-    });
-    Append(text, "\nlayout(", is_per_sample ? "sample" : "pixel", "_interlock_ordered) in;\n");
-  }
-  return text + "\n";
-}
-
-}  // namespace
-
-WrittenGlsl WriteGlsl(const Program& program, const Target& target, const WriteOptions& options) {
-  Code code(program, target, options);
-  code.names = NameEverything(code);
-  code.names.functions = NameFunctions(code);
-  code.texture_uses = FindTextureUses(code);
-  UniformBlocks blocks = WriteBlocks(code);
-  Objects objects = WriteObjects(code);
-  Inputs inputs = WriteInputs(code);
-  Outputs outputs = WriteOutputs(code);
-  Globals globals = WriteGlobals(code);
-  const std::string functions = WriteFunctions(code, globals.late);
-
-  for (std::string* part : {&objects.text, &inputs.text, &outputs.text, &globals.text}) {
-    if (!part->empty()) *part += "\n";
-  }
-  return {Concat(Header(code), code.structs, blocks.text, objects.text, inputs.text, outputs.text,
-                 code.helpers, globals.text, functions),
-          {std::move(inputs.info), std::move(outputs.info), std::move(blocks.info),
-           std::move(objects.info), outputs.clip_distance_mask, outputs.cull_distance_mask,
-           code.names.framebuffer_height}};
+WrittenGlsl WriteGlsl(const ir::Program& program, const Target& target,
+                      const WriteOptions& options) {
+  StageWriter writer(program, target, options);
+  return {writer.Finish({}), std::move(writer.info())};
 }
 
 }  // namespace clipc::glsl

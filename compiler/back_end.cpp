@@ -2,6 +2,7 @@
 #include "compiler/back_end.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -9,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "backend-glsl/discard.h"
-#include "backend-glsl/other_stage.h"
+#include "backend-glsl/program_layout.h"
 #include "base/path.h"
 #include "clip-table/write.h"
 #include "compiler/lower_program.h"
@@ -36,46 +37,23 @@ std::string SourceLine(const Source& source, Span span) {
   return line;
 }
 
-// The options of a job's writer. With `lines`, the GLSL has those of the HLSL as comments.
-glsl::WriteOptions WriteOptionsOf(Job& job, bool lines) {
-  glsl::WriteOptions options = job.plan.write;
-  if (lines) options.comment_of = [&](Span span) { return SourceLine(job.source(), span); };
-  return options;
+// Lays out a lowered program, which outlives the layout.
+glsl::ProgramLayout LayOut(std::span<Job> jobs, std::vector<Lowered>& lowered) {
+  std::vector<glsl::LegalStage> stages;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    stages.push_back({lowered[i].program, lowered[i].target, jobs[i].plan.write});
+  return glsl::ProgramLayout(stages);
 }
 
-// Gives the distances that a pixel shader discards by the names and locations that they have in the
-// stage before, which was written with `info`.
-void PlaceDistances(const ir::Program& before, const glsl::GlslInfo& info, ir::Program& pixel) {
-  for (ir::IoVar& input : pixel.inputs) {
-    if (input.semantic != ir::kClipPlaneDistance) continue;
-    const auto output = std::ranges::find_if(before.outputs, [&](const ir::IoVar& candidate) {
-      return candidate.semantic == input.semantic && candidate.index == input.index;
-    });
-    const auto number = static_cast<std::size_t>(output - before.outputs.begin());
-    input.location = info.outputs[number].location.value_or(input.location);
-    input.reader->name = info.outputs[number].name;
+// Writes the shaders. With `lines`, the GLSL has those of the HLSL as comments.
+std::vector<ShaderOutput> WriteShaders(std::span<Job> jobs, glsl::ProgramLayout& layout,
+                                       bool lines) {
+  std::vector<ShaderOutput> written;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    glsl::CommentOf comment_of;
+    if (lines) comment_of = [&job = jobs[i]](Span span) { return SourceLine(job.source(), span); };
+    written.push_back({layout.Write(i, std::move(comment_of)), {}});
   }
-}
-
-// Writes the shaders of a program. The second one gets the names and places that the first one
-// leaves.
-std::vector<WrittenGlsl> WriteProgram(std::span<Job> jobs, std::vector<Lowered>& lowered,
-                                      bool lines) {
-  std::vector<WrittenGlsl> written;
-  glsl::WriteOptions options = WriteOptionsOf(jobs[0], lines);
-  if (jobs.size() == 1) {
-    written.push_back(Write(lowered[0], options));
-    return written;
-  }
-  const glsl::OtherStage second = glsl::CompareStages(lowered[0].program, lowered[1].program);
-  glsl::OtherStage first = glsl::CompareStages(lowered[1].program, lowered[0].program);
-  options.other = &second;
-  written.push_back(Write(lowered[0], options));
-  first.written = &written[0].info;
-  options = WriteOptionsOf(jobs[1], lines);
-  options.other = &first;
-  PlaceDistances(lowered[0].program, written[0].info, lowered[1].program);
-  written.push_back(Write(lowered[1], options));
   return written;
 }
 
@@ -112,19 +90,20 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
   return std::move(insertion.text);
 }
 
-// Validates the shaders, and adds the fragment shader's part where none of them discards.
+// Writes and validates the shaders, and adds the fragment shader's part where none of them
+// discards.
 Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
-                std::vector<WrittenGlsl> written) {
-  Finished finished;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const std::string_view unjudged = jobs[i].request.outputs.validate
-                                          ? ValidateShader(jobs[i], lowered[i], written[i].glsl)
-                                          : "";
+                glsl::ProgramLayout& layout) {
+  const OutputOptions& wanted = jobs.front().request.outputs;
+  Finished finished{WriteShaders(jobs, layout, wanted.source_lines), {}};
+  for (std::size_t i = 0; wanted.validate && i < jobs.size(); ++i) {
+    const std::string_view unjudged = ValidateShader(jobs[i], lowered[i], finished.shaders[i].text);
     if (finished.unjudged.empty()) finished.unjudged = unjudged;
-    finished.shaders.push_back({std::move(written[i].glsl), {}});
   }
-  if (lowered.back().lowering == Lowering::kDiscard)
-    finished.shaders.push_back({FragmentOf(jobs.back(), lowered.back(), written.back().info), {}});
+  if (lowered.back().lowering == Lowering::kDiscard) {
+    const glsl::GlslInfo& info = layout.InfoOf(jobs.size() - 1);
+    finished.shaders.push_back({FragmentOf(jobs.back(), lowered.back(), info), {}});
+  }
   return finished;
 }
 
@@ -132,47 +111,47 @@ Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
 // a draw call are moved to the front, so their number alone tells the variant.
 std::vector<Finished> WriteVariants(std::span<Job> jobs, const LoweredProgram& lowered,
                                     const std::vector<ShaderOutput>& whole) {
-  const ProgramRequest& request = jobs.front().request;
   std::vector<Finished> variants;
   const std::size_t planes = lowered.linked.front().program.clip_planes.size();
-  const std::size_t most = std::min<std::size_t>(planes, *request.planes.variants);
+  const std::size_t most = std::min<std::size_t>(planes, *jobs.front().request.planes.variants);
   for (std::size_t count = 0; count <= most && !jobs.front().diagnostics.has_errors(); ++count) {
     if (count == planes) {
       variants.push_back({whole, {}});
       break;
     }
-    std::vector<Lowered> variant = LowerWithPlanes(jobs, lowered.linked, count);
-    std::vector<WrittenGlsl> written = WriteProgram(jobs, variant, request.outputs.source_lines);
-    variants.push_back(Finish(jobs, variant, std::move(written)));
+    std::vector<Lowered> variant = LowerWithPlanes(jobs.front().request, lowered.linked, count);
+    glsl::ProgramLayout layout = LayOut(jobs, variant);
+    variants.push_back(Finish(jobs, variant, layout));
   }
   return variants;
 }
 
 // Writes the SPIR-V of a shader; where the writer lacks something, glslang translates its GLSL.
-std::vector<std::uint32_t> SpirvOf(Job& job, const Lowered& lowered, const WrittenGlsl& written) {
+std::vector<std::uint32_t> SpirvOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& info,
+                                   const std::string& glsl) {
   const ProgramRequest& request = job.request;
   const SpirvRequest& wanted = *request.outputs.spirv;
   if (request.target.IsVulkan()) {
-    spirv::Written own = WriteSpirv(lowered.program, written.info, job.plan.write, wanted);
+    spirv::Written own = WriteSpirv(lowered.program, info, job.plan.write, wanted);
     if (!own.words.empty()) return std::move(own.words);
   }
   // The name has no folder, so that it does not matter where a shader is compiled.
   const Stage stage = lowered.program.stage;
   const std::string name =
       fmt::format("{}{}", job.path.substr(NameBegin(job.path)), InfoOf(stage).extension);
-  Spirv spirv = MakeSpirv(written.glsl, request.target, stage, wanted, name);
+  Spirv spirv = MakeSpirv(glsl, request.target, stage, wanted, name);
   for (const std::string& problem : spirv.problems)
     job.diagnostics.Report({}, diag::NoSpirv, problem);
   return std::move(spirv.words);
 }
 
-// Describes the written program in the outputs that were asked for.
-void Describe(const LoweredProgram& lowered, const std::vector<WrittenGlsl>& written,
-              bool wants_facts, Outputs& outputs) {
+// Describes the program in the outputs that were asked for.
+void Describe(const LoweredProgram& lowered, const glsl::ProgramLayout& layout, bool wants_facts,
+              Outputs& outputs) {
   std::vector<DescribedStage> stages;
-  for (std::size_t i = 0; i < written.size() && (i == 0 || wants_facts); ++i) {
-    stages.push_back(
-        {lowered.shaders[i], written[i].info, MakeClipTable(lowered.shaders[i], written[i].info)});
+  for (std::size_t i = 0; i < lowered.shaders.size() && (i == 0 || wants_facts); ++i) {
+    const glsl::GlslInfo& info = layout.InfoOf(i);
+    stages.push_back({lowered.shaders[i], info, MakeClipTable(lowered.shaders[i], info)});
   }
   if (wants_facts) outputs.facts = MakeFacts(stages, lowered.position);
   outputs.table = std::move(stages.front().table);
@@ -189,18 +168,19 @@ void RunBackEnd(std::span<Job> jobs, std::vector<ir::Program> typed, CompileResu
 
   Outputs& outputs = result.outputs.emplace();
   if (wanted.listing) {
-    for (const WrittenGlsl& listed : WriteProgram(jobs, lowered->shaders, true))
-      outputs.listing += (outputs.listing.empty() ? "" : "\n") + listed.glsl;
+    glsl::ProgramLayout layout = LayOut(jobs, lowered->shaders);
+    for (const ShaderOutput& listed : WriteShaders(jobs, layout, true))
+      outputs.listing += (outputs.listing.empty() ? "" : "\n") + listed.text;
   }
-  std::vector<WrittenGlsl> written = WriteProgram(jobs, lowered->shaders, wanted.source_lines);
-  Describe(*lowered, written, wanted.facts, outputs);
-  std::vector<std::vector<std::uint32_t>> spirv;
-  for (std::size_t i = 0; wanted.spirv && i < jobs.size(); ++i)
-    spirv.push_back(SpirvOf(jobs[i], lowered->shaders[i], written[i]));
-  Finished finished = Finish(jobs, lowered->shaders, std::move(written));
+  glsl::ProgramLayout layout = LayOut(jobs, lowered->shaders);
+  Describe(*lowered, layout, wanted.facts, outputs);
+  Finished finished = Finish(jobs, lowered->shaders, layout);
   std::string_view unjudged = finished.unjudged;
   outputs.shaders = std::move(finished.shaders);
-  for (std::size_t i = 0; i < spirv.size(); ++i) outputs.shaders[i].spirv = std::move(spirv[i]);
+  for (std::size_t i = 0; wanted.spirv && i < jobs.size(); ++i) {
+    ShaderOutput& shader = outputs.shaders[i];
+    shader.spirv = SpirvOf(jobs[i], lowered->shaders[i], layout.InfoOf(i), shader.text);
+  }
   if (request.planes.variants) {
     for (Finished& variant : WriteVariants(jobs, *lowered, outputs.shaders)) {
       if (unjudged.empty()) unjudged = variant.unjudged;

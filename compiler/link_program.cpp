@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/link_program.h"
 
-#include "backend-glsl/names.h"
 #include "compiler/neighbour.h"
 #include "link/match.h"
 #include "link/read.h"
@@ -53,16 +52,6 @@ void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& pro
                                    .is_es = job.request.target.IsEs()};
   const link::Matches matches = link::Match(program, reader, options, job.diagnostics);
   if (!job.diagnostics.has_errors()) link::Apply(program, reader, matches, options);
-}
-
-void NameInputs(ir::Program& program, const glsl::NameStyle& style) {
-  glsl::Namer namer;
-  for (ir::IoVar& input : program.inputs) {
-    if (input.builtin != ir::Builtin::kNone) continue;
-    ir::Reader& reader = input.reader.emplace();
-    reader.is_known = false;
-    reader.name = namer.Global(glsl::InterfaceName(input, style));
-  }
 }
 
 }  // namespace clipc

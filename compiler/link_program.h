@@ -19,7 +19,4 @@ void LinkWithNeighbour(Job& job, ir::Program& program, std::vector<std::string>&
 // Fits the program to the stage after it, which is lowered.
 void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& program);
 
-// Names the inputs of a stage by which the outputs of the stage before are named.
-void NameInputs(ir::Program& program, const glsl::NameStyle& style);
-
 }  // namespace clipc

@@ -103,7 +103,6 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
     lowered.shaders.insert(lowered.shaders.begin(),
                            LowerAlone(std::move(shader), request.style, job.diagnostics));
     if (job.diagnostics.has_errors() || job.IsStopped()) return std::nullopt;
-    if (i > 0) NameInputs(lowered.shaders.front().program, job.plan.write.names);
   }
   const Lowered& first = lowered.shaders.front();
   if (first.is_complete) return lowered;
@@ -111,18 +110,16 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
   return std::nullopt;
 }
 
-std::vector<Lowered> LowerWithPlanes(std::span<Job> jobs, std::vector<LinkedShader> linked,
-                                     std::size_t planes) {
+std::vector<Lowered> LowerWithPlanes(const ProgramRequest& request,
+                                     std::vector<LinkedShader> linked, std::size_t planes) {
   std::vector<Lowered> lowered;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    LinkedShader& shader = linked[i];
+  for (LinkedShader& shader : linked) {
     if (shader.program.clip_planes.size() > planes) shader.program.clip_planes.resize(planes);
     passes::PipelineOptions& passes = shader.options.passes;
     passes.discarded_planes = std::min(passes.discarded_planes, planes);
     passes.after_pass = {};
     Diagnostics heard_before;
-    lowered.push_back(LowerAlone(std::move(shader), jobs[i].request.style, heard_before));
-    if (i > 0) NameInputs(lowered.back().program, jobs[i].plan.write.names);
+    lowered.push_back(LowerAlone(std::move(shader), request.style, heard_before));
   }
   return lowered;
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "backend-glsl/write.h"
+#include "backend-glsl/write_options.h"
 #include "base/diagnostics.h"
 #include "compiler/check_lowering.h"
 #include "compiler/request.h"

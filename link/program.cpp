@@ -15,7 +15,7 @@ using namespace ir;
 namespace {
 
 Input InputOf(const Program& program, const IoVar& io, std::uint32_t mask, std::string where) {
-  return {.name = io.reader ? io.reader->name : GlslNameOf(io.path),
+  return {.name = GlslNameOf(io.path),
           .semantic = io.semantic,
           .index = io.index,
           .location = io.location,

@@ -47,8 +47,8 @@ std::string Problem(const Interface& interface);
 // messages.
 Interface ReadProgram(const ir::Program& program, const std::function<std::string(Span)>& place);
 
-// Reads what a pixel shader that clipc writes itself declares: the inputs that it reads, under the
-// names in IoVar::reader, each row of a matrix by itself, and no blocks.
+// Reads what a pixel shader that clipc writes itself declares: the inputs that it reads, each row
+// of a matrix by itself, and no blocks. The layout of the program names them.
 Interface ReadInputs(const ir::Program& program, const std::function<std::string(Span)>& place);
 
 }  // namespace clipc::link

@@ -48,7 +48,7 @@ class BlockWriter {
                               : cbuffer_.declared
                                   ? Bind(context_, info_, *cbuffer_.declared)
                                   : Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count,
-                                         context_.WrittenBlock(info_.cbuffer));
+                                         context_.LaidBlock(info_.cbuffer));
     Append(text_, LayoutText({"std140", place, turned ? "row_major" : ""}), "uniform ", info_.name,
            is_pushed ? " {\n" : Concat(" {  // ", register_, "\n"));
     is_rows ? Rows() : Members();
@@ -303,9 +303,9 @@ UniformBlocks WriteBlocks(WriterContext& context) {
   blocks.text.reserve(1024);
   blocks.info.reserve(context.program.cbuffers.size());
   Bindings bindings;
-  const OtherStage* other = context.options.other;
-  if (other && other->written) {
-    for (const GlslInfo::UniformBlock& block : other->written->blocks) bindings.Take(block);
+  const OtherStage* other = context.other;
+  if (other && other->laid) {
+    for (const GlslInfo::UniformBlock& block : other->laid->blocks) bindings.Take(block);
   }
   for (const CbufferId id : context.program.cbuffers.ids()) {
     if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);

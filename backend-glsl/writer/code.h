@@ -20,7 +20,8 @@ struct Code : WriterContext {
   std::string* out = nullptr;  // the text that expressions and statements are appended to
   std::size_t indent = 0;
   bool in_helper = false;  // in a helper function, whose locals keep their names
-  std::string comment;     // the last comment from options.comment_of
+  CommentOf comment_of = {};
+  std::string comment;  // the last one
 
   template <typename... Parts>
   void Put(const Parts&... parts) {

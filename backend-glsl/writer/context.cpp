@@ -10,12 +10,13 @@ namespace clipc::glsl {
 namespace {
 
 std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached& reached,
-                                      const Target& target, const WriteOptions& options) {
+                                      const Target& target, const WriteOptions& options,
+                                      const OtherStage* other) {
   std::vector<BlockLayout> layouts(program.cbuffers.size());
   // The two stages lay out a block that they share by what either of them reads.
   std::vector<bool> is_read = reached.vars;
-  for (std::size_t i = 0; options.other && i < is_read.size(); ++i)
-    is_read[i] = is_read[i] || options.other->is_read[i];
+  for (std::size_t i = 0; other && i < is_read.size(); ++i)
+    is_read[i] = is_read[i] || other->is_read[i];
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     if (reached.Has(id))
       layouts[id.index] =
@@ -27,14 +28,15 @@ std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached&
 }  // namespace
 
 WriterContext::WriterContext(const ir::Program& program, const Target& target,
-                             const WriteOptions& options)
+                             const WriteOptions& options, const OtherStage* other)
     : program(program),
       types(program.types),
       target(target),
       options(options),
+      other(other),
       reached(Reach(program)),
-      descriptors(program, reached, target, options.other),
-      layouts(LayOutBlocks(program, reached, target, options)),
+      descriptors(program, reached, target, other),
+      layouts(LayOutBlocks(program, reached, target, options, other)),
       used_structs(types.structs().size()) {}
 
 bool WriterContext::IsWrittenAsUint(ir::VarId member) const {
@@ -49,19 +51,17 @@ bool WriterContext::IsWrittenAsUint(ir::VarId member) const {
              : LayoutOf(member).has_uints && !IsByHand(member);
 }
 
-const GlslInfo::UniformBlock* WriterContext::WrittenBlock(ir::CbufferId id) const {
-  return IsShared(id) && options.other->written
-             ? options.other->written->BlockOf(options.other->cbuffers[id.index])
-             : nullptr;
+const GlslInfo::UniformBlock* WriterContext::LaidBlock(ir::CbufferId id) const {
+  return IsShared(id) && other->laid ? other->laid->BlockOf(other->cbuffers[id.index]) : nullptr;
 }
 
-const GlslInfo::Object* WriterContext::WrittenObject(ir::VarId texture, ir::VarId sampler) const {
-  if (!options.other || !options.other->written) return nullptr;
-  const auto& alike = options.other->vars;
+const GlslInfo::Object* WriterContext::LaidObject(ir::VarId texture, ir::VarId sampler) const {
+  if (!other || !other->laid) return nullptr;
+  const auto& alike = other->vars;
   const ir::VarId their_texture = texture ? alike[texture.index] : ir::VarId{};
   const ir::VarId their_sampler = sampler ? alike[sampler.index] : ir::VarId{};
   if (!their_texture != !texture || !their_sampler != !sampler) return nullptr;
-  for (const GlslInfo::Object& object : options.other->written->objects) {
+  for (const GlslInfo::Object& object : other->laid->objects) {
     if (object.texture == their_texture && object.sampler == their_sampler) return &object;
   }
   return nullptr;

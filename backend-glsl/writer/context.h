@@ -10,11 +10,12 @@
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/descriptors.h"
+#include "backend-glsl/glsl_info.h"
 #include "backend-glsl/names.h"
 #include "backend-glsl/reach.h"
 #include "backend-glsl/shape.h"
 #include "backend-glsl/target.h"
-#include "backend-glsl/write.h"
+#include "backend-glsl/write_options.h"
 #include "ir/access.h"
 #include "ir/program.h"
 
@@ -45,12 +46,15 @@ struct Names {
 // The state that all subjects of the writer share. A subject is a header of free functions over it,
 // or over Code (code.h), which adds the state of expressions and statements.
 struct WriterContext {
-  WriterContext(const ir::Program& program, const Target& target, const WriteOptions& options);
+  // `other` is null where the program has no other stage.
+  WriterContext(const ir::Program& program, const Target& target, const WriteOptions& options,
+                const OtherStage* other);
 
   const ir::Program& program;
   const ir::TypeTable& types;  // of the program
   const Target& target;
   const WriteOptions& options;
+  const OtherStage* const other;
   const Reached reached;
   const Descriptors descriptors;           // of a Vulkan target
   const std::vector<BlockLayout> layouts;  // by CbufferId, of the reached ones
@@ -107,18 +111,16 @@ struct WriterContext {
   const std::string& NameOf(ir::VarId id) const { return names.vars[id.index]; }
 
   // Whether the other stage of a pair has the block too.
-  bool IsShared(ir::CbufferId id) const {
-    return options.other && options.other->cbuffers[id.index];
-  }
+  bool IsShared(ir::CbufferId id) const { return other && other->cbuffers[id.index]; }
   // Whether the other stage of a pair reads the member, or this one does.
   bool IsReadInProgram(ir::VarId member) const {
-    return reached.Has(member) || (options.other && options.other->is_read[member.index]);
+    return reached.Has(member) || (other && other->is_read[member.index]);
   }
-  // The block as the other stage wrote it before this one; null if it is not shared, or is written
-  // here first.
-  const GlslInfo::UniformBlock* WrittenBlock(ir::CbufferId id) const;
+  // The block as the other stage has it, if that is laid out before; null if it is not shared, or
+  // is laid out here first.
+  const GlslInfo::UniformBlock* LaidBlock(ir::CbufferId id) const;
   // The same for an object: the one of this texture with this sampler, either of which may be none.
-  const GlslInfo::Object* WrittenObject(ir::VarId texture, ir::VarId sampler) const;
+  const GlslInfo::Object* LaidObject(ir::VarId texture, ir::VarId sampler) const;
 
   bool Has(Feature feature) const { return target.Has(feature); }
   // Adds the extension through which the target has the feature, if there is one.

@@ -85,18 +85,18 @@ class Naming {
   // Keeps the names of blocks, uniform variables and objects that the other stage of a pair has:
   // in a program one name is one variable. What the stages share has the same name in both.
   void OtherNames() {
-    const OtherStage* other = context_.options.other;
-    if (!other || !other->written) return;
-    for (const GlslInfo::UniformBlock& block : other->written->blocks) {
+    const OtherStage* other = context_.other;
+    if (!other || !other->laid) return;
+    for (const GlslInfo::UniformBlock& block : other->laid->blocks) {
       if (!block.name.empty()) namer_.Global(block.name);
       if (!block.rows.empty()) namer_.Global(block.rows);
       for (const GlslInfo::UniformMember& member : block.members) {
         if (IsGlobal(block, member)) namer_.Global(member.name);
       }
     }
-    for (const GlslInfo::Object& object : other->written->objects) namer_.Global(object.name);
+    for (const GlslInfo::Object& object : other->laid->objects) namer_.Global(object.name);
     for (const CbufferId id : context_.program.cbuffers.ids()) {
-      const GlslInfo::UniformBlock* block = context_.WrittenBlock(id);
+      const GlslInfo::UniformBlock* block = context_.LaidBlock(id);
       for (const CbufferMember& member : context_[id].members) {
         const VarId theirs = other->vars[member.var.index];
         for (std::size_t i = 0; block && i < block->members.size(); ++i) {
@@ -106,9 +106,9 @@ class Naming {
       }
     }
     for (const Resource& resource : context_.program.resources) {
-      if (const auto* texture = context_.WrittenObject(resource.var, {}))
+      if (const auto* texture = context_.LaidObject(resource.var, {}))
         Give(resource.var, texture->name);
-      else if (const auto* sampler = context_.WrittenObject({}, resource.var))
+      else if (const auto* sampler = context_.LaidObject({}, resource.var))
         Give(resource.var, sampler->name);
     }
   }
@@ -236,7 +236,7 @@ class Naming {
     const Cbuffer& cbuffer = context_[id];
     const NameStyle& style = context_.options.names;
     std::string& name = names_.blocks[id.index];
-    if (const GlslInfo::UniformBlock* block = context_.WrittenBlock(id)) {
+    if (const GlslInfo::UniformBlock* block = context_.LaidBlock(id)) {
       name = block->name;
       names_.rows[id.index] = block->rows;
       return;

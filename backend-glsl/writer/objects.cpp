@@ -57,9 +57,9 @@ class ObjectWriter {
 
   Objects Write() {
     const bool is_vulkan = context_.target.IsVulkan();
-    const OtherStage* other = context_.options.other;
-    if (other && other->written) {
-      for (const GlslInfo::Object& object : other->written->objects)
+    const OtherStage* other = context_.other;
+    if (other && other->laid) {
+      for (const GlslInfo::Object& object : other->laid->objects)
         BindingsOf(object.kind).Take(object);
     }
     for (const Resource& resource : context_.program.resources) {
@@ -109,7 +109,7 @@ class ObjectWriter {
     GlslInfo::Object info{{}, use.texture, use.sampler, use.name, kind};
     const std::string place =
         Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture),
-             context_.WrittenObject(use.texture, use.sampler));
+             context_.LaidObject(use.texture, use.sampler));
     if (const Need* need = NeedOf(kind)) context_.Require(need->feature);
     Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
            TextureType(context_, use.texture, "sampler"),
@@ -148,7 +148,7 @@ class ObjectWriter {
     const Type& type = ObjectTypeOf(context_, resource.var);
     GlslInfo::Object& info = Add(resource);
     const std::string place =
-        Bind(context_, info, resource.reg, buffers_, 1, context_.WrittenObject(resource.var, {}));
+        Bind(context_, info, resource.reg, buffers_, 1, context_.LaidObject(resource.var, {}));
     std::string element = "uint";
     bool is_turned = false;
     if (IsStructured(type.object)) {
@@ -177,7 +177,7 @@ class ObjectWriter {
   // The name of a block with a storage buffer. The stages of a pair have one name for a buffer that
   // they share, and two names for others.
   std::string BlockName(const std::string& name, const std::string& written) {
-    return context_.namer.Global(Concat(context_.options.other ? name : written, "_block"));
+    return context_.namer.Global(Concat(context_.other ? name : written, "_block"));
   }
 
   // Declares an image. GLSL requires the format of one that is read.
@@ -186,7 +186,7 @@ class ObjectWriter {
     GlslInfo::Object& info = Add(resource);
     const std::string place =
         Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var),
-             context_.WrittenObject(resource.var, {}));
+             context_.LaidObject(resource.var, {}));
     if (InfoOf(type.object).category == ObjectCategory::kTypedBuffer)
       context_.Require(Feature::kTextureBuffers);
     Append(text_, LayoutText({place, ImageFormat(context_.program, resource)}),
@@ -269,13 +269,13 @@ std::vector<TextureUse> FindTextureUses(WriterContext& context) {
   // A texture that goes with one sampler keeps its name, unless the other stage of a pair reads the
   // texture without a sampler under that name.
   for (TextureUse& use : uses) {
-    if (const GlslInfo::Object* written = context.WrittenObject(use.texture, use.sampler)) {
+    if (const GlslInfo::Object* written = context.LaidObject(use.texture, use.sampler)) {
       use.name = written->name;
       continue;
     }
     const std::string& name = context.NameOf(use.texture);
     const bool is_only =
-        UsesOf(uses, use.texture).size() == 1 && !context.WrittenObject(use.texture, {});
+        UsesOf(uses, use.texture).size() == 1 && !context.LaidObject(use.texture, {});
     use.name = is_only || !use.sampler ? name
                                        : context.namer.Global(Concat(context[use.texture].name, "_",
                                                                      context[use.sampler].name));

@@ -139,8 +139,8 @@ void WriteSwitch(Code& code, StmtId id, const Switch& node) {
 // Writes the comment that the options give for a statement's place in the source, unless it is
 // empty or the same as the last one.
 void WriteComment(Code& code, Span span) {
-  if (!code.options.comment_of) return;
-  std::string comment = code.options.comment_of(span);
+  if (!code.comment_of) return;
+  std::string comment = code.comment_of(span);
   if (comment.empty() || comment == code.comment) return;
   code.comment = std::move(comment);
   code.Line("// ", code.comment);

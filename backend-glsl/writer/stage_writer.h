@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "backend-glsl/other_stage.h"
+#include "backend-glsl/target.h"
+#include "backend-glsl/writer/code.h"
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+// The writer of one stage, in two steps: what the stage declares, with all names and places, and
+// then its functions. The arguments outlive it.
+class StageWriter {
+ public:
+  StageWriter(const ir::Program& program, const Target& target, const WriteOptions& options,
+              const OtherStage* other = nullptr);
+
+  GlslInfo& info() { return info_; }
+  const GlslInfo& info() const { return info_; }
+  // Returns the whole shader. Call it once.
+  std::string Finish(CommentOf comment_of);
+
+ private:
+  Code code_;
+  GlslInfo info_;
+  std::string blocks_, objects_, inputs_, outputs_;  // declarations
+};
+
+}  // namespace clipc::glsl
