@@ -263,6 +263,14 @@ TEST_F(CInterface, GivesTheHlslOfBothShadersThatDiscard) {
   ASSERT_EQ(Compile(two, kPlane), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
   EXPECT_THAT(Get(CLIPC_PART_HLSL), Not(HasSubstr("discard;")));
   EXPECT_THAT(Get(CLIPC_PART_PIXEL), AllOf(HasSubstr("[clipplanes"), HasSubstr("discard;")));
+
+  // A file of its own is rewritten by itself, whether its output is named or not.
+  includes_["other.hlsl"] = "float4 ps() : SV_Target { return 0.5; }\n";
+  std::vector<const char*> apart = one;
+  apart.push_back("--pixel-shader=other.hlsl");
+  ASSERT_EQ(Compile(apart, kPlane), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_HLSL), Not(HasSubstr("discard;")));
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), AllOf(HasSubstr("return 0.5;"), HasSubstr("discard;")));
 }
 
 TEST_F(CInterface, EndsWhenTheCallerCancels) {

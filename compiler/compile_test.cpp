@@ -42,6 +42,62 @@ TEST(Compile, GivesGlslAndTable) {
   EXPECT_EQ(outputs.facts->planes->enable_mask, 3u);
 }
 
+constexpr const char* kTwoShaders =
+    "cbuffer Frame : register(b3) { float4 tint; };\n"
+    "struct Varyings { float4 position : SV_Position; float2 uv : UV; float unread : UNREAD; };\n"
+    "Varyings vs(float4 p : POSITION) { Varyings o; o.position = p * tint; o.uv = p.xy; "
+    "o.unread = p.z; return o; }\n"
+    "float4 ps(Varyings i) : SV_Target { return i.uv.xyxy * tint; }\n";
+
+TEST(Compile, AProgramIsAListOfShaders) {
+  ProgramRequest request;
+  request.shaders = {{.path = "two.hlsl", .text = kTwoShaders, .entry = "vs"},
+                     {.entry = "ps", .profile = "ps_5_0"}};
+  request.outputs.facts = true;
+  const CompileResult result = Compile(request);
+  ASSERT_TRUE(result.ok()) << result.text;
+  const Outputs& outputs = *result.outputs;
+  ASSERT_EQ(outputs.shaders.size(), 2u);
+  const std::string& vertex = outputs.shaders[0].text;
+  const std::string& pixel = outputs.shaders[1].text;
+  EXPECT_NE(vertex.find("out vec2 vs_UV0;"), std::string::npos) << vertex;
+  EXPECT_EQ(vertex.find("UNREAD"), std::string::npos) << vertex;
+  EXPECT_NE(pixel.find("in vec2 vs_UV0;"), std::string::npos) << pixel;
+  ASSERT_EQ(outputs.facts->stages.size(), 2u);
+  EXPECT_EQ(outputs.facts->stages[0].buffers[0].block->name,
+            outputs.facts->stages[1].buffers[0].block->name);
+  EXPECT_TRUE(outputs.facts->stages[1].buffers[0].block->is_shared);
+}
+
+TEST(Compile, ErrorsOfEachShaderAreReported) {
+  ProgramRequest request;
+  request.shaders = {{.path = "two.hlsl",
+                      .text = "float4 vs() : SV_Position { return missing; }\n"
+                              "float4 ps() : SV_Target { return absent; }\n",
+                      .entry = "vs"},
+                     {.entry = "ps", .profile = "ps_5_0"}};
+  const CompileResult result = Compile(request);
+  EXPECT_EQ(result.status, Status::kErrors);
+  EXPECT_FALSE(result.outputs.has_value());
+  ASSERT_EQ(result.messages.size(), 2u) << result.text;
+  EXPECT_EQ(result.messages[0].place.line, 1u);
+  EXPECT_EQ(result.messages[1].place.line, 2u);
+}
+
+TEST(Compile, ANeighbourHasItsOwnNames) {
+  ProgramRequest request;
+  request.shaders = {{.path = "two.hlsl", .text = kTwoShaders, .entry = "vs"}};
+  request.neighbour = {.path = "given.frag",
+                       .text =
+                           "#version 450\nlayout(location = 0) in vec2 place;\n"
+                           "out vec4 color;\nvoid main() { color = place.xyxy; }\n"};
+  const CompileResult result = Compile(request);
+  ASSERT_TRUE(result.ok()) << result.text;
+  ASSERT_EQ(result.outputs->shaders.size(), 1u);
+  const std::string& vertex = result.outputs->shaders[0].text;
+  EXPECT_NE(vertex.find("layout(location = 0) out vec2 place;"), std::string::npos) << vertex;
+}
+
 TEST(Compile, ErrorsLeaveNoOutput) {
   ProgramRequest request = TwoPlanes();
   *request.first().text += "float broken(";

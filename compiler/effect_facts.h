@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stage.h"
 #include "compiler/facts.h"
 #include "compiler/result.h"
 #include "frontend/parse/effect.h"
@@ -26,13 +27,14 @@ struct EffectCode {
 };
 
 struct EffectShaderFact {
+  Stage stage = Stage::kVertex;
   std::string entry = {}, profile = {};
   std::string call = {};                    // with arguments; empty: it has none
   std::optional<std::size_t> element = {};  // of the array of shaders that the pass takes it from
 };
 
 struct EffectProgramFact {
-  std::optional<EffectShaderFact> vertex = {}, pixel = {};
+  std::vector<EffectShaderFact> shaders = {};  // by stage, at least one
   bool is_compiled = false;
   std::vector<std::pair<std::string, std::string>> files = {};  // kind and name
   std::shared_ptr<const EffectCode> code = {};                  // null: it is not compiled

@@ -51,19 +51,17 @@ class EffectPrinter {
     });
   }
 
-  void Shader(const std::optional<EffectShaderFact>& shader, std::string_view key) {
-    if (!shader) return;
-    json_.Object(key, [&] {
-      json_.Member("entry", shader->entry);
-      json_.Member("profile", shader->profile);
-      Text(shader->call, "call");
-      if (shader->element) json_.Member("element", *shader->element);
+  void Shader(const EffectShaderFact& shader) {
+    json_.Object(InfoOf(shader.stage).name, [&] {
+      json_.Member("entry", shader.entry);
+      json_.Member("profile", shader.profile);
+      Text(shader.call, "call");
+      if (shader.element) json_.Member("element", *shader.element);
     });
   }
 
   void Program(const EffectProgramFact& program) {
-    Shader(program.vertex, "vertex");
-    Shader(program.pixel, "pixel");
+    for (const EffectShaderFact& shader : program.shaders) Shader(shader);
     json_.Member("status", program.is_compiled ? "compiled" : "failed");
     json_.Object("files", [&] {
       for (const auto& [kind, file] : program.files) json_.Member(kind, file);

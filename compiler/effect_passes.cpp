@@ -3,6 +3,8 @@
 
 #include <charconv>
 #include <map>
+#include <optional>
+#include <ranges>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -24,6 +26,11 @@ std::string ProfileFor(const EffectShader& shader) {
   const auto profile = ir::ParseProfile(shader.profile);
   const bool is_old = profile && profile->stage == Stage::kPixel && !profile->IsAtLeast(2, 0);
   return is_old ? "ps_2_0" : shader.profile;
+}
+
+// The name of the state that gives a pass its shader.
+std::string_view StateOf(Stage stage) {
+  return stage == Stage::kVertex ? "VertexShader" : "PixelShader";
 }
 
 class ProgramFinder {
@@ -57,21 +64,26 @@ class ProgramFinder {
     for (const std::string& text : pass.not_read)
       diagnostics_.Report(pass.span, diag::EffectNotRead, text, pass.name);
     for (const auto& [name, value] : pass.other_shaders) LeaveOut(added, pass, name, value);
-    const std::vector<EffectHalf> vertex = HalvesOf(added, pass, "VertexShader", pass.vertex);
-    const std::vector<EffectHalf> pixel = HalvesOf(added, pass, "PixelShader", pass.pixel);
-    if (added.is_left_out || (vertex.empty() && pixel.empty())) return;
-    const std::size_t rows = std::max<std::size_t>(vertex.size(), 1);
-    const std::size_t columns = std::max<std::size_t>(pixel.size(), 1);
-    if (rows > kMaxPermutations / columns || count_ + rows * columns > kMaxPermutations)
-      return LeaveOut(added, pass, "VertexShader", "too many");
-    count_ += rows * columns;
-    for (std::size_t row = 0; row < rows; ++row) {
-      for (std::size_t column = 0; column < columns; ++column) {
-        EffectProgram& program = added.programs.emplace_back();
-        if (!vertex.empty()) program.vertex = vertex[row];
-        if (!pixel.empty()) program.pixel = pixel[column];
-        program.group = GroupOf(program, technique, number);
+    std::vector<std::vector<EffectStage>> stages = {
+        ShadersOf(added, pass, Stage::kVertex, pass.vertex),
+        ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    std::erase_if(stages, [](const auto& shaders) { return shaders.empty(); });
+    if (added.is_left_out || stages.empty()) return;
+    std::size_t count = 1;
+    for (const auto& shaders : stages)
+      count =
+          shaders.size() > kMaxPermutations / count ? kMaxPermutations + 1 : count * shaders.size();
+    if (count_ + count > kMaxPermutations)
+      return LeaveOut(added, pass, StateOf(Stage::kVertex), "too many");
+    count_ += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      EffectProgram& program = added.programs.emplace_back();
+      std::size_t rest = i;
+      for (const auto& shaders : stages | std::views::reverse) {
+        program.shaders.insert(program.shaders.begin(), shaders[rest % shaders.size()]);
+        rest /= shaders.size();
       }
+      program.group = GroupOf(program, technique, number);
     }
   }
 
@@ -85,15 +97,15 @@ class ProgramFinder {
 
   // The shaders that the pass may use in a stage; leaves the pass out if one of them is not to be
   // compiled.
-  std::vector<EffectHalf> HalvesOf(PassPrograms& added, const ast::EffectPass& pass,
-                                   std::string_view stage, const EffectShader& shader) {
-    std::vector<EffectHalf> halves;
+  std::vector<EffectStage> ShadersOf(PassPrograms& added, const ast::EffectPass& pass, Stage stage,
+                                     const EffectShader& shader) {
+    std::vector<EffectStage> shaders;
     const auto add = [&](const EffectShader& one, std::optional<std::size_t> element) {
       if (one.kind == EffectShader::Kind::kNone) return;
       if (one.kind == EffectShader::Kind::kCompiled) {
-        halves.push_back({&one, element, ProfileFor(one)});
+        shaders.push_back({stage, &one, element, ProfileFor(one)});
       } else if (!added.is_left_out) {
-        LeaveOut(added, pass, stage, one.text);
+        LeaveOut(added, pass, StateOf(stage), one.text);
       }
     };
     const auto found = shader.kind == EffectShader::Kind::kVariable
@@ -101,7 +113,7 @@ class ProgramFinder {
                            : variables_.end();
     if (found == variables_.end()) {
       add(shader, std::nullopt);
-      return halves;
+      return shaders;
     }
     const std::vector<EffectShader>& elements = *found->second;
     std::size_t chosen = 0;
@@ -109,21 +121,20 @@ class ProgramFinder {
     const bool is_number = std::from_chars(shader.index.data(), end, chosen).ptr == end;
     if (shader.index.empty() || (is_number && chosen < elements.size())) {
       add(elements[chosen], std::nullopt);
-      return halves;
+      return shaders;
     }
     for (std::size_t i = 0; i < elements.size() && i < kMaxPermutations; ++i) add(elements[i], i);
-    return halves;
+    return shaders;
   }
 
   std::size_t GroupOf(const EffectProgram& program, std::size_t technique, std::size_t number) {
     const ast::EffectPass& pass = effect_.techniques[technique].passes[number];
     std::string key;
     std::string element;
-    for (const auto& half : {program.vertex, program.pixel}) {
-      key += half ? fmt::format("{}\n{}\n{}\n", half->profile, half->shader->function,
-                                half->shader->call)
-                  : "\n";
-      if (half && half->element) element += fmt::format(".{}", *half->element);
+    for (const EffectStage& stage : program.shaders) {
+      const EffectShader& shader = *stage.shader;
+      key += fmt::format("{}\n{}\n{}\n", stage.profile, shader.function, shader.call);
+      if (stage.element) element += fmt::format(".{}", *stage.element);
     }
     const auto [known, is_new] = by_key_.try_emplace(std::move(key), found_.groups.size());
     if (!is_new) return known->second;
@@ -140,21 +151,20 @@ class ProgramFinder {
         name_of(pass.name, "pass", number)};
     group.label = fmt::format("{}.{}{}", words[0], words[1], element);
     group.name = fmt::format("{}.{}{}", AsFileName(words[0]), AsFileName(words[1]), element);
-    const EffectHalf& first = program.vertex ? *program.vertex : *program.pixel;
     ProgramRequest& request = group.command.request;
-    ShaderSource& source = request.first();
-    source.profile = first.profile;
-    source.entry = first.shader->function;
-    source.entry_call = first.shader->call;
+    const std::optional<std::string> text = request.first().text;
+    request.shaders.clear();
+    for (const EffectStage& stage : program.shaders) {
+      request.shaders.push_back({.entry = stage.shader->function,
+                                 .entry_call = stage.shader->call,
+                                 .profile = stage.profile});
+    }
+    request.first().text = text;
     request.language.is_in_effect = true;
     request.outputs.facts = true;
     request.planes.given_to_device = !command_.header.empty();  // which names them
-    if (program.vertex && program.pixel) {
+    if (request.shaders.size() > 1)
       group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";
-      request.shaders.push_back({.entry = program.pixel->shader->function,
-                                 .entry_call = program.pixel->shader->call,
-                                 .profile = program.pixel->profile});
-    }
     return found_.groups.size() - 1;
   }
 

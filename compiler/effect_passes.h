@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/stage.h"
 #include "compiler/command_line.h"
 #include "compiler/permutations.h"
 #include "frontend/parse/effect.h"
@@ -14,16 +15,16 @@
 namespace clipc {
 
 // A shader of a program.
-struct EffectHalf {
+struct EffectStage {
+  Stage stage = Stage::kVertex;
   const ast::EffectShader* shader = nullptr;  // of kind kCompiled
   std::optional<std::size_t> element;         // of the array of shaders that the pass takes it from
   std::string profile;                        // that it is compiled for
 };
 
-// A vertex shader, a pixel shader or both.
 struct EffectProgram {
-  std::optional<EffectHalf> vertex, pixel;
-  std::size_t group = 0;  // in EffectPrograms::groups; programs that are alike share one
+  std::vector<EffectStage> shaders;  // by stage, at least one
+  std::size_t group = 0;             // in EffectPrograms::groups; programs that are alike share one
 };
 
 struct PassPrograms {

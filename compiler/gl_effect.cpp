@@ -77,7 +77,7 @@ class GlEffectMaker {
       if (!program.is_compiled || !program.code) continue;
       const std::string suffix = count == 1 ? "" : fmt::format(".{}", number);
       ++number;
-      if (!program.vertex) {
+      if (program.shaders.front().stage != Stage::kVertex) {
         leave_out("vertex shader");
         continue;
       }

@@ -10,29 +10,29 @@ namespace {
 
 using Code = std::vector<std::shared_ptr<const EffectCode>>;
 
-EffectShaderFact FactOf(const EffectHalf& half) {
-  const ast::EffectShader& shader = *half.shader;
-  return {shader.function, shader.profile, shader.call, half.element};
+EffectShaderFact FactOf(const EffectStage& stage) {
+  const ast::EffectShader& shader = *stage.shader;
+  return {stage.stage, shader.function, shader.profile, shader.call, stage.element};
 }
 
 // What the effect's JSON calls a file of a batch: the stage, whether it is GLSL or SPIR-V, and the
-// number of a variant.
-std::string FileKind(std::string_view kind, bool is_pixel_alone) {
+// number of a variant. `first_stage` is the first stage of the program.
+std::string FileKind(std::string_view kind, Stage first_stage) {
   if (kind == "fragment.spirv") return "fragment";
   for (const std::string_view first : {"glsl", "spirv"}) {
     if (kind == first || (kind.starts_with(first) && kind[first.size()] == '.'))
-      return (is_pixel_alone ? "fragment" : "vertex") + std::string(kind.substr(first.size()));
+      return (first_stage == Stage::kVertex ? "vertex" : "fragment") +
+             std::string(kind.substr(first.size()));
   }
   return std::string(kind);
 }
 
 EffectProgramFact FactOf(const EffectProgram& program, const BatchEntry& entry, const Code& code) {
   EffectProgramFact fact;
-  if (program.vertex) fact.vertex = FactOf(*program.vertex);
-  if (program.pixel) fact.pixel = FactOf(*program.pixel);
+  for (const EffectStage& stage : program.shaders) fact.shaders.push_back(FactOf(stage));
   fact.is_compiled = entry.status == BatchStatus::kCompiled;
   for (const auto& [kind, file] : entry.files)
-    fact.files.emplace_back(FileKind(kind, !program.vertex), file);
+    fact.files.emplace_back(FileKind(kind, fact.shaders.front().stage), file);
   fact.code = code[program.group];
   return fact;
 }

@@ -125,11 +125,11 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
   refuse(request.style.invariant, "--invariant");
 }
 
-// The clip planes of a shader as the request has them, if a stage with planes comes after it.
-LoweringRequest LoweringOf(const ProgramRequest& request, const ir::Profile& profile) {
-  const bool has_planes = !profile.stage || InfoOf(*profile.stage).has_stage_after;
+// The clip planes as the request has them for a shader: those of the first one.
+LoweringRequest LoweringOf(const ProgramRequest& request, std::size_t number,
+                           const ir::Profile& profile) {
   static const PlaneOptions kNone;
-  const PlaneOptions& planes = has_planes ? request.planes : kNone;
+  const PlaneOptions& planes = number == 0 ? request.planes : kNone;
   return {planes.lowering.value_or(DefaultLowering(profile)), planes.space, planes.position_input,
           request.hlsl.plane_distances};
 }
@@ -143,32 +143,42 @@ ir::Profile NeighboursProfile(const ir::Profile& vertex) {
   return *ir::ParseProfile(name);
 }
 
+// Reports what is wrong with the request as a whole; `plan` is that of its first shader.
+void CheckProgram(const ProgramRequest& request, const Plan& plan, Diagnostics& diagnostics) {
+  CheckPassNames(request.debug, diagnostics);
+  CheckRequest(plan.lowering, diagnostics);
+  if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
+  CheckStage(request, plan.check.profile, diagnostics);
+  if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
+    diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
+}
+
+// Reports what is wrong with a shader after the first.
+void CheckNext(const ProgramRequest& request, const Plan& plan, Diagnostics& diagnostics) {
+  if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
+  const ir::Profile& profile = plan.check.profile;
+  if (!diagnostics.has_errors() && profile.stage != Stage::kPixel) {
+    diagnostics.Report({}, diag::UnknownProfile, profile.name,
+                       " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
+  }
+}
+
 }  // namespace
 
 Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& diagnostics) {
   const ShaderSource& shader = request.shaders[number];
-  const bool is_first = number == 0;
   Plan plan;
   plan.check =
       CheckOptionsOf(request.language, ProfileOf(shader.profile, request.language, diagnostics));
   plan.check.entry = shader.entry;
   plan.check.entry_call = shader.entry_call;
-  const ir::Profile& profile = plan.check.profile;
   plan.write = WriteOptionsOf(request.style, diagnostics);
-  plan.lowering = LoweringOf(request, profile);
-  if (is_first) {
+  plan.lowering = LoweringOf(request, number, plan.check.profile);
+  if (number == 0) {
     plan.stop_after = request.debug.stop_after;
-    CheckPassNames(request.debug, diagnostics);
-    CheckRequest(plan.lowering, diagnostics);
-  }
-  if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
-  if (is_first) {
-    CheckStage(request, profile, diagnostics);
-    if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
-      diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
-  } else if (!diagnostics.has_errors() && profile.stage != Stage::kPixel) {
-    diagnostics.Report({}, diag::UnknownProfile, profile.name,
-                       " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
+    CheckProgram(request, plan, diagnostics);
+  } else {
+    CheckNext(request, plan, diagnostics);
   }
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
   // are the usual ones where stages match by name.

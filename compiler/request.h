@@ -168,7 +168,7 @@ struct ProgramRequest {
   IncludeOptions includes;
   LanguageOptions language;
   glsl::Target target = *glsl::Target::Parse("glsl450");
-  PlaneOptions planes;  // of the shader before the rasterizer
+  PlaneOptions planes;  // of the first shader
   StyleOptions style;
   LinkOptions link;
   HlslOptions hlsl;
