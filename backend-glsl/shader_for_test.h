@@ -137,13 +137,16 @@ class ShaderForTest {
     CLIPC_CHECK(!broken);
   }
 
-  std::string Glsl(std::string_view target) const {
+  ir::Program Legalized(std::string_view target) const {
     ir::Program legalized = program;
     legalized.form = ir::Form::kInlined;
     ir::PassOptions options;
     options.verify = true;
     Legalize(legalized, *Target::Parse(target), options);
-    return WriteGlsl(legalized, *Target::Parse(target)).glsl;
+    return legalized;
+  }
+  std::string Glsl(std::string_view target) const {
+    return WriteGlsl(Legalized(target), *Target::Parse(target)).glsl;
   }
 
  private:

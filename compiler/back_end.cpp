@@ -119,7 +119,7 @@ std::vector<Finished> WriteVariants(std::span<Job> jobs, const LoweredProgram& l
       variants.push_back({whole, {}});
       break;
     }
-    std::vector<Lowered> variant = LowerWithPlanes(jobs.front().request, lowered.linked, count);
+    std::vector<Lowered> variant = LowerWithPlanes(lowered.linked, count);
     glsl::ProgramLayout layout = LayOut(jobs, variant);
     variants.push_back(Finish(jobs, variant, layout));
   }

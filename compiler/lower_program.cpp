@@ -110,16 +110,16 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
   return std::nullopt;
 }
 
-std::vector<Lowered> LowerWithPlanes(const ProgramRequest& request,
-                                     std::vector<LinkedShader> linked, std::size_t planes) {
+std::vector<Lowered> LowerWithPlanes(std::vector<LinkedShader> linked, std::size_t planes) {
   std::vector<Lowered> lowered;
   for (LinkedShader& shader : linked) {
     if (shader.program.clip_planes.size() > planes) shader.program.clip_planes.resize(planes);
     passes::PipelineOptions& passes = shader.options.passes;
     passes.discarded_planes = std::min(passes.discarded_planes, planes);
     passes.after_pass = {};
-    Diagnostics heard_before;
-    lowered.push_back(LowerAlone(std::move(shader), request.style, heard_before));
+    // CheckTarget has judged the shader with all planes.
+    lowered.push_back(Lower(std::move(shader.program), shader.options));
+    Legalize(lowered.back(), passes);
   }
   return lowered;
 }

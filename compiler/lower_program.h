@@ -41,7 +41,6 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
                                            CompileResult& result);
 
 // The same program with its first clip planes only: it has no errors that the whole one has not.
-std::vector<Lowered> LowerWithPlanes(const ProgramRequest& request,
-                                     std::vector<LinkedShader> linked, std::size_t planes);
+std::vector<Lowered> LowerWithPlanes(std::vector<LinkedShader> linked, std::size_t planes);
 
 }  // namespace clipc
