@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <span>
 
-#include "backend-glsl/shape.h"
 #include "ir/packing.h"
+#include "legalize/shape.h"
 
 namespace clipc::glsl {
 
@@ -51,7 +51,7 @@ class Comparer {
  private:
   std::optional<Std140Extent> Matrix(const Type& type, bool row_major) const {
     const std::uint32_t scalar_size = ByteSize(type.scalar);
-    const Shape shape = ShapeOf(type.scalar, type.rows, type.columns);
+    const legalize::Shape shape = legalize::ShapeOf(type.scalar, type.rows, type.columns);
     const std::uint32_t registers = row_major ? type.rows : type.columns;
     const std::uint32_t length = row_major ? type.columns : type.rows;
     if (!shape.HasRows()) {
@@ -60,14 +60,14 @@ class Comparer {
       if (registers > 1 && !tight_) return std::nullopt;
       return VectorExtent(scalar_size, shape.size);
     }
-    if (shape.kind == Shape::kRows && !row_major) return std::nullopt;
+    if (shape.kind == legalize::Shape::kRows && !row_major) return std::nullopt;
     const Std140Extent vector = VectorExtent(scalar_size, length);
     const auto alignment = std::max(vector.alignment, row_);
     const auto stride = static_cast<std::uint32_t>(RoundUp(vector.size, alignment));
     if (stride != RoundUp(std::uint64_t{scalar_size} * length, row_)) return std::nullopt;
     const MatrixLayout layout = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
     return Std140Extent{stride * registers, alignment,
-                        shape.kind == Shape::kMatrix ? layout : MatrixLayout::kNone};
+                        shape.kind == legalize::Shape::kMatrix ? layout : MatrixLayout::kNone};
   }
 
   std::optional<Std140Extent> Array(TypeId id, bool row_major) const {

@@ -11,13 +11,15 @@
 
 #include <gtest/gtest.h>
 
-#include "backend-glsl/shader_for_test.h"
+#include "backend-glsl/test_glsl.h"
+#include "legalize/test_shader.h"
 
 namespace clipc::glsl {
 namespace {
 
 using ir::Scalar;
 using ir::TypeId;
+using legalize::TestShader;
 
 class BlockLayoutTest : public testing::Test {
  protected:
@@ -28,7 +30,7 @@ class BlockLayoutTest : public testing::Test {
   TypeId A(TypeId element, std::uint32_t count) {
     return shader_.program.types.Array(element, count);
   }
-  TypeId S(const std::vector<ShaderForTest::NewMember>& fields) {
+  TypeId S(const std::vector<TestShader::NewMember>& fields) {
     ir::Struct structure;
     structure.name = "S";
     for (const auto& field : fields) {
@@ -40,7 +42,7 @@ class BlockLayoutTest : public testing::Test {
     }
     return shader_.program.types.Of(shader_.program.types.AddStruct(structure));
   }
-  BlockLayout Layout(const std::vector<ShaderForTest::NewMember>& members,
+  BlockLayout Layout(const std::vector<TestShader::NewMember>& members,
                      std::string_view target = "glsl450",
                      ir::CbufferKind kind = ir::CbufferKind::kCbuffer,
                      std::string_view unread = "") {
@@ -55,8 +57,8 @@ class BlockLayoutTest : public testing::Test {
   }
   // What the block declares, "a b.words c.rows2", where the members whose names are letters of
   // `unread` are not read.
-  std::string Parts(const std::vector<ShaderForTest::NewMember>& members,
-                    std::string_view unread = "", std::string_view target = "glsl450") {
+  std::string Parts(const std::vector<TestShader::NewMember>& members, std::string_view unread = "",
+                    std::string_view target = "glsl450") {
     const BlockLayout layout = Layout(members, target, ir::CbufferKind::kCbuffer, unread);
     if (layout.form != BlockForm::kStd140)
       return layout.form == BlockForm::kRows ? "rows" : "uniforms";
@@ -70,11 +72,11 @@ class BlockLayoutTest : public testing::Test {
     return text;
   }
   // Whether std140 can place every member.
-  bool Fits(const std::vector<ShaderForTest::NewMember>& members) {
+  bool Fits(const std::vector<TestShader::NewMember>& members) {
     return Layout(members).by_hand.empty();
   }
 
-  ShaderForTest shader_;
+  TestShader shader_;
 };
 
 TEST_F(BlockLayoutTest, Std140WhereItIsTheSame) {
@@ -130,8 +132,8 @@ TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
 }
 
 TEST_F(BlockLayoutTest, GapsAreOffsetsOrPadding) {
-  const std::vector<ShaderForTest::NewMember> members = {{"b", F(1), false, 72},
-                                                         {"a", F(4), false, 16}};
+  const std::vector<TestShader::NewMember> members = {{"b", F(1), false, 72},
+                                                      {"a", F(4), false, 16}};
   const BlockLayout offsets = Layout(members, "glsl440");
   EXPECT_EQ(offsets.form, BlockForm::kStd140);
   EXPECT_EQ(offsets.members[0].offset, 16u) << "in order of offset";
@@ -163,7 +165,7 @@ TEST_F(BlockLayoutTest, WhatIsReadByHand) {
 }
 
 TEST_F(BlockLayoutTest, LargeBlocksEndWithWhatIsRead) {
-  const std::vector<ShaderForTest::NewMember> large = {
+  const std::vector<TestShader::NewMember> large = {
       {"a", F(4)}, {"b", A(F(4), 1000)}, {"c", A(F(4), 23)}, {"d", F(4)}};
   EXPECT_EQ(Parts(large), "a b c d");
   EXPECT_EQ(Parts(large, "d"), "a b c") << "16 KB";
@@ -222,7 +224,7 @@ class RandomCbuffers {
  public:
   explicit RandomCbuffers(unsigned seed) : random_(seed) {}
 
-  TypeId Type(ShaderForTest& shader, int depth) {
+  TypeId Type(TestShader& shader, int depth) {
     ir::TypeTable& types = shader.program.types;
     static constexpr Scalar kKinds[] = {Scalar::kFloat, Scalar::kFloat, Scalar::kFloat,
                                         Scalar::kInt,   Scalar::kUint,  Scalar::kBool,
@@ -261,7 +263,7 @@ class RandomCbuffers {
 };
 
 // Uses each leaf under `expr` and notes its offset in HLSL, of an array that of element 0 only.
-void UseLeaves(ShaderForTest& shader, ir::ExprId expr, bool row_major, const std::string& path,
+void UseLeaves(TestShader& shader, ir::ExprId expr, bool row_major, const std::string& path,
                std::uint32_t offset, std::vector<Leaf>& leaves) {
   ir::Builder b = shader.Make();
   const ir::Type type = shader.program.types[b.TypeOf(expr)];
@@ -313,11 +315,11 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
   if (status != 0) GTEST_SKIP() << "no glslangValidator";
   int whole = 0, by_hand = 0;
   for (unsigned round = 0; round < 6; ++round) {
-    ShaderForTest shader;
+    TestShader shader;
     RandomCbuffers random(round * 977 + 1);
     std::vector<Leaf> leaves;
     for (int i = 0; i < 40; ++i) {
-      std::vector<ShaderForTest::NewMember> members;
+      std::vector<TestShader::NewMember> members;
       for (int m = 0, count = 1 + random.Below(4); m < count; ++m) {
         const std::string name = "m" + std::to_string(i) + "_" + std::to_string(m);
         members.push_back({name, random.Type(shader, 2), random.Below(2) == 0});
@@ -352,7 +354,7 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
       }
     }
     shader.Finish();
-    const std::string glsl = shader.Glsl(GetParam());
+    const std::string glsl = GlslFor(shader.program, *Target::Parse(GetParam()));
     const std::string output = Glslang(glsl, "-q -l", status);
     ASSERT_EQ(status, 0) << output << glsl;
     const auto offsets = Offsets(output);

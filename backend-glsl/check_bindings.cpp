@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "backend-glsl/descriptors.h"
-#include "backend-glsl/split_arrays.h"
+#include "legalize/split_arrays.h"
 
 namespace clipc::glsl {
 
@@ -32,6 +32,7 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
   std::set<std::uint32_t> renumbered;
+  const legalize::ArraySplit split = target.Needs().split_arrays;
   const auto take = [&](const Register& reg, const std::string& name, Span span,
                         ObjectCategory category, std::uint32_t element = 0) {
     Descriptor at = descriptors.Of(reg);
@@ -65,7 +66,7 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
     const ObjectCategory category =
         InfoOf(program.types[program.types.Innermost(var.type)].object).category;
     if (!reached.Has(resource.var)) continue;
-    const std::uint32_t count = std::max(SplitCount(program, target, resource.var), 1u);
+    const std::uint32_t count = std::max(legalize::SplitCount(program, split, resource.var), 1u);
     // The elements would move one by one.
     if (count > 1 && descriptors.IsMoved(resource.reg)) {
       diagnostics.Report(var.span, diag::Unsupported,

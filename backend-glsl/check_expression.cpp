@@ -5,12 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "backend-glsl/legalize/es100/loops.h"
-#include "backend-glsl/operators.h"
-#include "backend-glsl/shape.h"
-#include "backend-glsl/split_arrays.h"
 #include "backend-glsl/writer/wave_call.h"
 #include "ir/scalar.h"
+#include "legalize/es100/loops.h"
+#include "legalize/shape.h"
+#include "legalize/split_arrays.h"
 
 namespace clipc::glsl {
 
@@ -36,17 +35,17 @@ void TargetReport::Type(TypeId id, Span span) {
     return;
   }
   if (!type.IsNumeric()) return;
-  const Need* need = NeedOf(BaseOf(type.scalar));
-  if (!need || target_.Has(need->feature)) return;
-  if (!std::exchange(reported_[need->feature == Feature::kDoubles ? 0 : 1], true)) {
-    Lack(*need, span, {});
+  const Requirement* requirement = RequirementOf(BaseOf(type.scalar));
+  if (!requirement || target_.Has(requirement->feature)) return;
+  if (!std::exchange(reported_[requirement->feature == Feature::kDoubles ? 0 : 1], true)) {
+    Lack(*requirement, span, {});
   }
 }
 
 bool ExpressionCheck::MayReport() const {
   const auto lacks = [&](Scalar kind) {
-    const Need* need = NeedOf(kind);
-    return need && !target_.Has(need->feature);
+    const Requirement* requirement = RequirementOf(kind);
+    return requirement && !target_.Has(requirement->feature);
   };
   return program_.calls_objects || program_.calls_nonuniform || !has_unsigned_ ||
          clipc::InfoOf(program_.stage).draws_pixels || !target_.Has(Feature::kDynamicBlockIndex) ||
@@ -94,7 +93,7 @@ void ExpressionCheck::BitOperator(BinaryOp op, const ir::Type& type, Span span) 
     case BinaryOp::kShiftRight:
     case BinaryOp::kBitAnd:
     case BinaryOp::kBitXor:
-    case BinaryOp::kBitOr: Report(span, diag::TargetBitOperator, OperatorOf(op).spelling); return;
+    case BinaryOp::kBitOr: Report(span, diag::TargetBitOperator, SpellingOf(op)); return;
     case BinaryOp::kEqual:
     case BinaryOp::kNotEqual:
     case BinaryOp::kAdd:
@@ -169,7 +168,7 @@ void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
     Check(Feature::kLevelClamps, diag::TargetTiled, span, "a clamp of the level of detail");
   if (call.has_texel) Status(object, span);
   const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
-  if (!is_length) Check(NeedOf(call.op), span);
+  if (!is_length) Check(RequirementOf(call.op), span);
 }
 
 // Reports a read with a status that GLSL does not have: textures of one dimension have none there.
@@ -194,7 +193,8 @@ void ExpressionCheck::StoreUse(ExprId object, ObjectOp op, Span span) {
 // Reports an element of an array of samplers, unless a literal names it: OpenGL has none.
 void ExpressionCheck::ObjectArgument(ExprId object) {
   const auto* index = As<Index>(object);
-  if (!index || target_.IsVulkan() || SplitElementAt(program_, target_, object).array) return;
+  if (!index || target_.IsVulkan() || legalize::SplitElementAt(program_, split_, object).array)
+    return;
   if (InfoOf(TypeOf(object).object).category != ObjectCategory::kSampler) return;
   const auto* var = As<VarRef>(index->base);
   Report(program_.exprs[object].span, diag::TargetSamplerArray,
@@ -204,9 +204,10 @@ void ExpressionCheck::ObjectArgument(ExprId object) {
 // Reports an element, unless literals name it, of an array that Vulkan would not have.
 void ExpressionCheck::SplitElement(ExprId element) {
   const VarId root = RootOf(program_, element);
-  const bool is_split = target_.IsVulkan() && root && SplitCount(program_, target_, root) > 0 &&
+  const bool is_split = target_.IsVulkan() && root &&
+                        legalize::SplitCount(program_, split_, root) > 0 &&
                         TypeOf(element).kind == TypeKind::kObject;
-  if (is_split && !SplitElementAt(program_, target_, element).array)
+  if (is_split && !legalize::SplitElementAt(program_, split_, element).array)
     diagnostics_.Report(program_.exprs[element].span, diag::TargetSplitIndex,
                         program_.vars[root].name);
 }
@@ -219,7 +220,7 @@ void ExpressionCheck::BufferIndex(const Index& index, Span span) {
   const bool is_uniform = ref && program_.vars[ref->var].storage == Storage::kUniform;
   if (is_uniform && !target_.Has(Feature::kFreeIndices) &&
       clipc::InfoOf(program_.stage).draws_pixels &&
-      !IsConstantIndex(program_, index.index, loop_indices_))
+      !legalize::IsConstantIndex(program_, index.index, loop_indices_))
     return Report(span, diag::TargetUniformIndex, program_.vars[ref->var].name);
   if (!ref || As<Literal>(index.index) || target_.Has(Feature::kDynamicBlockIndex)) return;
   const Var& var = program_.vars[ref->var];

@@ -4,11 +4,12 @@
 #include <string_view>
 #include <vector>
 
-#include "backend-glsl/needs.h"
+#include "backend-glsl/requirements.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "ir/access.h"
 #include "ir/program.h"
+#include "legalize/split_arrays.h"
 
 namespace clipc::glsl {
 
@@ -42,18 +43,19 @@ class TargetReport {
   }
 
   // Reports the needed feature if the target lacks it.
-  void Check(const Need* need, Span span, std::string_view name = {}) {
-    if (need && !target_.Has(need->feature)) Lack(*need, span, name);
+  void Check(const Requirement* requirement, Span span, std::string_view name = {}) {
+    if (requirement && !target_.Has(requirement->feature)) Lack(*requirement, span, name);
   }
-  void Check(Feature feature, const Need::Plain& message, Span span) {
+  void Check(Feature feature, const Requirement::Plain& message, Span span) {
     if (!target_.Has(feature)) Lack(feature, span, message);
   }
-  void Check(Feature feature, const Need::Named& message, Span span, std::string_view name) {
+  void Check(Feature feature, const Requirement::Named& message, Span span, std::string_view name) {
     if (!target_.Has(feature)) Lack(feature, span, message, name);
   }
-  void Lack(const Need& need, Span span, std::string_view name) {
-    if (need.plain) return Lack(need.feature, span, *need.plain);
-    Lack(need.feature, span, *need.named, need.what.empty() ? name : need.what);
+  void Lack(const Requirement& requirement, Span span, std::string_view name) {
+    if (requirement.plain) return Lack(requirement.feature, span, *requirement.plain);
+    Lack(requirement.feature, span, *requirement.named,
+         requirement.what.empty() ? name : requirement.what);
   }
   // Reports a missing feature, and the nearest target that has it.
   void Lack(Feature feature, Span span, const auto& kind, const auto&... names) {
@@ -87,6 +89,7 @@ class ExpressionCheck : protected TargetReport {
   void Expression(ExprId id);
 
   const bool has_blocks_;
+  const legalize::ArraySplit split_ = target_.Needs().split_arrays;
   // By VarId: the indices of loops by which a uniform of GLSL ES 1.00 may be indexed.
   std::vector<char> loop_indices_;
 

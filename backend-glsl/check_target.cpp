@@ -12,15 +12,14 @@
 #include "backend-glsl/check_bindings.h"
 #include "backend-glsl/check_expression.h"
 #include "backend-glsl/images.h"
-#include "backend-glsl/legalize/es100/loops.h"
-#include "backend-glsl/needs.h"
 #include "backend-glsl/reach.h"
-#include "backend-glsl/shape.h"
-#include "backend-glsl/split_arrays.h"
+#include "backend-glsl/requirements.h"
 #include "backend-glsl/write.h"
 #include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
+#include "legalize/es100/loops.h"
+#include "legalize/split_arrays.h"
 
 namespace clipc::glsl {
 
@@ -35,7 +34,7 @@ constexpr std::uint32_t kMaxElements = 256;
 class TargetCheck : ExpressionCheck {
  public:
   TargetCheck(const Program& program, const Target& target, BlockStyle blocks,
-              std::span<const LongLoop> long_loops, Diagnostics& diagnostics)
+              std::span<const legalize::LongLoop> long_loops, Diagnostics& diagnostics)
       : ExpressionCheck(program, target,
                         target.Has(Feature::kUniformBlocks) && blocks != BlockStyle::kFlat,
                         diagnostics),
@@ -90,7 +89,7 @@ class TargetCheck : ExpressionCheck {
       const bool is_array =
           program_.types[var.type].kind == TypeKind::kArray && !resource.counter_of;
       if (is_array && reached_.Has(resource.var) &&
-          SplitCount(program_, target_, resource.var) == 0)
+          legalize::SplitCount(program_, split_, resource.var) == 0)
         report(var.span, var.name);
     }
     for (const CbufferId id : program_.cbuffers.ids()) {
@@ -107,7 +106,7 @@ class TargetCheck : ExpressionCheck {
     if (input.builtin == Builtin::kPixelPosition) return PixelPosition(input);
     if (input.builtin == Builtin::kNone && clipc::InfoOf(program_.stage).has_stage_before)
       return Varying(input);
-    Check(NeedOf(input.builtin), var.span, input.semantic);
+    Check(RequirementOf(input.builtin), var.span, input.semantic);
     DoubleVarying(input);
   }
 
@@ -127,11 +126,11 @@ class TargetCheck : ExpressionCheck {
   }
 
   bool IsFloating(const IoVar& io) const {
-    return ShapeOf(program_.types[program_.vars[io.var].type], target_).IsFloating();
+    return IsFloat(program_.types[program_.vars[io.var].type].scalar);
   }
 
   // Checks the feature that the input or output needs if `needs_it`.
-  void CheckIo(bool needs_it, Feature feature, const Need::Named& message, const IoVar& io) {
+  void CheckIo(bool needs_it, Feature feature, const Requirement::Named& message, const IoVar& io) {
     if (needs_it)
       Check(feature, message, program_.vars[io.var].span, io.semantic + std::to_string(io.index));
   }
@@ -148,7 +147,7 @@ class TargetCheck : ExpressionCheck {
     if (output.builtin == Builtin::kNone && !clipc::InfoOf(program_.stage).has_stage_after)
       return RenderTarget(output);
     if (output.builtin == Builtin::kNone) return Varying(output);
-    Check(NeedOf(output.builtin), PlaceOf(output), output.semantic);
+    Check(RequirementOf(output.builtin), PlaceOf(output), output.semantic);
   }
 
   // The place of an output in the source. A lowered output has none of its own: it gets that of the
@@ -208,9 +207,9 @@ class TargetCheck : ExpressionCheck {
     if (!target_.Has(Feature::kImages)) return;
     const ObjectInfo& info = InfoOf(Innermost(var.type).object);
     if (target_.IsEs() && info.axes == 1)
-      return Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
+      return Check(RequirementOf(ObjectKind::kTexture1D), var.span, var.name);
     if (info.category == ObjectCategory::kTypedBuffer)
-      Check(NeedOf(ObjectKind::kBuffer), var.span, var.name);
+      Check(RequirementOf(ObjectKind::kBuffer), var.span, var.name);
     const std::string problem = ImageProblem(program_, images_, target_, resource);
     if (!problem.empty())
       Lack(Feature::kImageFormats, var.span, diag::TargetImageFormat, var.name, problem);
@@ -219,17 +218,16 @@ class TargetCheck : ExpressionCheck {
     const ir::Type& type = Innermost(var.type);
     const bool is_array = IsArray(var.type);
     if (type.object == ObjectKind::kTexture1DArray) {
-      Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
+      Check(RequirementOf(ObjectKind::kTexture1D), var.span, var.name);
     }
-    Check(NeedOf(type.object), var.span, var.name);
+    Check(RequirementOf(type.object), var.span, var.name);
     if (is_array && IsStorageBuffer(type.object) && !target_.IsVulkan()) {
       Report(var.span, diag::TargetArrayOfBuffers, var.name);
     } else if (is_array && program_.types[var.type].count == 0 && !target_.IsVulkan()) {
       Report(var.span, diag::TargetArrayWithoutSize, var.name);
     }
     if (!type.element) return;
-    if (program_.types[type.element].IsNumeric() &&
-        !ShapeOf(program_.types[type.element], target_).IsFloating()) {
+    if (program_.types[type.element].IsNumeric() && !IsFloat(program_.types[type.element].scalar)) {
       Check(Feature::kTextureFunctions, diag::TargetIntegerTexture, var.span, var.name);
     }
     Type(type.element, var.span);
@@ -310,7 +308,7 @@ class TargetCheck : ExpressionCheck {
   }
 
   void Loop(Span span, std::string_view why) {
-    const auto is_there = [&](const LongLoop& loop) { return loop.span == span; };
+    const auto is_there = [&](const legalize::LongLoop& loop) { return loop.span == span; };
     const auto found = std::ranges::find_if(long_loops_, is_there);
     if (found == long_loops_.end())
       Report(span, diag::TargetLoop, why);
@@ -326,7 +324,7 @@ class TargetCheck : ExpressionCheck {
   std::vector<RefusedLoop> FindLoops(StmtId body) {
     loop_indices_.resize(program_.vars.size());
     std::vector<RefusedLoop> refused;
-    const CountedLoops loops(program_, body);
+    const legalize::CountedLoops loops(program_, body);
     ForEachStmt(program_, body, [&](StmtId stmt) {
       CountedLoop loop;
       const std::string_view why = loops.WhyNot(stmt, loop);
@@ -357,7 +355,7 @@ class TargetCheck : ExpressionCheck {
   }
 
   const BlockStyle blocks_;
-  const std::span<const LongLoop> long_loops_;
+  const std::span<const legalize::LongLoop> long_loops_;
   const Reached reached_;
   const std::vector<ImageUse> images_;
   const bool looks_at_expressions_ = MayReport();
@@ -366,7 +364,7 @@ class TargetCheck : ExpressionCheck {
 }  // namespace
 
 void CheckTarget(const Program& program, const Target& target, BlockStyle blocks,
-                 std::span<const LongLoop> long_loops, Diagnostics& diagnostics) {
+                 std::span<const legalize::LongLoop> long_loops, Diagnostics& diagnostics) {
   TargetCheck(program, target, blocks, long_loops, diagnostics).Run();
 }
 

@@ -3,11 +3,11 @@
 
 #include <span>
 
-#include "backend-glsl/legalize/es100/unroll_loops.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "ir/program.h"
+#include "legalize/es100/long_loop.h"
 
 namespace clipc::glsl {
 
@@ -15,6 +15,6 @@ namespace clipc::glsl {
 // succeeds. Requires that the clip planes are lowered: which of them become clip distances is
 // decided there. `long_loops` are what UnrollLoops returned.
 void CheckTarget(const ir::Program& program, const Target& target, BlockStyle blocks,
-                 std::span<const LongLoop> long_loops, Diagnostics& diagnostics);
+                 std::span<const legalize::LongLoop> long_loops, Diagnostics& diagnostics);
 
 }  // namespace clipc::glsl

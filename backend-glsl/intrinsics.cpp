@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <iterator>
 
-#include "backend-glsl/snippets.h"
-
 namespace clipc::glsl {
 
 using namespace ir;
@@ -76,27 +74,6 @@ const BuiltinFunction* BuiltinOf(Intrinsic op, const Shape& shape, const Target&
   const BuiltinFunction* found = &kBuiltinFunctions[row - 1];
   if (found->is_rounding && !target.Has(Feature::kRounding)) return nullptr;
   return shape.IsFloating() || target.Has(Feature::kUnsigned) ? found : nullptr;
-}
-
-bool IsOfScalars(Intrinsic op, const Shape& shape, const Target& target) {
-  const bool is_combining = CategoryOf(op) == IntrinsicCategory::kVectors;
-  if (is_combining || !shape.IsVector() || BuiltinOf(op, shape, target)) return false;
-  switch (op) {
-    case Intrinsic::kWaveActiveAllEqual:
-    case Intrinsic::kAsDouble: return true;
-    case Intrinsic::kF16ToF32:
-    case Intrinsic::kF32ToF16:
-      if (target.Has(Feature::kHalfPacking)) return true;
-      break;
-    case Intrinsic::kCountBits:
-    case Intrinsic::kFirstBitHigh:
-    case Intrinsic::kFirstBitLow:
-      if (target.Has(Feature::kBitFunctions)) return false;
-      break;
-    default: break;
-  }
-  const SnippetText* snippet = FindSnippet(NameOf(op), shape);
-  return snippet && snippet->scalar_only;
 }
 
 }  // namespace clipc::glsl

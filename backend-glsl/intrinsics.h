@@ -3,11 +3,13 @@
 
 #include <string_view>
 
-#include "backend-glsl/shape.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
+#include "legalize/shape.h"
 
 namespace clipc::glsl {
+
+using legalize::Shape;
 
 // A function that GLSL has under the same or another name.
 struct BuiltinFunction {
@@ -18,9 +20,5 @@ struct BuiltinFunction {
 };
 // Returns the function that the target has for a first argument of this shape; null if it has none.
 const BuiltinFunction* BuiltinOf(ir::Intrinsic op, const Shape& shape, const Target& target);
-
-// Whether a first argument of this shape is a vector while the function that the target has, or the
-// snippet in its place, takes scalars only.
-bool IsOfScalars(ir::Intrinsic op, const Shape& shape, const Target& target);
 
 }  // namespace clipc::glsl

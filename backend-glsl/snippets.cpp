@@ -328,7 +328,7 @@ const SnippetText* FindSnippet(std::string_view name, const Shape& shape) {
 std::string Expand(const SnippetText& snippet, std::string_view function, const Shape& shape,
                    bool has_unsigned,
                    const std::function<std::string(std::string_view)>& name_of_other) {
-  const auto type = [&](Scalar kind) { return GlslName(shape.With(kind), has_unsigned); };
+  const auto type = [&](Scalar kind) { return legalize::NameOf(shape.With(kind), has_unsigned); };
   std::string out;
   out.reserve(2 * snippet.text.size());
   for (std::size_t i = 0; i < snippet.text.size(); ++i) {
@@ -345,8 +345,10 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
     }
     switch (snippet.text[++i]) {
       case 'N': out += function; break;
-      case 'T': out += GlslName(shape, has_unsigned); break;
-      case '0': out += shape.IsScalar() ? "0.0" : GlslName(shape, has_unsigned) + "(0.0)"; break;
+      case 'T': out += legalize::NameOf(shape, has_unsigned); break;
+      case '0':
+        out += shape.IsScalar() ? "0.0" : legalize::NameOf(shape, has_unsigned) + "(0.0)";
+        break;
       case 'B': out += type(Scalar::kBool); break;
       case 'I': out += type(Scalar::kInt); break;
       case 'U': out += type(Scalar::kUint); break;

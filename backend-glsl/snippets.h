@@ -5,10 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include "backend-glsl/shape.h"
 #include "backend-glsl/target.h"
+#include "legalize/shape.h"
 
 namespace clipc::glsl {
+
+using legalize::Shape;
 
 // A function that GLSL, or an older version of it, lacks. In the text $N is its name, $T the type
 // of its first argument, $B $I $U $F the bool, int, uint and float types of the same size, $0 its

@@ -191,7 +191,9 @@ static_assert(HasEveryFeature());
 std::optional<Target> Target::Parse(std::string_view name) {
   for (const Profile& profile : kProfiles) {
     if (EqualIgnoringCase(profile.name, name)) {
-      return Target(profile.name, profile.api, profile.version);
+      Target target(profile.name, profile.api, profile.version);
+      target.needs_ = target.FindNeeds();
+      return target;
     }
   }
   return std::nullopt;
@@ -242,6 +244,38 @@ Support Target::Of(Feature feature) const {
   const Since& since = IsEs() ? row.es : row.desktop;
   if (version_ >= since.core) return {true, ""};
   return {version_ >= since.extended, version_ >= since.extended ? since.extension : ""};
+}
+
+legalize::Needs Target::FindNeeds() const {
+  const auto lacks = [&](Feature feature) { return !Has(feature); };
+  return {
+      .signed_integers = lacks(Feature::kUnsigned),
+      .square_matrices = lacks(Feature::kFullMatrices),
+      .constant_loops = lacks(Feature::kFreeLoops),
+      .constant_indices = lacks(Feature::kFreeIndices),
+      .float_choices = lacks(Feature::kBoolMix),
+      .integer_choices = lacks(Feature::kIntegerMix),
+      .struct_choices = lacks(Feature::kStructChoices),
+      // glslang takes an array of vectors for a vector, and SPIR-V before 1.4 has no OpSelect of
+      // arrays.
+      .array_choices = IsVulkan(),
+      .rounding = lacks(Feature::kRounding),
+      .bit_functions = lacks(Feature::kBitFunctions),
+      // VUID-StandaloneSpirv-UniformConstant-04655
+      .flat_arrays = IsVulkan() || lacks(Feature::kArraysOfArrays),
+      // glslang makes the texture with its sampler before the choice, which SPIR-V has in another
+      // block, and SPIR-V asks for both in one (OpSampledImage).
+      .simple_operands = IsVulkan(),
+      .simple_indices = !IsVulkan(),
+  };
+}
+
+legalize::Needs Target::Needs() const {
+  using legalize::ArraySplit;
+  legalize::Needs needs = needs_;
+  if (!IsVulkan()) needs.split_arrays = ArraySplit::kSamplers;
+  if (IsVulkan() && bindings.splits_arrays) needs.split_arrays = ArraySplit::kAll;
+  return needs;
 }
 
 }  // namespace clipc::glsl

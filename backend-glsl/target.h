@@ -10,6 +10,7 @@
 
 #include "base/stage.h"
 #include "ir/interface.h"
+#include "legalize/needs.h"
 
 // The dialects of GLSL that clipc writes, and what each of them can say.
 namespace clipc::glsl {
@@ -182,6 +183,9 @@ class Target {
   bool Has(Feature feature) const { return Of(feature).has; }
   bool HasInCore(Feature feature) const { return Has(feature) && Of(feature).extension.empty(); }
 
+  // What the target needs of the passes that make a program one that its GLSL can say.
+  legalize::Needs Needs() const;
+
   // The number of textures that every OpenGL 4 and OpenGL ES 3.1 can bind at once, the least that
   // their GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang accepts no binding from 80 on.
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
@@ -198,10 +202,12 @@ class Target {
 
  private:
   Target(std::string_view name, Api api, int version) : name_(name), api_(api), version_(version) {}
+  legalize::Needs FindNeeds() const;
 
   std::string_view name_;
   Api api_;
   int version_;
+  legalize::Needs needs_ = {};  // but for the arrays that are split
 };
 
 }  // namespace clipc::glsl

@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "backend-glsl/check_target.h"
-#include "backend-glsl/legalize/legalize.h"
 #include "frontend/parse/parse.h"
 #include "frontend/resolve/resolve.h"
+#include "legalize/es100/unroll_loops.h"
+#include "legalize/legalize.h"
 
 namespace clipc {
 namespace {
@@ -50,7 +51,7 @@ Lowered Lower(ir::Program program, const LowerOptions& options) {
   Lowered lowered{std::move(program), std::move(target), pipeline.clip_planes.lowering,
                   pipeline.clip_planes.space, is_complete};
   if (is_complete) {
-    lowered.long_loops = glsl::UnrollLoops(lowered.program, lowered.target);
+    lowered.long_loops = legalize::UnrollLoops(lowered.program, lowered.target.Needs());
     lowered.is_complete =
         ir::FinishPass(lowered.program, kUnrollLoops, ir::Form::kInlined, options.passes);
   }
@@ -61,12 +62,12 @@ std::vector<std::string_view> PassNames() {
   std::vector<std::string_view> names = resolve::ResolvePasses();
   std::ranges::copy(passes::PassNames(), std::back_inserter(names));
   names.push_back(kUnrollLoops);
-  for (const auto& pass : glsl::LegalizePasses()) names.push_back(pass.name);
+  for (const auto& pass : legalize::LegalizePasses()) names.push_back(pass.name);
   return names;
 }
 
 void Legalize(Lowered& lowered, const ir::PassOptions& options) {
-  lowered.is_complete = glsl::Legalize(lowered.program, lowered.target, options);
+  lowered.is_complete = legalize::Legalize(lowered.program, lowered.target.Needs(), options);
 }
 
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics) {

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "backend-glsl/legalize/es100/unroll_loops.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/write.h"
@@ -17,6 +16,7 @@
 #include "frontend/lex/token.h"
 #include "frontend/parse/ast.h"
 #include "ir/program.h"
+#include "legalize/es100/long_loop.h"
 #include "passes/pipeline.h"
 
 // The chain that every shader takes from HLSL to GLSL. Each stage takes a value and gives a value;
@@ -53,8 +53,8 @@ struct Lowered {
   glsl::Target target;
   Lowering lowering;
   PlaneSpace plane_space;
-  bool is_complete = true;                      // no pass stopped it early
-  std::vector<glsl::LongLoop> long_loops = {};  // that CheckTarget refuses
+  bool is_complete = true;                          // no pass stopped it early
+  std::vector<legalize::LongLoop> long_loops = {};  // that CheckTarget refuses
 };
 
 // Runs the passes of the clip planes, of the target's clip space and those that clear up, and

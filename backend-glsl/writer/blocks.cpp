@@ -147,7 +147,7 @@ class BlockWriter {
     const std::string& name = NameOf(member);
     AppendPart(text_, PrecisionOf(member.var, member.field));
     if (context_.IsWrittenAsUint(member.var)) {
-      const Shape shape = ShapeOf(context_[member.type], context_.target);
+      const Shape shape = ShapeOf(context_[member.type], context_.needs);
       AppendDeclaration(context_, text_, shape.With(Scalar::kUint), name);
     } else {
       AppendDeclaration(context_, text_, member.type, name);

@@ -226,7 +226,7 @@ Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
   const ExprId place = code.Operand(node, OperandKind::kPlace);
   const BufferInHelper named = InHelper(code, object);
   const std::string& name = named.elements;
-  const Shape shape = ShapeOf(code[type], code.target);
+  const Shape shape = ShapeOf(code[type], code.needs);
   const std::string helper =
       Helper(code, NameFor(named.name, "_load", shape.size), "", [&](const std::string& function) {
         const std::string address = Fresh(code, "address"), i = Fresh(code, "i");

@@ -16,7 +16,7 @@ namespace clipc::glsl {
 struct Code : WriterContext {
   using WriterContext::WriterContext;
 
-  Constants constants{program, target};
+  Constants constants{program, target, needs};
   std::string* out = nullptr;  // the text that expressions and statements are appended to
   std::size_t indent = 0;
   bool in_helper = false;  // in a helper function, whose locals keep their names

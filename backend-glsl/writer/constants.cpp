@@ -11,6 +11,7 @@
 #include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
+#include "legalize/constant.h"
 
 namespace clipc::glsl {
 
@@ -65,7 +66,7 @@ bool Constants::Has(ExprId id) {
           [&](const VarRef& node) { return Has(node.var); },
           [&](const OneOf<FieldRef, Swizzle, MatrixSwizzle> auto& node) { return Has(node.base); },
           [&](const Index& node) {
-            return Has(node.base) && (IsOnlyElement(program_, node) || Has(node.index));
+            return Has(node.base) && (legalize::IsOnlyElement(program_, node) || Has(node.index));
           },
           [&](const Unary& node) { return !ChangesOperand(node.op) && Has(node.operand); },
           [&](const Binary& node) { return HasBinary(node); },
@@ -127,7 +128,7 @@ bool Constants::HasBinary(const Binary& node) {
 // not compute.
 bool Constants::HasTruncated(TypeId id, ExprId matrix) {
   const Type& type = program_.types[id];
-  const Shape from = ShapeAt(matrix), to = ShapeOf(type, target_);
+  const Shape from = ShapeAt(matrix), to = ShapeOf(type, needs_);
   const bool is_part = from != to && to.kind != Shape::kMatrix;
   const bool is_transposed = is_part && from.HasRows() && type.rows != 1;
   return !is_transposed && Has(matrix);
@@ -141,14 +142,15 @@ bool Constants::HasCall(const Expr& expr, const IntrinsicCall& node) {
     case Intrinsic::kMul: {
       // A scalar times a scalar for a whole matrix: the left one is written as a matrix.
       const bool is_splat = shape.IsScalar() && IsOneScalar(program_, arguments[1]);
-      return !is_splat || HasSplat(ShapeOf(program_.types[expr.type], target_), arguments[0]);
+      return !is_splat || HasSplat(ShapeOf(program_.types[expr.type], needs_), arguments[0]);
     }
     case Intrinsic::kAll:
     case Intrinsic::kAny:
     case Intrinsic::kDot:
     case Intrinsic::kNonUniform: return true;
     case Intrinsic::kSmoothstep:
-      return AreInOrder(ConstantOf(program_, arguments[0]), ConstantOf(program_, arguments[1]));
+      return legalize::AreInOrder(legalize::ConstantOf(program_, arguments[0]),
+                                  legalize::ConstantOf(program_, arguments[1]));
     default: return IsComputed(node.op) && BuiltinOf(node.op, shape, target_);
   }
 }

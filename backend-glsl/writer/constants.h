@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "backend-glsl/shape.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
+#include "legalize/shape.h"
 
 namespace clipc::glsl {
+
+using legalize::Shape;
+using legalize::ShapeOf;
 
 // Tells which expressions are constant expressions as the writer writes them: what GLSL asks of the
 // value of a `const` variable, and GLSL ES of the value of a global one. glslang, which decides
@@ -19,8 +22,8 @@ namespace clipc::glsl {
 class Constants {
  public:
   // Requires Form::kLegalized.
-  Constants(const ir::Program& program, const Target& target)
-      : program_(program), target_(target), values_(program.vars.size()) {}
+  Constants(const ir::Program& program, const Target& target, const legalize::Needs& needs)
+      : program_(program), target_(target), needs_(needs), values_(program.vars.size()) {}
 
   bool Has(ir::ExprId expr);
   // Whether the variable is written with `const`, and so is a constant expression.
@@ -44,10 +47,11 @@ class Constants {
   const ir::Type& TypeOf(ir::ExprId expr) const {
     return program_.types[program_.exprs[expr].type];
   }
-  Shape ShapeAt(ir::ExprId expr) const { return ShapeOf(TypeOf(expr), target_); }
+  Shape ShapeAt(ir::ExprId expr) const { return ShapeOf(TypeOf(expr), needs_); }
 
   const ir::Program& program_;
   const Target& target_;
+  const legalize::Needs& needs_;
   std::vector<Answer> values_;  // by VarId
 };
 

@@ -26,7 +26,8 @@ class ConstantsTest : public ::testing::Test {
   ExprId Matrix(float value) { return b_.Ref(Constant(b_.SplatTo(matrix_, b_.Float(value)))); }
   bool Has(ExprId expr, const char* target = "glsl450") {
     const Target wanted = *Target::Parse(target);
-    return Constants(program_, wanted).Has(expr);
+    const legalize::Needs needs = wanted.Needs();
+    return Constants(program_, wanted, needs).Has(expr);
   }
 
   Program program_;

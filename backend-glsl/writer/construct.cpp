@@ -42,7 +42,7 @@ Binding WriteNumeric(Code& code, const Shape& shape, std::span<const ExprId> arg
 
 Binding WriteConstruct(Code& code, TypeId id, std::span<const ExprId> arguments) {
   const Type& type = code[id];
-  if (type.IsNumeric()) return WriteNumeric(code, ShapeOf(type, code.target), arguments);
+  if (type.IsNumeric()) return WriteNumeric(code, ShapeOf(type, code.needs), arguments);
   code.Put(TypeName(code, id), "(");
   if (type.kind == TypeKind::kArray) {
     code.Put(ListOf(arguments, [&](ExprId argument) {
@@ -58,7 +58,7 @@ Binding WriteConstruct(Code& code, TypeId id, std::span<const ExprId> arguments)
 }
 
 Binding WriteTruncated(Code& code, const Type& type, ExprId matrix) {
-  const Shape from = code.ShapeAt(matrix), to = ShapeOf(type, code.target);
+  const Shape from = code.ShapeAt(matrix), to = ShapeOf(type, code.needs);
   if (from == to) return WriteExpr(code, matrix);
   // The result is the first row, or the first column, which is the first row of the transpose.
   const bool is_row = type.rows == 1, is_column = from.HasRows() && !is_row;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "backend-glsl/needs.h"
+#include "backend-glsl/requirements.h"
 
 namespace clipc::glsl {
 
@@ -32,6 +32,7 @@ WriterContext::WriterContext(const ir::Program& program, const Target& target,
     : program(program),
       types(program.types),
       target(target),
+      needs(target.Needs()),
       options(options),
       other(other),
       reached(Reach(program)),
@@ -69,7 +70,8 @@ const GlslInfo::Object* WriterContext::LaidObject(ir::VarId texture, ir::VarId s
 
 void WriterContext::RequireType(const ir::Type& type) {
   if (!type.IsNumeric()) return;
-  if (const Need* need = NeedOf(BaseOf(type.scalar))) Require(need->feature);
+  if (const Requirement* requirement = RequirementOf(BaseOf(type.scalar)))
+    Require(requirement->feature);
 }
 
 }  // namespace clipc::glsl

@@ -13,13 +13,16 @@
 #include "backend-glsl/glsl_info.h"
 #include "backend-glsl/names.h"
 #include "backend-glsl/reach.h"
-#include "backend-glsl/shape.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/write_options.h"
 #include "ir/access.h"
 #include "ir/program.h"
+#include "legalize/shape.h"
 
 namespace clipc::glsl {
+
+using legalize::Shape;
+using legalize::ShapeOf;
 
 // A texture and the sampler that it is read with, none for reads without a sampler.
 struct TextureUse {
@@ -53,6 +56,7 @@ struct WriterContext {
   const ir::Program& program;
   const ir::TypeTable& types;  // of the program
   const Target& target;
+  const legalize::Needs needs;  // of the target
   const WriteOptions& options;
   const OtherStage* const other;
   const Reached reached;
@@ -96,7 +100,7 @@ struct WriterContext {
 
   const ir::Type& TypeOf(ir::ExprId id) const { return types[program.exprs[id].type]; }
   const ir::Type& TypeOf(ir::VarId id) const { return types[program.vars[id].type]; }
-  Shape ShapeAt(auto id) const { return ShapeOf(TypeOf(id), target); }
+  Shape ShapeAt(auto id) const { return ShapeOf(TypeOf(id), needs); }
   const BlockLayout& LayoutOf(ir::VarId member) const {
     return layouts[program.vars[member].cbuffer.index];
   }

@@ -88,7 +88,7 @@ Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
       return WriteUniformElement(code, ref->var, node.index);
     }
   }
-  if (IsOnlyElement(code.program, node)) return WriteExpr(code, node.base);
+  if (legalize::IsOnlyElement(code.program, node)) return WriteExpr(code, node.base);
   WriteAt(code, node.base, Binding::kPostfix);
   // Mesa 22.3 reads the wrong component for t[1] after `ivec2 t = a.yw`, but not for t.y. An
   // element of a matrix is m[1][2].
@@ -96,7 +96,7 @@ Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
   const auto* row = code.As<Index>(node.base);
   const bool is_element =
       row && code.TypeOf(row->base).IsNumeric() && code.ShapeAt(row->base).HasRows();
-  if (literal && !is_element && type.IsNumeric() && ShapeOf(type, code.target).IsVector()) {
+  if (literal && !is_element && type.IsNumeric() && ShapeOf(type, code.needs).IsVector()) {
     const char component[] = {'.', "xyzw"[UintOf(literal->bits) % 4], '\0'};
     code.Put(component);
     return Binding::kPostfix;
@@ -178,7 +178,7 @@ Text MatrixSwizzleText(Code& code, const Expr& expr, const MatrixSwizzle& node) 
                     : base;
   };
   if (node.count == 1) return {element(0)};
-  return Called(TypeName(code, ShapeOf(code[expr.type], code.target)),
+  return Called(TypeName(code, ShapeOf(code[expr.type], code.needs)),
                 {ListOf(int{node.count}, element)});
 }
 
@@ -204,7 +204,7 @@ Binding WriteUnary(Code& code, const Unary& node) {
 // The value of a compound assignment may be a scalar beside a vector.
 Binding WriteAssign(Code& code, const Assign& node) {
   WriteAt(code, node.target, Binding::kUnary);
-  code.Put(" ", node.op ? OperatorOf(*node.op).spelling : "", "= ");
+  code.Put(" ", node.op ? SpellingOf(*node.op) : "", "= ");
   if (node.op)
     WriteOperandAt(code, node.value, Binding::kAssignment);
   else

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "backend-glsl/needs.h"
+#include "backend-glsl/requirements.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/output_groups.h"
@@ -95,7 +95,8 @@ std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
 
 // Names the extensions that a built-in input needs, and declares what must be declared.
 void RequireBuiltin(WriterContext& context, const IoVar& input, Inputs& inputs) {
-  if (const Need* need = NeedOf(input.builtin)) context.Require(need->feature);
+  if (const Requirement* requirement = RequirementOf(input.builtin))
+    context.Require(requirement->feature);
   GlslInfo::Variable& info = inputs.info.back();
   const bool is_vulkan = context.target.IsVulkan();
   if (input.builtin == Builtin::kVertexId) {
@@ -338,7 +339,7 @@ std::string InputText(const WriterContext& context, const IoVar& input,
   if (is_array) return BuiltinInput(context, input.builtin);
   const Shape shape = context.ShapeAt(input.var);
   const auto converted = [&](const std::string& value) {
-    return Concat(GlslName(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
+    return Concat(legalize::NameOf(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
   };
   if (input.builtin == Builtin::kUntranslated) return "";
   const bool is_uint = input.builtin == Builtin::kLaneCount || input.builtin == Builtin::kLaneIndex;
@@ -413,7 +414,8 @@ Outputs WriteOutputs(WriterContext& context) {
   const bool has_stage_after = InfoOf(context.program.stage).has_stage_after;
   for (const IoVar& output : context.program.outputs) {
     outputs.info.emplace_back().name = context.NameOf(output.var);
-    if (const Need* need = NeedOf(output.builtin)) context.Require(need->feature);
+    if (const Requirement* requirement = RequirementOf(output.builtin))
+      context.Require(requirement->feature);
     if (output.builtin == Builtin::kNone && has_stage_after)
       location = WriteVarying(context, output, outputs, location);
     else if (output.builtin == Builtin::kNone)

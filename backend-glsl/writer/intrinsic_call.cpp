@@ -9,6 +9,7 @@
 #include "backend-glsl/writer/operand.h"
 #include "backend-glsl/writer/types.h"
 #include "backend-glsl/writer/wave_call.h"
+#include "legalize/constant.h"
 
 namespace clipc::glsl {
 
@@ -155,7 +156,7 @@ Binding WriteInterpolant(Code& code, Intrinsic op, std::span<const ExprId> argum
 Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   const auto arguments = code[node.arguments];
   if (node.op == Intrinsic::kMul)
-    return WriteProduct(code, arguments[0], arguments[1], ShapeOf(code[type], code.target));
+    return WriteProduct(code, arguments[0], arguments[1], ShapeOf(code[type], code.needs));
   if (CategoryOf(node.op) == IntrinsicCategory::kMemory) {
     code.Put("memoryBarrier()");
     return Binding::kPostfix;
@@ -175,7 +176,7 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   };
   // Some functions give a uint in HLSL, an int in GLSL, or the other way round.
   const auto converted = [&](std::string_view function) {
-    code.Put(TypeName(code, ShapeOf(code[type], code.target)), "(");
+    code.Put(TypeName(code, ShapeOf(code[type], code.needs)), "(");
     call(function);
     code.Put(")");
     return Binding::kPostfix;
@@ -198,7 +199,9 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
     case Intrinsic::kSmoothstep:
       // GLSL leaves smoothstep undefined if the edges are not in order; then HLSL's formula is
       // spelled out.
-      if (!AreInOrder(ConstantOf(code.program, x), ConstantOf(code.program, arguments[1]))) break;
+      if (!legalize::AreInOrder(legalize::ConstantOf(code.program, x),
+                                legalize::ConstantOf(code.program, arguments[1])))
+        break;
       return WriteCall(code, "smoothstep", arguments, shape.IsVector() ? 0b011 : 0);
     case Intrinsic::kNonUniform:
       if (!code.target.IsVulkan()) return WriteExpr(code, x);

@@ -94,7 +94,7 @@ class Loader {
   }
 
   std::string Matrix(const Type& type, bool row_major, const Address& address) {
-    const Shape shape = ShapeOf(type, context_.target);
+    const Shape shape = ShapeOf(type, context_.needs);
     const std::uint32_t registers = row_major ? type.rows : type.columns;
     const std::uint32_t length = row_major ? type.columns : type.rows;
     const std::uint32_t component = ByteSize(type.scalar);

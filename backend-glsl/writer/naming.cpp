@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "backend-glsl/needs.h"
+#include "backend-glsl/requirements.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/types.h"

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "backend-glsl/literal.h"
-#include "backend-glsl/needs.h"
+#include "backend-glsl/requirements.h"
 #include "backend-glsl/writer/buffer_call.h"
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/helper.h"
@@ -147,7 +147,7 @@ class ObjectCaller {
     if (node_.has_texel) return Status(std::move(four));
     // A modern comparison is a float.
     if (InfoOf(kind_).compares && code_.Has(Feature::kTextureFunctions)) return {std::move(four)};
-    const std::size_t count = ShapeOf(code_[type_], code_.target).size;
+    const std::size_t count = ShapeOf(code_[type_], code_.needs).size;
     if (count < 4) Append(four, ".", std::string_view("xyzw").substr(0, count));
     return {std::move(four)};
   }
@@ -310,7 +310,7 @@ class ObjectCaller {
       return {fmt::format("textureGatherOffsets({}ivec2[4]({}){})", leading,
                           fmt::join(constants, ", "), last)};
     }
-    const std::string type = TypeName(code_, ShapeOf(code_[type_], code_.target));
+    const std::string type = TypeName(code_, ShapeOf(code_[type_], code_.needs));
     return {fmt::format("{}({})", type, fmt::join(calls, ", "))};
   }
 

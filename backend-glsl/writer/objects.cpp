@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "backend-glsl/images.h"
-#include "backend-glsl/needs.h"
+#include "backend-glsl/requirements.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/types.h"
@@ -110,7 +110,8 @@ class ObjectWriter {
     const std::string place =
         Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture),
              context_.LaidObject(use.texture, use.sampler));
-    if (const Need* need = NeedOf(kind)) context_.Require(need->feature);
+    if (const Requirement* requirement = RequirementOf(kind))
+      context_.Require(requirement->feature);
     Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
            TextureType(context_, use.texture, "sampler"),
            IsShadow(context_, use.sampler ? use.sampler : use.texture) ? "Shadow " : " ", use.name,

@@ -8,6 +8,7 @@
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/types.h"
+#include "legalize/constant.h"
 
 namespace clipc::glsl {
 
@@ -25,7 +26,7 @@ Binding WriteMatrixSplat(Code& code, const Shape& shape, ExprId scalar) {
   const std::string argument = Argument(code, scalar), type = TypeName(code, shape);
   if (IsRepeatable(code.program, scalar)) {
     // mat4(x) is x on the diagonal only.
-    const std::optional<Constant> number = ConstantOf(code.program, scalar);
+    const std::optional<legalize::Constant> number = legalize::ConstantOf(code.program, scalar);
     const bool is_zero = shape.kind == Shape::kMatrix && number && number->bits == 0;
     code.Put(is_zero ? Concat(type, "(", argument, ")") : MatrixOf(code, shape, argument));
     return Binding::kPostfix;
@@ -94,7 +95,7 @@ Binding WriteOperator(Code& code, BinaryOp op, ExprId left, ExprId right) {
     WriteAt(code, left, least);
   else
     WriteOperandAt(code, left, least);
-  code.Put(" ", glsl.spelling, " ");
+  code.Put(" ", SpellingOf(op), " ");
   WriteOperandAt(code, right, is_of_bits ? Binding::kMinus : Tighter(glsl.binding));
   return glsl.binding;
 }

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "backend-glsl/operators.h"
-#include "backend-glsl/shape.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/code.h"
+#include "legalize/shape.h"
 
 // Operators and calls of GLSL's functions, which take a scalar beside a vector in many places: an
 // operand that is one scalar (IsOneScalar) is written so there, and in its whole shape elsewhere.

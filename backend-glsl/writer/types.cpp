@@ -48,7 +48,8 @@ std::string_view StructOfFields(WriterContext& context, std::string_view element
 
 TypeParts PartsOf(WriterContext& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;
-  TypeParts parts{WordOf(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)), ""};
+  TypeParts parts{legalize::WordOf(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)),
+                  ""};
   if (is_array && !context.Has(Feature::kArrayValues))
     parts.base = StructOfFields(context, parts.base, shape.rows);
   else if (is_array)
@@ -85,7 +86,7 @@ TypeParts PartsOf(WriterContext& context, TypeId id) {
   const Type& type = context[id];
   if (type.IsNumeric()) {
     context.RequireType(type);
-    return PartsOf(context, ShapeOf(type, context.target));
+    return PartsOf(context, ShapeOf(type, context.needs));
   }
   switch (type.kind) {
     case TypeKind::kArray: {
@@ -175,7 +176,7 @@ std::string Dimensions(const WriterContext& context, VarId var) {
 bool HasFields(const WriterContext& context, const Type& type) {
   if (context.Has(Feature::kArrayValues)) return false;
   return type.kind == TypeKind::kArray ||
-         (type.IsNumeric() && ShapeOf(type, context.target).kind == Shape::kRows);
+         (type.IsNumeric() && ShapeOf(type, context.needs).kind == Shape::kRows);
 }
 
 std::string RowOf(const WriterContext& context, const Shape& matrix, std::string_view text,
@@ -188,7 +189,7 @@ bool IsWrapped(const WriterContext& context, TypeId array_element) {
   if (context.Has(Feature::kArraysOfArrays) || !context.Has(Feature::kArrayValues)) return false;
   const Type& type = context[array_element];
   return type.kind == TypeKind::kArray ||
-         (type.IsNumeric() && ShapeOf(type, context.target).kind == Shape::kRows);
+         (type.IsNumeric() && ShapeOf(type, context.needs).kind == Shape::kRows);
 }
 
 std::string ElementText(WriterContext& context, TypeId element, Text text) {
@@ -207,7 +208,7 @@ std::string ZeroText(WriterContext& context, const Shape& shape) {
 
 std::string ZeroText(WriterContext& context, TypeId id) {
   const Type& type = context[id];
-  if (type.IsNumeric()) return ZeroText(context, ShapeOf(type, context.target));
+  if (type.IsNumeric()) return ZeroText(context, ShapeOf(type, context.needs));
   const std::string name = TypeName(context, id);
   if (type.kind == TypeKind::kStruct) {
     const auto& fields = context.types.StructOf(id).fields;

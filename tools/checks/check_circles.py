@@ -12,7 +12,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = (
-    "base clip-table ir frontend passes backend-glsl backend-spirv link rewrite compiler runtime"
+    "base clip-table ir frontend passes legalize backend-glsl backend-spirv link rewrite compiler "
+    "runtime"
 ).split()
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 # The files of the largest circle, and why there is one.

@@ -37,7 +37,8 @@ ROOMS = {
         VOCABULARY,
     },
     "passes": {"base", "ir", VOCABULARY},
-    "backend-glsl": {"base", "ir"},
+    "legalize": {"base", "ir"},
+    "backend-glsl": {"base", "ir", "legalize"},
     "backend-spirv": {"base", "ir"},
     "clip-table": {VOCABULARY},
     "link": {"base", "ir", "frontend/signature"},
@@ -59,6 +60,7 @@ ROOMS = {
         "frontend/resolve",
         "frontend/check",
         "passes",
+        "legalize",
         "backend-glsl",
         "backend-spirv",
         "clip-table",
@@ -113,7 +115,7 @@ LIBRARIES = {
     r"png\.h": r"tools/harness/image\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|reference-compiler)/.*|tools/bench/reference_compilers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
-    r"fmt/": r"(base|ir|frontend|passes|link|rewrite|backend-glsl|compiler|tools/bench)/.*",
+    r"fmt/": r"(base|ir|frontend|passes|link|rewrite|legalize|backend-glsl|compiler|tools/bench)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/values|study)/.*\.cpp",
 }
 
