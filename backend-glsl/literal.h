@@ -14,4 +14,7 @@ namespace clipc::glsl {
 // floats and the target's core can do it, otherwise of a division.
 Text LiteralText(std::uint64_t bits, ir::Scalar kind, const Target& target);
 
+// Returns a uint in hexadecimal, with four or eight digits.
+Text MaskText(std::uint32_t bits);
+
 }  // namespace clipc::glsl

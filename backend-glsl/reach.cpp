@@ -30,15 +30,14 @@ class Walker {
 
  private:
   void Functions() {
-    reached_.functions = CalleesFirst(program_, [&](FunctionId function, const Expr& expr) {
-      const auto* ref = std::get_if<VarRef>(&expr.node);
-      if (ref && !program_.functions[function].is_helper) Variable(ref->var);
+    const auto visit = [&](const Expr& expr) {
+      if (const auto* ref = std::get_if<VarRef>(&expr.node)) Variable(ref->var);
       const auto* call = std::get_if<IntrinsicCall>(&expr.node);
       if (call && call->op == Intrinsic::kAttributeAtVertex)
         reached_.per_vertex.push_back(RootOf(program_, program_.expr_lists[call->arguments][0]));
-    });
-    std::erase_if(reached_.functions,
-                  [&](FunctionId id) { return program_.functions[id].is_helper; });
+    };
+    const auto enters = [&](FunctionId id) { return !program_.functions[id].is_helper; };
+    reached_.functions = CalleesFirst(program_, visit, enters);
   }
 
   void Variable(VarId id) {

@@ -261,6 +261,10 @@ legalize::Needs Target::FindNeeds() const {
       .array_choices = IsVulkan(),
       .rounding = lacks(Feature::kRounding),
       .bit_functions = lacks(Feature::kBitFunctions),
+      // GLSL ES gives a lowp int: of 16 bits, which -1 shows.
+      .wide_bit_numbers = IsEs() && Has(Feature::kBitFunctions),
+      .half_packing = lacks(Feature::kHalfPacking),
+      .determinants = lacks(Feature::kDeterminant),
       // VUID-StandaloneSpirv-UniformConstant-04655
       .flat_arrays = IsVulkan() || lacks(Feature::kArraysOfArrays),
       // glslang makes the texture with its sampler before the choice, which SPIR-V has in another

@@ -4,7 +4,7 @@
 namespace clipc::ir {
 
 std::vector<FunctionId> CalleesFirst(const Program& program) {
-  return CalleesFirst(program, [](FunctionId, const Expr&) {});
+  return CalleesFirst(program, [](const Expr&) {}, [](FunctionId) { return true; });
 }
 
 }  // namespace clipc::ir

@@ -15,10 +15,10 @@ namespace clipc::ir {
 // length. Requires functions without recursion.
 std::vector<FunctionId> CalleesFirst(const Program& program);
 
-// The same, and calls visit(FunctionId, const Expr&) for every expression of each function before
-// those of its callees.
-template <typename OnExpr>
-std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit) {
+// The same for the functions that enters(FunctionId) is true for, `main` among them, and calls
+// visit(const Expr&) for every expression of each before those of its callees.
+template <typename OnExpr, typename Enters>
+std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit, Enters&& enters) {
   struct Begun {
     FunctionId function;
     std::vector<FunctionId> callees;
@@ -28,8 +28,9 @@ std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit) {
     Begun begun{function, {}};
     ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
       const Expr& expr = program.exprs[id];
-      visit(function, expr);
-      if (const auto* call = std::get_if<Call>(&expr.node)) begun.callees.push_back(call->function);
+      visit(expr);
+      const auto* call = std::get_if<Call>(&expr.node);
+      if (call && enters(call->function)) begun.callees.push_back(call->function);
     });
     return begun;
   };

@@ -22,6 +22,7 @@ namespace clipc::ir {
 // Constructs of Literals.
 struct Literal {
   std::uint64_t bits = 0;
+  bool is_mask = false;  // an integer that people read in hexadecimal, of a helper function
 };
 // A zero of any type, structs and arrays included: (T)0.
 struct Zero {};

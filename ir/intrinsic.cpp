@@ -51,14 +51,34 @@ bool WritesArgument(Intrinsic op, std::size_t argument) {
 }
 
 bool IsComposed(Intrinsic op) {
+  using enum Intrinsic;
   switch (op) {
-    case Intrinsic::kD3dColorToUbyte4:
-    case Intrinsic::kFmod:
-    case Intrinsic::kLdexp:
-    case Intrinsic::kLog10:
-    case Intrinsic::kMad:
-    case Intrinsic::kRcp:
-    case Intrinsic::kSincos: return true;
+    case kD3dColorToUbyte4:
+    case kDot2Add:
+    case kDot4AddI8:
+    case kDot4AddU8:
+    case kDst:
+    case kFmod:
+    case kFrexp:
+    case kIsFinite:
+    case kLdexp:
+    case kLit:
+    case kLog10:
+    case kMad:
+    case kMsad4:
+    case kPackClampS8:
+    case kPackClampU8:
+    case kPackS8:
+    case kPackU8:
+    case kQuadAll:
+    case kQuadAny:
+    case kRcp:
+    case kSaturate:
+    case kSincos:
+    case kUnpackS8S16:
+    case kUnpackS8S32:
+    case kUnpackU8U16:
+    case kUnpackU8U32: return true;
     default: return false;
   }
 }

@@ -62,7 +62,7 @@ bool WritesArgument(Intrinsic op, std::size_t argument);
 // Whether a call writes any of its arguments.
 inline bool WritesArguments(Intrinsic op) { return InfoOf(op).signature.writes; }
 // Whether a call is short for an expression of other functions and operators, which replaces it
-// before Form::kLegalized.
+// before Form::kLegalized, as may a helper function that returns the expression.
 bool IsComposed(Intrinsic op);
 
 }  // namespace clipc::ir

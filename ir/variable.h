@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/span.h"
@@ -52,6 +53,7 @@ struct Function {
   // variables.
   bool is_helper = false;
   bool precise = false;  // its result is precise; SpreadPrecise makes variables precise instead
+  std::string_view remark = {};  // for readers of a helper function, after its last statement
 };
 
 }  // namespace clipc::ir

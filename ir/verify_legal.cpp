@@ -2,6 +2,8 @@
 // The promises of Form::kLegalized about each node: C-like shading languages have the node as it
 // is.
 
+#include <algorithm>
+
 #include "base/overloaded.h"
 #include "ir/access.h"
 #include "ir/verifier.h"
@@ -21,6 +23,10 @@ bool IsBounded(const Program& program, ExprId count, std::uint32_t bits) {
     return IsInteger(program.types[program.exprs[convert->operand].type].scalar) &&
            IsBounded(program, convert->operand, bits);
   if (const auto* literal = As<Literal>(program, count)) return literal->bits < bits;
+  if (const auto* construct = As<Construct>(program, count)) {
+    return std::ranges::all_of(program.expr_lists[construct->arguments],
+                               [&](ExprId each) { return IsBounded(program, each, bits); });
+  }
   const auto* mask = As<Binary>(program, count);
   return mask && mask->op == BinaryOp::kBitAnd && IsBounded(program, mask->right, bits);
 }

@@ -24,7 +24,8 @@ constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-choices", LowerChoices, Form::kInlined},
     {"lower-sample-operands", LowerSampleOperands, Form::kInlined},
     {"lower-arithmetic", LowerArithmetic, Form::kInlined},
-    {"lower-components", LowerComponents, Form::kLegalized},
+    {"lower-components", LowerComponents, Form::kInlined},
+    {"lower-functions", LowerFunctions, Form::kLegalized},
 };
 
 }  // namespace

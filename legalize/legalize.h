@@ -107,9 +107,14 @@ void LowerSampleOperands(Legalizer& legalizer);
 //   x << n => x << (n & 31)
 void LowerArithmetic(Legalizer& legalizer);
 
-// Replaces calls of functions that the target, or a snippet, has for scalars only by one call for
-// each component.
+// Replaces calls of functions that the target, or the helper function in their place, has for
+// scalars only by one call for each component.
 void LowerComponents(Legalizer& legalizer);
+
+// Replaces functions that the target lacks by helper functions (functions.h).
+//
+//   saturate(x)  =>  saturate(x) with min(max(0, x), 1)
+void LowerFunctions(Legalizer& legalizer);
 
 // The passes in the order in which they run.
 std::span<const ir::Pass<Legalizer>> LegalizePasses();

@@ -7,6 +7,7 @@
 #include "base/operators.h"
 #include "ir/evaluate.h"
 #include "ir/walk.h"
+#include "legalize/functions.h"
 
 namespace clipc::legalize {
 
@@ -56,7 +57,7 @@ bool IsLeastInteger(const Program& program, ExprId id) {
 }
 
 // Whether a pass may change a call. No pass changes functions of scalars and vectors of floats that
-// the target, or a snippet, has, or products of floats where the target has all matrices.
+// the target has, or products of floats where the target has all matrices.
 bool MayDiffer(const Program& program, const Needs& needs, const IntrinsicCall& call) {
   const auto arguments = program.expr_lists[call.arguments];
   if (arguments.empty()) return false;
@@ -64,7 +65,7 @@ bool MayDiffer(const Program& program, const Needs& needs, const IntrinsicCall& 
   if (!type.IsNumeric() || !IsFloat(type.scalar)) return true;
   if (call.op == Intrinsic::kMul) return needs.square_matrices;
   return type.kind == TypeKind::kMatrix || IsComposed(call.op) || WritesArguments(call.op) ||
-         IsOfScalars(call.op, ShapeOf(type, needs), needs);
+         FindFunction(call.op, type, needs) || IsOfScalars(call.op, type, needs);
 }
 
 // Whether a pass may change the node. Most nodes of a program are names, literals, and operators
@@ -110,41 +111,6 @@ constexpr std::string_view kNames[] = {
 
 std::string_view NameOf(BinaryOp op) { return kNames[static_cast<int>(op)]; }
 
-bool IsOfScalars(Intrinsic op, const Shape& shape, const Needs& needs) {
-  using enum Intrinsic;
-  const bool is_combining = CategoryOf(op) == IntrinsicCategory::kVectors;
-  if (is_combining || !shape.IsVector()) return false;
-  switch (op) {
-    case kWaveActiveAllEqual:
-    case kQuadAll:
-    case kQuadAny:
-    case kAsDouble:
-    case kF16ToF32:
-    case kF32ToF16:
-    case kIsFinite:
-    case kFrexp: return true;
-    case kIsInf:
-    case kIsNan:
-    case kRound: return needs.rounding;
-    case kFirstBitHigh:
-    case kFirstBitLow: return needs.bit_functions;
-    case kAbs:
-    case kSign:
-    case kMin:
-    case kMax:
-    case kClamp: return needs.signed_integers && !shape.IsFloating();
-    default: return false;
-  }
-}
-
-HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(program) {
-  for (const Parameter& parameter : wanted) {
-    const VarId var = b.Local(std::string(parameter.name), parameter.type);
-    program.vars[var].storage = parameter.storage;
-    parameters.push_back(var);
-  }
-}
-
 Legalizer::Legalizer(Program& program, const Needs& needs)
     : program(program), needs(needs), first_new_(program.exprs.size()), divisors_(program) {
   for (const ExprId expr : program.exprs.ids())
@@ -189,24 +155,32 @@ ExprId Legalizer::Component(Builder b, ExprId expr, int i) {
   return b.Add(program.types.Make(type.scalar), node);
 }
 
-void Legalizer::BecomeCall(ExprId expr, std::string_view name,
-                           std::span<const Parameter> parameters, std::span<const ExprId> arguments,
-                           const Define& define) {
+FunctionId Legalizer::Helper(std::string_view name, std::span<const Parameter> parameters,
+                             TypeId result, const Define& define) {
   std::string key(name);
   for (const Parameter& parameter : parameters) {
-    key += ' ' + std::to_string(parameter.type.index);
+    const std::uint32_t type = parameter.type.index;
+    key.append(reinterpret_cast<const char*>(&type), sizeof type);
   }
   FunctionId& helper = helpers_[key];
   if (!helper) {
     HelperBody body(program, parameters);
     define(body);
     helper = program.functions.Add({.name = std::string(name),
-                                    .return_type = program.exprs[expr].type,
+                                    .return_type = result,
                                     .parameters = std::move(body.parameters),
                                     .body = body.b.BlockOf(body.statements),
                                     .span = {},
-                                    .is_helper = true});
+                                    .is_helper = true,
+                                    .remark = body.remark});
   }
+  return helper;
+}
+
+void Legalizer::BecomeCall(ExprId expr, std::string_view name,
+                           std::span<const Parameter> parameters, std::span<const ExprId> arguments,
+                           const Define& define) {
+  const FunctionId helper = Helper(name, parameters, program.exprs[expr].type, define);
   program.exprs[expr].node = Call{helper, program.expr_lists.Add(arguments)};
 }
 

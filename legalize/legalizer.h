@@ -14,33 +14,11 @@
 #include "ir/builder.h"
 #include "ir/program.h"
 #include "legalize/divisors.h"
+#include "legalize/helper_body.h"
 #include "legalize/needs.h"
 #include "legalize/shape.h"
 
 namespace clipc::legalize {
-
-// A parameter of a helper function.
-struct Parameter {
-  std::string_view name;
-  ir::TypeId type;
-  ir::Storage storage = ir::Storage::kIn;
-};
-
-// The body of a helper function that is being defined.
-class HelperBody {
- public:
-  HelperBody(ir::Program& program, std::span<const Parameter> parameters);
-
-  ir::Builder b;
-  // A new reference to parameter `i`.
-  ir::ExprId operator[](std::size_t i) { return b.Ref(parameters[i]); }
-  void Add(ir::StmtId stmt) { statements.push_back(stmt); }
-  void Do(ir::ExprId expr) { Add(b.Eval(expr)); }
-  void Return(ir::ExprId value) { Add(b.Stmt(ir::Return{value})); }
-
-  std::vector<ir::VarId> parameters;
-  std::vector<ir::StmtId> statements;
-};
 
 // The word for an operator in the names of helper functions: "multiply".
 std::string_view NameOf(ir::BinaryOp op);
@@ -48,10 +26,6 @@ inline bool IsLinear(ir::BinaryOp op) {
   return op == ir::BinaryOp::kMul || op == ir::BinaryOp::kDiv || op == ir::BinaryOp::kAdd ||
          op == ir::BinaryOp::kSub;
 }
-
-// Whether a first argument of this shape is a vector while the target's function, or the helper
-// function in its place, takes scalars only.
-bool IsOfScalars(ir::Intrinsic op, const Shape& shape, const Needs& needs);
 
 // The state that the legalising passes share: the program, the target's needs, and the helper
 // functions in place of operations that the target lacks.
@@ -89,9 +63,12 @@ class Legalizer {
     program.exprs[expr].node = program.exprs[other].node;
   }
 
-  // Makes `expr` a call of the helper function `name` for these parameters; `define` writes the
-  // body when there is no such function yet.
+  // The helper function `name` for these parameters; `define` writes the body when there is no such
+  // function yet.
   using Define = std::function<void(HelperBody&)>;
+  ir::FunctionId Helper(std::string_view name, std::span<const Parameter> parameters,
+                        ir::TypeId result, const Define& define);
+  // Makes `expr` a call of such a function.
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const Parameter> parameters,
                   std::span<const ir::ExprId> arguments, const Define& define);
   // Makes `expr` a call of a function whose parameters are called a, b, c, d and have the

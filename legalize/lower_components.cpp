@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "legalize/functions.h"
 #include "legalize/legalize.h"
 
 namespace clipc::legalize {
@@ -11,11 +12,10 @@ void LowerComponents(Legalizer& legalizer) {
     if (!call) return;
     const ExprId first = legalizer.program.expr_lists[call->arguments][0];
     if (legalizer.IsNumeric(first) &&
-        IsOfScalars(call->op, legalizer.ShapeAt(first), legalizer.needs)) {
+        IsOfScalars(call->op, legalizer.TypeOf(first), legalizer.needs)) {
       legalizer.ByComponents(expr, NameOf(call->op), *call);
     }
   });
-  legalizer.program.form = Form::kLegalized;
 }
 
 }  // namespace clipc::legalize

@@ -23,7 +23,11 @@ struct Needs {
   bool array_choices = false;    // ... between arrays of vectors and between matrices in rows
   // ---- functions
   bool rounding = false;       // round, trunc, modf, isnan, isinf, sinh, cosh and tanh
-  bool bit_functions = false;  // firstbithigh and the like
+  bool bit_functions = false;  // countbits, reversebits, firstbithigh and firstbitlow
+  bool wide_bit_numbers =
+      false;  // what these but reversebits give is in a variable: they may give 16 bits
+  bool half_packing = false;  // f16tof32 and f32tof16
+  bool determinants = false;
   // ---- objects and indices
   ArraySplit split_arrays = ArraySplit::kNone;
   bool flat_arrays = false;      // arrays of objects have one dimension

@@ -11,7 +11,6 @@
 #include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
-#include "legalize/constant.h"
 
 namespace clipc::glsl {
 
@@ -147,10 +146,8 @@ bool Constants::HasCall(const Expr& expr, const IntrinsicCall& node) {
     case Intrinsic::kAll:
     case Intrinsic::kAny:
     case Intrinsic::kDot:
-    case Intrinsic::kNonUniform: return true;
-    case Intrinsic::kSmoothstep:
-      return legalize::AreInOrder(legalize::ConstantOf(program_, arguments[0]),
-                                  legalize::ConstantOf(program_, arguments[1]));
+    case Intrinsic::kNonUniform:
+    case Intrinsic::kSmoothstep: return true;
     default: return IsComputed(node.op) && BuiltinOf(node.op, shape, target_);
   }
 }

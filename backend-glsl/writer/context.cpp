@@ -68,7 +68,7 @@ const GlslInfo::Object* WriterContext::LaidObject(ir::VarId texture, ir::VarId s
   return nullptr;
 }
 
-void WriterContext::RequireType(const ir::Type& type) {
+void WriterContext::RequireWide(const ir::Type& type) {
   if (!type.IsNumeric()) return;
   if (const Requirement* requirement = RequirementOf(BaseOf(type.scalar)))
     Require(requirement->feature);

@@ -133,7 +133,10 @@ struct WriterContext {
     if (!extension.empty()) extensions.emplace(extension);
   }
   // Adds the extension that a `double` or a 64-bit integer needs, if the type is one.
-  void RequireType(const ir::Type& type);
+  void RequireType(const ir::Type& type) {
+    if (ir::IsWide(type.scalar)) RequireWide(type);
+  }
+  void RequireWide(const ir::Type& type);
 };
 
 }  // namespace clipc::glsl

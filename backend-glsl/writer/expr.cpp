@@ -235,6 +235,11 @@ Binding WriteConvert(Code& code, const Expr& expr, const Convert& node) {
     if (shape.scalar == BaseOf(kind) && shape.IsFloating() && !shape.HasRows())
       return WriteCall(code, "sign", arguments);
   }
+  // GLSL's functions that count bits give an int.
+  if (call && BaseOf(kind) == Scalar::kInt) {
+    if (const std::string_view function = BitNumberFunction(call->op); !function.empty())
+      return WriteCall(code, function, code[call->arguments]);
+  }
   return WriteConverted(code, kind, node.operand);
 }
 
@@ -258,7 +263,9 @@ Binding WriteExpr(Code& code, ExprId id) {
   return Visit(
       Overloaded{
           [&](const Literal& node) {
-            return Write(code, LiteralText(node.bits, code[expr.type].scalar, code.target));
+            return Write(code, node.is_mask
+                                   ? MaskText(UintOf(node.bits))
+                                   : LiteralText(node.bits, code[expr.type].scalar, code.target));
           },
           [&](const Zero&) { return Write(code, {ZeroText(code, expr.type)}); },
           [&](const VarRef& node) {

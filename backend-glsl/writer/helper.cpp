@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/helper.h"
 
-#include "backend-glsl/reserved_words.h"
-#include "backend-glsl/snippets.h"
 #include "backend-glsl/text.h"
-#include "backend-glsl/writer/types.h"
-#include "base/invariant.h"
 
 namespace clipc::glsl {
 
@@ -27,18 +23,6 @@ std::string Helper(WriterContext& context, std::string_view name, const std::str
     Append(context.helpers, definition, "\n");
   }
   return glsl_name;
-}
-
-std::string SnippetName(WriterContext& context, std::string_view name, const Shape& shape) {
-  const SnippetText* snippet = FindSnippet(name, shape);
-  CLIPC_CHECK(snippet != nullptr);
-  return Helper(context, name, TypeName(context, shape), [&](const std::string& function) {
-    return Expand(
-        *snippet, function, shape, context.Has(Feature::kUnsigned), [&](std::string_view other) {
-          const bool is_builtin = context.Has(Feature::kRounding) && IsBuiltinFunction(other);
-          return is_builtin ? std::string(other) : SnippetName(context, other, shape);
-        });
-  });
 }
 
 }  // namespace clipc::glsl

@@ -19,7 +19,4 @@ using DefineHelper = std::function<std::string(const std::string& function)>;
 std::string Helper(WriterContext& context, std::string_view name, const std::string& key,
                    const DefineHelper& define);
 
-// The GLSL name of the snippet `name` (snippets.h) for a first argument of this shape.
-std::string SnippetName(WriterContext& context, std::string_view name, const Shape& shape);
-
 }  // namespace clipc::glsl

@@ -339,7 +339,7 @@ std::string InputText(const WriterContext& context, const IoVar& input,
   if (is_array) return BuiltinInput(context, input.builtin);
   const Shape shape = context.ShapeAt(input.var);
   const auto converted = [&](const std::string& value) {
-    return Concat(legalize::NameOf(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
+    return Concat(legalize::NameOf(shape, !context.needs.signed_integers), "(", value, ")");
   };
   if (input.builtin == Builtin::kUntranslated) return "";
   const bool is_uint = input.builtin == Builtin::kLaneCount || input.builtin == Builtin::kLaneIndex;

@@ -5,11 +5,12 @@
 
 #include "backend-glsl/intrinsics.h"
 #include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/operand.h"
 #include "backend-glsl/writer/types.h"
 #include "backend-glsl/writer/wave_call.h"
-#include "legalize/constant.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 
@@ -72,20 +73,16 @@ Binding WriteProduct(Code& code, ExprId left, ExprId right, const Shape& result)
   return Binding::kProduct;
 }
 
-// The GLSL name of a function of bits, and that of the helper function that makes its value highp,
-// if it needs one; empty for other functions.
-struct BitNames {
-  std::string_view glsl, highp;
-};
-
-BitNames BitFunction(Intrinsic op) {
-  switch (op) {
-    case Intrinsic::kCountBits: return {"bitCount", "count_bits"};
-    case Intrinsic::kFirstBitHigh: return {"findMSB", "first_bit_high"};
-    case Intrinsic::kFirstBitLow: return {"findLSB", "first_bit_low"};
-    case Intrinsic::kReverseBits: return {"bitfieldReverse", ""};
-    default: return {};
-  }
+// Writes asuint(x, low, high) of a double, by a helper function.
+Binding WriteWordsOf(Code& code, std::span<const ExprId> arguments) {
+  const std::size_t begin = code.out->size();
+  const Binding binding = WriteCall(code, "", arguments);
+  code.PutBefore(begin, Helper(code, "asuint64", "", [](const std::string& function) {
+                   return Concat("void ", function, "(double x, out uint low, out uint high) {\n",
+                                 "    uvec2 words = unpackDouble2x32(x);\n",
+                                 "    low = words.x;\n    high = words.y;\n}\n");
+                 }));
+  return binding;
 }
 
 // Writes a derivative. Direct3D's window has y downwards.
@@ -153,6 +150,15 @@ Binding WriteInterpolant(Code& code, Intrinsic op, std::span<const ExprId> argum
 
 }  // namespace
 
+std::string_view BitNumberFunction(Intrinsic op) {
+  switch (op) {
+    case Intrinsic::kCountBits: return "bitCount";
+    case Intrinsic::kFirstBitHigh: return "findMSB";
+    case Intrinsic::kFirstBitLow: return "findLSB";
+    default: return {};
+  }
+}
+
 Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   const auto arguments = code[node.arguments];
   if (node.op == Intrinsic::kMul)
@@ -171,9 +177,6 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
     return WriteInterpolant(code, node.op, arguments);
   const Shape shape = code.ShapeAt(x);
   const auto call = [&](std::string_view function) { return WriteCall(code, function, arguments); };
-  const auto snippet = [&](std::string_view name) {
-    return WriteSnippetCall(code, name, arguments);
-  };
   // Some functions give a uint in HLSL, an int in GLSL, or the other way round.
   const auto converted = [&](std::string_view function) {
     code.Put(TypeName(code, ShapeOf(code[type], code.needs)), "(");
@@ -192,16 +195,9 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
     case Intrinsic::kTranspose: return shape.HasRows() ? call("transpose") : WriteExpr(code, x);
     case Intrinsic::kDot:
       return shape.IsScalar() ? WriteOperator(code, BinaryOp::kMul, x, arguments[1]) : call("dot");
-    case Intrinsic::kDeterminant:
-      if (!shape.HasRows()) return WriteExpr(code, x);
-      if (code.Has(Feature::kDeterminant)) return call("determinant");
-      return snippet("determinant" + std::to_string(shape.rows));
+    case Intrinsic::kDeterminant: return shape.HasRows() ? call("determinant") : WriteExpr(code, x);
+    // LowerFunctions keeps it where the edges are in order.
     case Intrinsic::kSmoothstep:
-      // GLSL leaves smoothstep undefined if the edges are not in order; then HLSL's formula is
-      // spelled out.
-      if (!legalize::AreInOrder(legalize::ConstantOf(code.program, x),
-                                legalize::ConstantOf(code.program, arguments[1])))
-        break;
       return WriteCall(code, "smoothstep", arguments, shape.IsVector() ? 0b011 : 0);
     case Intrinsic::kNonUniform:
       if (!code.target.IsVulkan()) return WriteExpr(code, x);
@@ -213,39 +209,31 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
       WriteAt(code, x, Binding::kAssignment);
       code.Put("))");
       return Binding::kPostfix;
-    case Intrinsic::kFrexp: code.Require(Feature::kBitCasts); break;
     case Intrinsic::kAsFloat: return WriteCast(code, Scalar::kFloat, x);
     case Intrinsic::kAsInt: return WriteCast(code, Scalar::kInt, x);
     case Intrinsic::kAsUint:
-      return arguments.size() == 1 ? WriteCast(code, Scalar::kUint, x) : snippet("asuint64");
+      return arguments.size() == 1 ? WriteCast(code, Scalar::kUint, x)
+                                   : WriteWordsOf(code, arguments);
     case Intrinsic::kAsDouble:
       code.Put("packDouble2x32(");
       call("uvec2");
       code.Put(")");
       return Binding::kPostfix;
     case Intrinsic::kF16ToF32:
-      if (code.Has(Feature::kHalfPacking)) {
-        call("unpackHalf2x16");
-        code.Put(".x");
-        return Binding::kPostfix;
-      }
-      code.Require(Feature::kBitCasts);
-      break;
+      call("unpackHalf2x16");
+      code.Put(".x");
+      return Binding::kPostfix;
     case Intrinsic::kF32ToF16:
-      if (code.Has(Feature::kHalfPacking)) {
-        code.Put("packHalf2x16(vec2(");
-        WriteAt(code, x, Binding::kAssignment);
-        code.Put(", 0.0))");
-        return Binding::kPostfix;
-      }
-      code.Require(Feature::kBitCasts);
-      break;
+      code.Put("packHalf2x16(vec2(");
+      WriteAt(code, x, Binding::kAssignment);
+      code.Put(", 0.0))");
+      return Binding::kPostfix;
+    case Intrinsic::kReverseBits: return call("bitfieldReverse");
     default: break;
   }
-  const BitNames bits = BitFunction(node.op);
-  if (bits.glsl.empty() || !code.Has(Feature::kBitFunctions)) return snippet(NameOf(node.op));
-  if (bits.highp.empty()) return call(bits.glsl);
-  return code.target.IsEs() ? snippet(bits.highp) : converted(bits.glsl);
+  const std::string_view counting = BitNumberFunction(node.op);
+  CLIPC_CHECK(!counting.empty());
+  return converted(counting);
 }
 
 }  // namespace clipc::glsl

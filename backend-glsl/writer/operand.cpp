@@ -131,12 +131,4 @@ Binding WriteCall(Code& code, std::string_view function, std::span<const ExprId>
   return Binding::kPostfix;
 }
 
-// The definition of the snippet comes after those that its arguments need.
-Binding WriteSnippetCall(Code& code, std::string_view name, std::span<const ExprId> arguments) {
-  const std::size_t begin = code.out->size();
-  const Binding binding = WriteCall(code, "", arguments);
-  code.PutBefore(begin, SnippetName(code, name, code.ShapeAt(arguments[0])));
-  return binding;
-}
-
 }  // namespace clipc::glsl

@@ -30,7 +30,5 @@ Binding WriteConverted(Code& code, ir::Scalar kind, ir::ExprId operand);
 // vectors, if all such arguments are scalars.
 Binding WriteCall(Code& code, std::string_view function, std::span<const ir::ExprId> arguments,
                   unsigned scalars = 0);
-// Writes a call of the snippet `name` (snippets.h) for the first argument's shape.
-Binding WriteSnippetCall(Code& code, std::string_view name, std::span<const ir::ExprId> arguments);
 
 }  // namespace clipc::glsl

@@ -191,25 +191,32 @@ void WriteStmt(Code& code, StmtId id) {
         code.program.stmts[id].node);
 }
 
-std::string Signature(Code& code, FunctionId id, std::string_view name) {
+void WriteSignature(Code& code, FunctionId id, std::string_view name) {
   const Function& function = code[id];
-  const std::string parameters = ListOf(function.parameters, [&](VarId parameter) {
+  code.Indent();
+  code.Put(TypeName(code, function.return_type), " ", name, "(");
+  std::string_view separator;
+  for (const VarId parameter : function.parameters) {
     const Storage storage = code[parameter].storage;
     code.NameLocal(parameter, "unused");
-    return Concat(PreciseText(code, code[parameter].precise),
-                  storage == Storage::kOut     ? "out "
-                  : storage == Storage::kInOut ? "inout "
-                                               : "",
-                  Declaration(code, code[parameter].type, code.NameOf(parameter)));
-  });
-  return Concat(TypeName(code, function.return_type), " ", name, "(", parameters, ") {");
+    code.Put(std::exchange(separator, ", "), PreciseText(code, code[parameter].precise),
+             storage == Storage::kOut     ? "out "
+             : storage == Storage::kInOut ? "inout "
+                                          : "");
+    AppendDeclaration(code, *code.out, code[parameter].type, code.NameOf(parameter));
+  }
+  code.Put(") {\n");
 }
 
 void WriteFunction(Code& code, FunctionId id, std::string_view name) {
   code.namer.OpenScope();
-  code.Line(Signature(code, id, name));
+  WriteSignature(code, id, name);
   ++code.indent;
   WriteStmts(code, BodyOf(code.program, id));
+  if (const std::string_view remark = code[id].remark; !remark.empty()) {
+    code.out->pop_back();
+    code.Put("  // ", remark, "\n");
+  }
   --code.indent;
   code.Line("}");
   code.namer.CloseScope();
@@ -280,15 +287,19 @@ std::string WriteFunctions(Code& code, std::span<const LateGlobal> late) {
 
 // Functions whose parameter types differ in HLSL only, as half and float do, are one function here:
 // the first of them.
-std::string HelperFunction(Code& code, FunctionId id) {
-  return Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
-    const std::size_t indent = std::exchange(code.indent, 0);
-    code.in_helper = true;
-    std::string text = code.Apart([&] { WriteFunction(code, id, name); });
-    code.in_helper = false;
-    code.indent = indent;
-    return text;
-  });
+const std::string& HelperFunction(Code& code, FunctionId id) {
+  std::string& known = code.names.functions[id.index];
+  if (!known.empty()) return known;
+  std::string given =
+      Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
+        const std::size_t indent = std::exchange(code.indent, 0);
+        code.in_helper = true;
+        std::string text = code.Apart([&] { WriteFunction(code, id, name); });
+        code.in_helper = false;
+        code.indent = indent;
+        return text;
+      });
+  return code.names.functions[id.index] = std::move(given);
 }
 
 }  // namespace clipc::glsl

@@ -16,6 +16,6 @@ struct LateGlobal {
 // The text of all functions that `main` reaches, and of `main` last, which begins with `late`.
 std::string WriteFunctions(Code& code, std::span<const LateGlobal> late);
 // The GLSL name of a helper function of the program; writes the function when it is new.
-std::string HelperFunction(Code& code, ir::FunctionId id);
+const std::string& HelperFunction(Code& code, ir::FunctionId id);
 
 }  // namespace clipc::glsl

@@ -48,7 +48,7 @@ std::string_view StructOfFields(WriterContext& context, std::string_view element
 
 TypeParts PartsOf(WriterContext& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;
-  TypeParts parts{legalize::WordOf(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)),
+  TypeParts parts{legalize::WordOf(is_array ? shape.Row() : shape, !context.needs.signed_integers),
                   ""};
   if (is_array && !context.Has(Feature::kArrayValues))
     parts.base = StructOfFields(context, parts.base, shape.rows);

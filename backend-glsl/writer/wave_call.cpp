@@ -55,7 +55,7 @@ constexpr Row kRows[] = {
     {Intrinsic::kWavePrefixSum, Feature::kSubgroupArithmetic, "subgroupExclusiveAdd("},
     {Intrinsic::kWaveReadLaneAt, Feature::kSubgroupShuffles, "subgroupShuffle("},
     {Intrinsic::kWaveReadLaneFirst, Feature::kSubgroupBallots, "subgroupBroadcastFirst("},
-    {Intrinsic::kQuadAll, Feature::kSubgroupQuads, ""},
+    {Intrinsic::kQuadAll, Feature::kSubgroupQuads, ""},  // helper functions that call the others
     {Intrinsic::kQuadAny, Feature::kSubgroupQuads, ""},
     {Intrinsic::kQuadReadAcrossDiagonal, Feature::kSubgroupQuads, "subgroupQuadSwapDiagonal("},
     {Intrinsic::kQuadReadAcrossX, Feature::kSubgroupQuads, "subgroupQuadSwapHorizontal("},
@@ -77,7 +77,6 @@ Binding WriteWave(Code& code, const IntrinsicCall& node) {
   const auto arguments = code[node.arguments];
   const Row& row = RowOf(node.op);
   code.Require(row.feature);
-  if (row.before.empty()) return WriteSnippetCall(code, NameOf(node.op), arguments);
   std::string_view before = row.before, second_before = ", ", second_after = "";
   if (node.op == Intrinsic::kQuadReadLaneAt && !code.As<Literal>(arguments[1])) {
     // subgroupQuadBroadcast takes constants only.

@@ -73,21 +73,27 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-EMPTY:
 // OLD-NEXT: uint firstbithigh(uint x) {
 // OLD-NEXT:     for (int i = 31; i >= 0; --i) {
-// OLD-NEXT:         if (((x >> i) & 1u) != 0u) return uint(i);
+// OLD-NEXT:         if (((x >> (i & 31)) & 1u) != 0u) {
+// OLD-NEXT:             return uint(i);
+// OLD-NEXT:         }
 // OLD-NEXT:     }
 // OLD-NEXT:     return 0xFFFFFFFFu;
 // OLD-NEXT: }
 // OLD-EMPTY:
 // OLD-NEXT: uint firstbithigh(int x) {
 // OLD-NEXT:     for (int i = 30; i >= 0; --i) {
-// OLD-NEXT:         if (((x >> i) & 1) != (x < 0 ? 1 : 0)) return uint(i);
+// OLD-NEXT:         if (((x >> (i & 31)) & 1) != (x < 0 ? 1 : 0)) {
+// OLD-NEXT:             return uint(i);
+// OLD-NEXT:         }
 // OLD-NEXT:     }
 // OLD-NEXT:     return 0xFFFFFFFFu;
 // OLD-NEXT: }
 // OLD-EMPTY:
 // OLD-NEXT: uint firstbitlow(uint x) {
 // OLD-NEXT:     for (int i = 0; i < 32; ++i) {
-// OLD-NEXT:         if (((x >> i) & uint(1)) != uint(0)) return uint(i);
+// OLD-NEXT:         if (((x >> (i & 31)) & 1u) != 0u) {
+// OLD-NEXT:             return uint(i);
+// OLD-NEXT:         }
 // OLD-NEXT:     }
 // OLD-NEXT:     return 0xFFFFFFFFu;
 // OLD-NEXT: }
@@ -115,9 +121,15 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     uint bits = floatBitsToUint(x);
 // OLD-NEXT:     uint sign_bit = (bits >> 16) & 0x8000u;
 // OLD-NEXT:     bits &= 0x7FFFFFFFu;
-// OLD-NEXT:     if (bits > 0x7F800000u) return sign_bit | 0x7E00u;
-// OLD-NEXT:     if (bits >= 0x477FF000u) return sign_bit | 0x7C00u;
-// OLD-NEXT:     if (bits < 0x38800000u) return sign_bit | uint(roundEven(abs(x) * 16777216.0));
+// OLD-NEXT:     if (bits > 0x7F800000u) {
+// OLD-NEXT:         return sign_bit | 0x7E00u;
+// OLD-NEXT:     }
+// OLD-NEXT:     if (bits >= 0x477FF000u) {
+// OLD-NEXT:         return sign_bit | 0x7C00u;
+// OLD-NEXT:     }
+// OLD-NEXT:     if (bits < 0x38800000u) {
+// OLD-NEXT:         return sign_bit | uint(roundEven(abs(x) * 16777216.0));
+// OLD-NEXT:     }
 // OLD-NEXT:     return sign_bit | ((bits - 0x38000000u + 0x0FFFu + ((bits >> 13) & 1u)) >> 13);
 // OLD-NEXT: }
 // OLD-EMPTY:
@@ -129,8 +141,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     uint sign_bit = (x & 0x8000u) << 16;
 // OLD-NEXT:     uint exponent = (x >> 10) & 31u;
 // OLD-NEXT:     uint mantissa = x & 1023u;
-// OLD-NEXT:     if (exponent == 0u) return uintBitsToFloat(sign_bit | floatBitsToUint(float(mantissa) * exp2(-24.0)));
-// OLD-NEXT:     if (exponent == 31u) return uintBitsToFloat(sign_bit | 0x7F800000u | (mantissa << 13));
+// OLD-NEXT:     if (exponent == 0u) {
+// OLD-NEXT:         return uintBitsToFloat(sign_bit | floatBitsToUint(float(mantissa) * exp2(-24.0)));
+// OLD-NEXT:     }
+// OLD-NEXT:     if (exponent == 31u) {
+// OLD-NEXT:         return uintBitsToFloat(sign_bit | 0x7F800000u | (mantissa << 13));
+// OLD-NEXT:     }
 // OLD-NEXT:     return uintBitsToFloat(sign_bit | ((exponent + 112u) << 23) | (mantissa << 13));
 // OLD-NEXT: }
 // OLD-EMPTY:

@@ -48,7 +48,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: float round_(float x) {
 // CHECK-NEXT:     float below = floor(x);
 // CHECK-NEXT:     float rest = x - below;
-// CHECK-NEXT:     return rest < 0.5 || (rest == 0.5 && mod(below, 2.0) == 0.0) ? below : below + 1.0;
+// CHECK-NEXT:     return rest < 0.5 || rest == 0.5 && fract(below * 0.5) == 0.0 ? below : below + 1.0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 round_(vec4 a) {

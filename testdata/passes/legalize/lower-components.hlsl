@@ -8,7 +8,7 @@ float4 main(float4 p : POSITION) : SV_Position {
   return float4(finite.x ? round(p.xy) : p.zw, 0, 1);
 }
 
-// CHECK: program vs_5_0 form legalized
+// CHECK: program vs_5_0 form inlined
 // CHECK-NEXT: input float4 in_POSITION0 : POSITION0 location 0
 // CHECK-NEXT: output float4 vs_SV_POSITION0 : SV_Position0 builtin position
 // CHECK-NEXT: entry void main() {
@@ -21,7 +21,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:   return bool2(isfinite(a.x), isfinite(a.y))
 // CHECK-NEXT: }
 
-// OLD: program vs_5_0 form legalized
+// OLD: program vs_5_0 form inlined
 // OLD-NEXT: input float4 in_POSITION0 : POSITION0 location 0
 // OLD-NEXT: output float4 vs_SV_POSITION0 : SV_Position0 builtin position
 // OLD-NEXT: entry void main() {

@@ -1,6 +1,6 @@
 // What GLSL has for vectors only is done by helper functions, row by row; the last pass leaves nothing that GLSL lacks.
 // RUN: %clipc -T vs_5_0 --verify --dump-after=lower-matrix-operators --stop-after=lower-matrix-operators %s | FileCheck %s --check-prefix=ROWS
-// RUN: %clipc -T vs_5_0 --verify --dump-after=lower-components --stop-after=lower-components %s | FileCheck %s
+// RUN: %clipc -T vs_5_0 --verify --dump-after=lower-functions --stop-after=lower-functions %s | FileCheck %s
 float2x2 m, n;
 int2 count;
 
