@@ -2,14 +2,16 @@
 #include "compiler/option_table.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace clipc {
 namespace {
 
-// Calls visit(spelling) for each name of each option.
-void ForEachSpelling(auto visit) {
+// Calls visit(spelling) for each name of each option that has one with such a start.
+void ForEachSpelling(std::uint64_t starts, auto visit) {
   for (const std::span<const Option> table : {OwnOptions(), ForeignOptions()}) {
     for (const Option& option : table) {
+      if ((option.starts & starts) == 0) continue;
       std::string_view names = option.names;
       while (!names.empty()) {
         const std::string_view name = names.substr(0, names.find(' '));
@@ -24,13 +26,14 @@ void ForEachSpelling(auto visit) {
 
 std::vector<std::string_view> Spellings() {
   std::vector<std::string_view> names;
-  ForEachSpelling([&](const Spelling& spelling) { names.push_back(spelling.name); });
+  ForEachSpelling(~std::uint64_t{0},
+                  [&](const Spelling& spelling) { names.push_back(spelling.name); });
   return names;
 }
 
 Spelling FindOption(std::string_view argument) {
   Spelling found;
-  ForEachSpelling([&](const Spelling& spelling) {
+  ForEachSpelling(StartOf(argument), [&](const Spelling& spelling) {
     if (!argument.starts_with(spelling.name)) return;
     const std::string_view rest = argument.substr(spelling.name.size());
     const Option::Form form = spelling.option->form;

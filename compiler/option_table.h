@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -52,6 +53,17 @@ struct Reading {
 // The error that an option which needs a value has none.
 std::string NeedsValue(const Reading& reading);
 
+// The bit of a spelling in Option::starts: its second character, "T" of "-T", or one like it.
+constexpr std::uint64_t StartOf(std::string_view spelling) {
+  return std::uint64_t{1} << ((spelling.size() > 1 ? spelling[1] : ' ') & 63);
+}
+constexpr std::uint64_t StartsOf(std::string_view names) {
+  std::uint64_t starts = 0;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (i == 0 || names[i - 1] == ' ') starts |= StartOf(names.substr(i));
+  return starts;
+}
+
 struct Option {
   enum class Form : std::uint8_t {
     kFlag,
@@ -77,6 +89,8 @@ struct Option {
   // The text in --help, or the title of the topic; for an option that --help does not list, the
   // advice that is added to its message.
   const char* help = "";
+  // What the spellings begin with: a search looks at few rows so.
+  std::uint64_t starts = StartsOf(names);
 
   bool IsTopic() const { return names.empty(); }
 };
