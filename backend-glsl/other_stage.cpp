@@ -109,7 +109,9 @@ class StageComparer {
   }
   bool IsSame(const Resource& ours, const Resource& theirs) const {
     return ours.format == theirs.format && IsSamePlace(ours.reg, theirs.reg) &&
-           IsSame(ours.var, theirs.var) && CountSame(ours, theirs);
+           IsSame(ours.var, theirs.var) && CountSame(ours, theirs) &&
+           TypeComparer(ours_.types, theirs_.types)
+               .IsSame(ours.declared_type, theirs.declared_type);
   }
   // Whether two hidden counters are those of one buffer; true of two that are not counters.
   bool CountSame(const Resource& ours, const Resource& theirs) const {

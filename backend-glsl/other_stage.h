@@ -27,7 +27,7 @@ struct OtherStage {
 
 // Compares the buffers and objects of two stages. They are alike if name, type or members with
 // their offsets, and register are the same; a register that is not written agrees with every other.
-// Requires Form::kLegalized of both.
+// Requires Form::kAddressed of both.
 OtherStage CompareStages(const ir::Program& program, const ir::Program& other);
 
 }  // namespace clipc::glsl

@@ -36,8 +36,12 @@ class Walker {
       if (call && call->op == Intrinsic::kAttributeAtVertex)
         reached_.per_vertex.push_back(RootOf(program_, program_.expr_lists[call->arguments][0]));
     };
-    const auto enters = [&](FunctionId id) { return !program_.functions[id].is_helper; };
+    const auto enters = [&](FunctionId id) {
+      return !program_.functions[id].is_helper || program_.functions[id].is_accessor;
+    };
     reached_.functions = CalleesFirst(program_, visit, enters);
+    std::erase_if(reached_.functions,
+                  [&](FunctionId id) { return program_.functions[id].is_accessor; });
   }
 
   void Variable(VarId id) {

@@ -7,8 +7,8 @@
 
 namespace clipc::glsl {
 
-// The parts of a program that `main` reaches. The writer writes no others but helper functions,
-// which reach nothing themselves.
+// The parts of a program that `main` reaches. The writer writes no others but helper functions, of
+// which only accessors reach anything themselves, a buffer.
 struct Reached {
   std::vector<ir::FunctionId> functions;  // callees before callers, `main` last; no helpers
   std::vector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration

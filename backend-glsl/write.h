@@ -14,7 +14,7 @@ struct WrittenGlsl {
   std::string glsl;  // the whole shader
   GlslInfo info;
 };
-// Writes a program of one stage; program_layout.h has the others. Requires Form::kLegalized, and
+// Writes a program of one stage; program_layout.h has the others. Requires Form::kAddressed, and
 // that CheckTarget reported no error. The result depends on nothing but the arguments.
 WrittenGlsl WriteGlsl(const ir::Program& program, const Target& target,
                       const WriteOptions& options = {});

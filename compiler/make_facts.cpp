@@ -194,7 +194,9 @@ class Describer {
   ResourceFact::Part Part(ir::VarId var, const ir::Resource* resource) const {
     const ir::Type& type = program_.types[program_.vars[var].type];
     ResourceFact::Part part{.name = program_.vars[var].name,
-                            .type = TypeName(var),
+                            .type = resource && resource->declared_type
+                                        ? program_.types.Name(resource->declared_type)
+                                        : TypeName(var),
                             .is_unbounded = type.kind == ir::TypeKind::kArray && type.count == 0};
     if (!resource) return part;
     part.reg = FactOf(resource->reg);

@@ -117,7 +117,8 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
 bool IsPure(const Program& program, ExprId expr) {
   return !AnyExpr(program, expr, [&](ExprId part) {
     const auto* call = As<Call>(program, part);
-    return Writes(program, part) || (call && !program.functions[call->function].is_helper);
+    return Writes(program, part) || (call && (!program.functions[call->function].is_helper ||
+                                              program.functions[call->function].is_accessor));
   });
 }
 

@@ -90,6 +90,8 @@ struct Resource {
   // The structured buffer whose counter is the one element of this hidden buffer; none of a
   // resource that the shader declares.
   VarId counter_of = {};
+  // The type that the shader declares, where a pass made another kind of buffer of it; else none.
+  TypeId declared_type = {};
 };
 
 // The meaning of an input or output to the pipeline.

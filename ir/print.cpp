@@ -18,7 +18,8 @@ constexpr Named<Form> kForms[] = {{Form::kTyped, "typed"},
                                   {Form::kNoClipPlanes, "no-clip-planes"},
                                   {Form::kTargetClipSpace, "target-clip-space"},
                                   {Form::kInlined, "inlined"},
-                                  {Form::kLegalized, "legalized"}};
+                                  {Form::kLegalized, "legalized"},
+                                  {Form::kAddressed, "addressed"}};
 constexpr Named<CbufferKind> kCbufferKinds[] = {{CbufferKind::kCbuffer, "cbuffer"},
                                                 {CbufferKind::kTbuffer, "tbuffer"},
                                                 {CbufferKind::kGlobals, "globals"},

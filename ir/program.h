@@ -31,6 +31,7 @@ enum class Form : std::uint8_t {
   kTargetClipSpace,  // kPosition is in the target's clip space
   kInlined,          // main may hold the entry's statements; then the entry is empty
   kLegalized,        // operators are those of C-like shading languages: see ir/verify_legal.cpp
+  kAddressed,        // memory is read and written as such languages do: by elements of buffers
 };
 
 struct Program {

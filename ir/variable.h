@@ -50,8 +50,8 @@ struct Function {
   StmtId body;  // a Block
   Span span;
   // Whether a pass made the function, which reads and writes nothing but its parameters and its own
-  // variables.
-  bool is_helper = false;
+  // variables; and a buffer, if it is an accessor.
+  bool is_helper = false, is_accessor = false;
   bool precise = false;  // its result is precise; SpreadPrecise makes variables precise instead
   std::string_view remark = {};  // for readers of a helper function, after its last statement
 };

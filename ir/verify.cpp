@@ -29,7 +29,12 @@ class ProgramVerifier {
     for (CbufferId id : program_.cbuffers.ids()) {
       for (const CbufferMember& member : program_.cbuffers[id].members) Show(member.var);
     }
-    for (const Resource& resource : program_.resources) Show(resource.var);
+    for (const Resource& resource : program_.resources) {
+      Show(resource.var);
+      const Type& type = program_.types[program_.types.Innermost(program_.vars[resource.var].type)];
+      if (form >= Form::kAddressed && IsByteAddress(type.object))
+        Fail("a byte address buffer is a structured buffer of words");
+    }
     for (const IoVar& io : program_.inputs) {
       if (IsReadAnywhere(io.builtin)) Show(io.var);
     }

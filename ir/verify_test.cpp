@@ -149,6 +149,14 @@ TEST_F(Verifier, ShiftCountIsBelowTheNumberOfBits) {
   shader.Append({build.Eval(build.BinaryOf(BinaryOp::kShiftLeft, build.Int(1), build.Int(32)))});
   ExpectProblem("below the number of bits", Form::kLegalized);
 }
+TEST_F(Verifier, ByteAddressBufferIsOneOfWords) {
+  const TypeId bytes = shader.types.Object(ObjectKind::kByteAddressBuffer);
+  const VarId buffer = shader.AddVar("buffer", bytes, Storage::kResource);
+  shader.resources.push_back({buffer, {.letter = 't', .is_explicit = true}});
+  shader.form = Form::kAddressed;
+  EXPECT_EQ(Verify(shader, Form::kLegalized), std::nullopt);
+  ExpectProblem("a structured buffer of words", Form::kAddressed);
+}
 TEST_F(Verifier, LogicTakesBool) {
   ExpectProblemIn(build.BinaryOf(BinaryOp::kLogicalAnd, build.Int(1), build.Int(1)),
                   "does not take this kind");

@@ -26,6 +26,8 @@ constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-arithmetic", LowerArithmetic, Form::kInlined},
     {"lower-components", LowerComponents, Form::kInlined},
     {"lower-functions", LowerFunctions, Form::kLegalized},
+    // A store in a function of its own has an effect that the passes before do not look for there.
+    {"lower-byte-buffers", LowerByteBuffers, Form::kAddressed},
 };
 
 }  // namespace

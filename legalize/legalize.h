@@ -116,9 +116,17 @@ void LowerComponents(Legalizer& legalizer);
 //   saturate(x)  =>  saturate(x) with min(max(0, x), 1)
 void LowerFunctions(Legalizer& legalizer);
 
+// Makes structured buffers of words out of byte address buffers. A load or a store is a call of a
+// function of its buffer (Function::is_accessor).
+//
+//   bytes.Load2(a)     =>  bytes_load2(a) with i = a / 4; return uint2(bytes[i], bytes[i + 1]);
+//   bytes.Store(a, x)  =>  bytes_store(a, x) with bytes[a / 4] = x;
+//   an atomic at a     =>  an atomic at a / 4
+void LowerByteBuffers(Legalizer& legalizer);
+
 // The passes in the order in which they run.
 std::span<const ir::Pass<Legalizer>> LegalizePasses();
-// Takes the program from Form::kInlined to Form::kLegalized, unless options.stop_after ends it
+// Takes the program from Form::kInlined to Form::kAddressed, unless options.stop_after ends it
 // earlier. Returns whether all passes ran.
 bool Legalize(ir::Program& program, const Needs& needs, const ir::PassOptions& options = {});
 

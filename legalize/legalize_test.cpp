@@ -56,7 +56,7 @@ class LegalizeTest : public ::testing::Test {
       Program program = shader_.program;
       program.form = Form::kInlined;
       ASSERT_TRUE(Legalize(program, needs));
-      EXPECT_EQ(Verify(program, Form::kLegalized), std::nullopt);
+      EXPECT_EQ(Verify(program, Form::kAddressed), std::nullopt);
       const EvalResult after = RunMain(program, {});
       ASSERT_TRUE(after) << after.error;
       EXPECT_EQ(before.outputs.values, after.outputs.values);

@@ -163,18 +163,21 @@ FunctionId Legalizer::Helper(std::string_view name, std::span<const Parameter> p
     key.append(reinterpret_cast<const char*>(&type), sizeof type);
   }
   FunctionId& helper = helpers_[key];
-  if (!helper) {
-    HelperBody body(program, parameters);
-    define(body);
-    helper = program.functions.Add({.name = std::string(name),
-                                    .return_type = result,
-                                    .parameters = std::move(body.parameters),
-                                    .body = body.b.BlockOf(body.statements),
-                                    .span = {},
-                                    .is_helper = true,
-                                    .remark = body.remark});
-  }
+  if (!helper) helper = AddHelper(name, parameters, result, define);
   return helper;
+}
+
+FunctionId Legalizer::AddHelper(std::string_view name, std::span<const Parameter> parameters,
+                                TypeId result, const Define& define) {
+  HelperBody body(program, parameters);
+  define(body);
+  return program.functions.Add({.name = std::string(name),
+                                .return_type = result,
+                                .parameters = std::move(body.parameters),
+                                .body = body.b.BlockOf(body.statements),
+                                .span = {},
+                                .is_helper = true,
+                                .remark = body.remark});
 }
 
 void Legalizer::BecomeCall(ExprId expr, std::string_view name,

@@ -68,7 +68,10 @@ class Legalizer {
   using Define = std::function<void(HelperBody&)>;
   ir::FunctionId Helper(std::string_view name, std::span<const Parameter> parameters,
                         ir::TypeId result, const Define& define);
-  // Makes `expr` a call of such a function.
+  // A new helper function.
+  ir::FunctionId AddHelper(std::string_view name, std::span<const Parameter> parameters,
+                           ir::TypeId result, const Define& define);
+  // Makes `expr` a call of the helper function `name`.
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const Parameter> parameters,
                   std::span<const ir::ExprId> arguments, const Define& define);
   // Makes `expr` a call of a function whose parameters are called a, b, c, d and have the

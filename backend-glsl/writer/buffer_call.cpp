@@ -27,11 +27,6 @@ std::uint32_t WordsOf(const Code& code, VarId buffer) {
   return Structured(code.types, ObjectTypeOf(code, buffer).element).size / 4;
 }
 
-// The name "buffer_load3" of a function that does `op` for this many words.
-std::string NameFor(const std::string& buffer, const char* op, int words) {
-  return Concat(buffer, op, words > 1 ? std::to_string(words) : "");
-}
-
 // The elements of a buffer, which may be one of an array of buffers.
 std::string ElementsOf(Code& code, ExprId object) {
   return Concat(code.NameOf(RootOf(code.program, object)), IndexPath(code, object),
@@ -220,63 +215,18 @@ Text StructuredLoad(Code& code, const ObjectCall& node) {
   return Called(helper, {named.argument + index});
 }
 
-// The text of Load, Load2, Load3 or Load4 of a ByteAddressBuffer.
-Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
-  const ExprId object = code.Operand(node, OperandKind::kObject);
-  const ExprId place = code.Operand(node, OperandKind::kPlace);
-  const BufferInHelper named = InHelper(code, object);
-  const std::string& name = named.elements;
-  const Shape shape = ShapeOf(code[type], code.needs);
-  const std::string helper =
-      Helper(code, NameFor(named.name, "_load", shape.size), "", [&](const std::string& function) {
-        const std::string address = Fresh(code, "address"), i = Fresh(code, "i");
-        const std::string words = ListOf(int{shape.size}, [&](int k) {
-          return k == 0 ? fmt::format("{}[{}]", name, i) : fmt::format("{}[{} + {}u]", name, i, k);
-        });
-        const std::string result = TypeName(code, shape);
-        return fmt::format("{} {}({}uint {}) {{\n    uint {} = {} / 4u;\n    return {};\n}}\n",
-                           result, function, named.parameter, address, i, address,
-                           shape.IsScalar() ? words : Called(result, {words}).text);
-      });
-  return Called(helper, {named.argument + Argument(code, place)});
-}
-
 Text BufferStore(Code& code, const ObjectCall& node) {
-  const ExprId object = code.Operand(node, OperandKind::kObject);
-  const ExprId place = code.Operand(node, OperandKind::kPlace);
-  const ExprId stored_value = code.Operand(node, OperandKind::kValue);
-  const std::string value = Argument(code, stored_value);
-  if (const VarId buffer = RootOf(code.program, object);
-      IsStructured(ObjectTypeOf(code, buffer).object)) {
-    if (!HasElements(code, buffer)) return StoreWords(code, node, value);
-    return {Concat(BufferWord(code, node), " = ", value), Binding::kAssignment};
-  }
-  const BufferInHelper named = InHelper(code, object);
-  const std::string& name = named.elements;
-  const Shape shape = code.ShapeAt(stored_value);
-  const std::string helper =
-      Helper(code, NameFor(named.name, "_store", shape.size), "", [&](const std::string& function) {
-        const std::string address = Fresh(code, "address"), stored = Fresh(code, "value");
-        std::string text = fmt::format("void {}({}uint {}, {} {}) {{\n", function, named.parameter,
-                                       address, TypeName(code, shape), stored);
-        for (std::size_t i = 0; i < shape.size; ++i) {
-          text += fmt::format(
-              "    {}[{} / 4u{}] = {}{};\n", name, address, i > 0 ? fmt::format(" + {}u", i) : "",
-              stored, shape.IsScalar() ? "" : Concat(".", std::string_view("xyzw").substr(i, 1)));
-        }
-        return text + "}\n";
-      });
-  return Called(helper, {named.argument + Argument(code, place), value});
+  const VarId buffer = RootOf(code.program, code.Operand(node, OperandKind::kObject));
+  const std::string value = Argument(code, code.Operand(node, OperandKind::kValue));
+  if (!HasElements(code, buffer)) return StoreWords(code, node, value);
+  return {Concat(BufferWord(code, node), " = ", value), Binding::kAssignment};
 }
 
 std::string BufferWord(Code& code, const ObjectCall& node) {
   const ExprId object = code.Operand(node, OperandKind::kObject);
   const ExprId place = code.Operand(node, OperandKind::kPlace);
   const ExprId value = code.Operand(node, OperandKind::kValue);
-  const bool is_bytes = IsByteAddress(ObjectTypeOf(code, RootOf(code.program, object)).object);
-  const std::string index =
-      is_bytes ? ExprText(code, place).At(Binding::kProduct) + " / 4u" : IndexValue(code, place);
-  const std::string element = Concat(ElementsOf(code, object), "[", index, "]");
+  const std::string element = Concat(ElementsOf(code, object), "[", IndexValue(code, place), "]");
   const auto steps = code[OperandsOf(node, OperandKind::kStep)];
   if (steps.empty()) return element;
   const std::size_t count = code.TypeOf(value).Components();
@@ -287,7 +237,6 @@ std::string BufferWord(Code& code, const ObjectCall& node) {
 Text BufferSize(Code& code, ExprId object) {
   const VarId buffer = RootOf(code.program, object);
   const std::string length = ElementsOf(code, object) + ".length()";
-  if (IsByteAddress(ObjectTypeOf(code, buffer).object)) return {length + " * 4", Binding::kProduct};
   const std::uint32_t words = HasElements(code, buffer) ? 1 : WordsOf(code, buffer);
   if (words <= 1) return {length};
   return {fmt::format("{} / {}", length, words), Binding::kProduct};

@@ -19,7 +19,7 @@ struct Code : WriterContext {
   Constants constants{program, target, needs};
   std::string* out = nullptr;  // the text that expressions and statements are appended to
   std::size_t indent = 0;
-  bool in_helper = false;  // in a helper function, whose locals keep their names
+  bool in_helper = false;  // in a helper function without globals, whose locals keep their names
   CommentOf comment_of = {};
   std::string comment;  // the last one
 

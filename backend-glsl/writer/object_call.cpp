@@ -65,7 +65,6 @@ class ObjectCaller {
         RequireSamplerless();
         return Plain("texelFetch");
       case ObjectOp::kStructuredLoad: return StructuredLoad(code_, node_);
-      case ObjectOp::kByteLoad: return ByteLoad(code_, type_, node_);
       case ObjectOp::kSubpassLoad: return SubpassLoad();
       case ObjectOp::kImageLoad: return Plain("imageLoad");
       case ObjectOp::kStore: return IsImage(kind_) ? ImageStore() : BufferStore(code_, node_);
@@ -77,8 +76,9 @@ class ObjectCaller {
       case ObjectOp::kAtomicMax: return Atomic("Max");
       case ObjectOp::kAtomicExchange: return Atomic("Exchange");
       case ObjectOp::kAtomicCompareExchange: return Atomic("CompSwap");
-      case ObjectOp::kIncrementCounter:
-      case ObjectOp::kDecrementCounter: break;  // MakeCounters replaced them
+      case ObjectOp::kByteLoad:          // LowerByteBuffers replaced it
+      case ObjectOp::kIncrementCounter:  // MakeCounters replaced them
+      case ObjectOp::kDecrementCounter: break;
       case ObjectOp::kTextureSize:
       case ObjectOp::kTextureLevels:
       case ObjectOp::kTextureSamples:
@@ -334,7 +334,7 @@ class ObjectCaller {
   }
 
   Text Query() {
-    if (IsByteAddress(kind_) || IsStructured(kind_)) return BufferSize(code_, path_);
+    if (IsStructured(kind_)) return BufferSize(code_, path_);
     const std::string object = Object();
     if (IsImage(kind_)) return Called("imageSize", {object});
     RequireSamplerless();

@@ -150,14 +150,9 @@ class ObjectWriter {
     GlslInfo::Object& info = Add(resource);
     const std::string place =
         Bind(context_, info, resource.reg, buffers_, 1, context_.LaidObject(resource.var, {}));
-    std::string element = "uint";
-    bool is_turned = false;
-    if (IsStructured(type.object)) {
-      if (const auto extent = Std430(context_.types, type.element, var.row_major)) {
-        element = TypeName(context_, type.element);
-        is_turned = extent->matrices == MatrixLayout::kRowMajor;
-      }
-    }
+    const auto extent = Std430(context_.types, type.element, var.row_major);
+    const std::string element = extent ? TypeName(context_, type.element) : "uint";
+    const bool is_turned = extent && extent->matrices == MatrixLayout::kRowMajor;
     const std::string dimensions = Dimensions(context_, resource.var);
     text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
                          LayoutText({"std430", place, is_turned ? "row_major" : ""}),
@@ -206,12 +201,14 @@ class ObjectWriter {
     }
     if (type.kind == TypeKind::kArray && type.count == 0)
       context_.Require("GL_EXT_nonuniform_qualifier");
+    const TypeId declared =
+        resource.declared_type ? resource.declared_type : context_[resource.var].type;
     return objects_.info.emplace_back(
         GlslInfo::Object{{},
                          resource.var,
                          {},
                          context_.NameOf(resource.var),
-                         ObjectTypeOf(context_, resource.var).object});
+                         context_[context_.types.Innermost(declared)].object});
   }
 
   WriterContext& context_;

@@ -290,16 +290,23 @@ std::string WriteFunctions(Code& code, std::span<const LateGlobal> late) {
 const std::string& HelperFunction(Code& code, FunctionId id) {
   std::string& known = code.names.functions[id.index];
   if (!known.empty()) return known;
-  std::string given =
-      Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
-        const std::size_t indent = std::exchange(code.indent, 0);
-        code.in_helper = true;
-        std::string text = code.Apart([&] { WriteFunction(code, id, name); });
-        code.in_helper = false;
-        code.indent = indent;
-        return text;
-      });
-  return code.names.functions[id.index] = std::move(given);
+  const bool is_accessor = code[id].is_accessor;
+  const auto define = [&](const std::string& name) {
+    const std::size_t indent = std::exchange(code.indent, 0);
+    const bool in_helper = std::exchange(code.in_helper, !is_accessor);
+    std::string text = code.Apart([&] { WriteFunction(code, id, name); });
+    code.in_helper = in_helper;
+    code.indent = indent;
+    return text;
+  };
+  if (is_accessor) {
+    std::string name = code.namer.Global(code[id].name, "helper");
+    const std::string definition = define(name);
+    Append(code.helpers, definition, "\n");
+    return known = std::move(name);
+  }
+  std::string name = Helper(code, code[id].name, ParameterTypes(code, id), define);
+  return known = std::move(name);
 }
 
 }  // namespace clipc::glsl

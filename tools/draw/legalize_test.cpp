@@ -41,7 +41,7 @@ bool ExpectSame(const std::string& path, const std::string& target) {
   } catch (const DrawError&) {
     return false;
   }
-  EXPECT_EQ(shader.lowered.form, ir::Form::kLegalized);
+  EXPECT_EQ(shader.lowered.form, ir::Form::kAddressed);
   ir::Program plain = shader.typed;
   passes::PipelineOptions passes;
   passes.clip_planes.write_clip_vertex = false;

@@ -53,7 +53,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return Loose(uintBitsToFloat(uvec3(loose[which].elements[7 * i_2], loose[which].elements[7 * i_2 + 1], loose[which].elements[7 * i_2 + 2])), uintBitsToFloat(loose[which].elements[7 * i_2 + 3]), uintBitsToFloat(uvec3(loose[which].elements[7 * i_2 + 4], loose[which].elements[7 * i_2 + 5], loose[which].elements[7 * i_2 + 6])));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: uvec4 bytes_any_load4(int which, uint address) {
+// CHECK-NEXT: uvec4 bytes_any_load4(uint which, uint address) {
 // CHECK-NEXT:     uint i_2 = address / 4u;
 // CHECK-NEXT:     return uvec4(bytes[nonuniformEXT(which)].elements[i_2], bytes[nonuniformEXT(which)].elements[i_2 + 1u], bytes[nonuniformEXT(which)].elements[i_2 + 2u], bytes[nonuniformEXT(which)].elements[i_2 + 3u]);
 // CHECK-NEXT: }
@@ -71,5 +71,5 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     i &= 3u;
 // CHECK-NEXT:     uint n = i;
 // CHECK-NEXT:     gl_Position = Read(in_POSITION0.xy, i, n) + textureLod(sampler2D(maps[0], state), in_POSITION0.xy, 0.0) + Read_2(in_POSITION0.xy, i, n);
-// CHECK-NEXT:     gl_Position += loose_any_at(int(n), int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(int(n), i * 16u) % 64u);
+// CHECK-NEXT:     gl_Position += loose_any_at(int(n), int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(n, i * 16u) % 64u);
 // CHECK-NEXT: }
