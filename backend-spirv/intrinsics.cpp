@@ -86,13 +86,13 @@ Ref Writer::Extended(std::uint32_t function, Ref type, std::initializer_list<Ref
 }
 
 Ref Writer::Minimum(const Shape& shape, Ref a, Ref b) {
-  const std::uint32_t of_float = options_.nan_clamp ? GLSLstd450NMin : GLSLstd450FMin;
+  const std::uint32_t of_float = keeps_numbers_ ? GLSLstd450NMin : GLSLstd450FMin;
   return Extended(FunctionFor(shape, {of_float, GLSLstd450SMin, GLSLstd450UMin}), types_.Of(shape),
                   {a, b});
 }
 
 Ref Writer::Maximum(const Shape& shape, Ref a, Ref b) {
-  const std::uint32_t of_float = options_.nan_clamp ? GLSLstd450NMax : GLSLstd450FMax;
+  const std::uint32_t of_float = keeps_numbers_ ? GLSLstd450NMax : GLSLstd450FMax;
   return Extended(FunctionFor(shape, {of_float, GLSLstd450SMax, GLSLstd450UMax}), types_.Of(shape),
                   {a, b});
 }
@@ -196,8 +196,7 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
   switch (node.op) {
     case kMin: return Minimum(shape, values[0], values[1]);
     case kMax: return Maximum(shape, values[0], values[1]);
-    case kClamp: return Clamped(shape, values[0], values[1], values[2], options_.nan_clamp);
-    case kSaturate: return Saturated(shape, values[0]);
+    case kClamp: return Clamped(shape, values[0], values[1], values[2], keeps_numbers_);
     case kAll: return shape.HasRows() ? Lack("all() of a matrix") : truth(spv::Op::OpAll);
     case kAny: return shape.HasRows() ? Lack("any() of a matrix") : truth(spv::Op::OpAny);
     case kDot:
@@ -221,11 +220,6 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
     }
     case kIsNan: return Emit(spv::Op::OpIsNan, type, {values[0]});
     case kIsInf: return Emit(spv::Op::OpIsInf, type, {values[0]});
-    case kIsFinite: {
-      const Ref nan = Emit(spv::Op::OpIsNan, type, {values[0]});
-      const Ref inf = Emit(spv::Op::OpIsInf, type, {values[0]});
-      return Emit(spv::Op::OpLogicalNot, type, {Emit(spv::Op::OpLogicalOr, type, {nan, inf})});
-    }
     case kAsFloat:
     case kAsInt:
     case kAsUint:
@@ -256,7 +250,7 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
       const Ref two = Compose(types_.Of(ShapeOf(Scalar::kFloat, 1, 2)), parts);
       return Extended(GLSLstd450PackHalf2x16, type, {two});
     }
-    default: return Lack("a function that is a helper in GLSL");
+    default: return Lack("a function of doubles");
   }
 }
 

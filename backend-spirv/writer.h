@@ -188,6 +188,9 @@ class Writer {
   Ref block_ = 0;         // the label of the current block
   bool is_open_ = false;  // the current block has no end yet
   bool in_main_ = false;
+  // min, max and clamp give the operand that is a number: in helper functions, which stand for
+  // functions of HLSL, and where the options ask for it
+  bool keeps_numbers_ = false;
   bool is_precise_ = false;
   std::vector<Loop> loops_;
 };
