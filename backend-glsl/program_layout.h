@@ -17,7 +17,7 @@
 
 namespace clipc::glsl {
 
-// A stage of a program, in Form::kLegalized.
+// A stage of a program, in Form::kAddressed.
 struct LegalStage {
   ir::Program& program;
   const Target& target;

@@ -52,7 +52,7 @@ struct Written {
   std::string_view lacks;
 };
 
-// Requires Form::kLegalized for Vulkan. The result depends on nothing but the arguments.
+// Requires Form::kAddressed for Vulkan. The result depends on nothing but the arguments.
 Written Write(const ir::Program& program, const Interface& interface, const Options& options);
 
 }  // namespace clipc::spirv
