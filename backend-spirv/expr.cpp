@@ -168,7 +168,7 @@ Ref Writer::Truncated(const Type& type, ExprId operand) {
 
 Ref Writer::Assigned(const Assign& node) {
   const VarId root = RootOf(program_, node.target);
-  const bool is_precise = root && (*this)[root].precise;
+  const bool is_precise = root && is_precise_var_[root.index];
   const bool was_precise = std::exchange(is_precise_, is_precise_ || is_precise);
   const Place place = PlaceOf(node.target);
   Ref value = 0;

@@ -137,7 +137,8 @@ void Writer::WriteStatement(StmtId id) {
 void Writer::WriteDeclare(const Declare& node) {
   const Var& var = (*this)[node.var];
   const ExprId init = node.init ? node.init : var.init;
-  const bool was_precise = std::exchange(is_precise_, is_precise_ || var.precise);
+  const bool was_precise =
+      std::exchange(is_precise_, is_precise_ || is_precise_var_[node.var.index]);
   if (!in_memory_[node.var.index]) {
     values_[node.var.index] = Value(init);
   } else {

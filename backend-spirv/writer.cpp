@@ -16,7 +16,8 @@ Writer::Writer(const Program& program, const Interface& interface, const Options
       pointers_(program.vars.size()),
       storages_(program.vars.size(), spv::StorageClass::Function),
       in_memory_(program.vars.size()),
-      is_read_(program.vars.size()) {
+      is_read_(program.vars.size()),
+      is_precise_var_(program.vars.size()) {
   code_.reserve(1024);
   locals_.reserve(128);
 }
@@ -24,6 +25,7 @@ Writer::Writer(const Program& program, const Interface& interface, const Options
 Written Writer::Run() {
   functions_.push_back(program_.main);
   for (std::size_t i = 0; i < functions_.size(); ++i) FindMemory(functions_[i]);
+  FindPrecise();
   DeclareInputs();
   DeclareOutputs();
   DeclareGlobals();

@@ -72,6 +72,9 @@ class Writer {
   Place NewLocal(ir::TypeId type, std::string_view name = {});
   bool IsOnlyElement(const ir::Index& node) const;
 
+  // ---- precise.cpp
+  void FindPrecise();
+
   // ---- flow.cpp: functions and statements
   struct Loop {
     Ref merge = 0, next = 0;  // of a switch, `next` is that of the loop around it
@@ -172,8 +175,9 @@ class Writer {
   // By VarId: the value of a variable that is never changed; the pointer to another.
   std::vector<Ref> values_, pointers_;
   std::vector<spv::StorageClass> storages_;
-  std::vector<bool> in_memory_;  // by VarId: it is changed, or an index chooses a part of it
-  std::vector<bool> is_read_;    // by VarId: a function mentions it
+  std::vector<bool> in_memory_;       // by VarId: it is changed, or an index chooses a part of it
+  std::vector<bool> is_read_;         // by VarId: a function mentions it
+  std::vector<bool> is_precise_var_;  // by VarId
   std::map<std::uint32_t, const ir::IoVar*> builtin_inputs_;  // by VarId
   std::map<std::uint32_t, DeclaredBlock> blocks_;             // by CbufferId
   std::map<std::uint32_t, Ref> objects_;                      // by VarId
