@@ -2,17 +2,20 @@
 #include "backend-glsl/program_layout.h"
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 
-#include "backend-glsl/shader_for_test.h"
+#include "backend-glsl/test_glsl.h"
+#include "legalize/test_shader.h"
 
 namespace clipc::glsl {
 namespace {
 
 // A stage that reads a member of a buffer that every stage has, and the buffer b1 of its own.
 ir::Program StageThatReads(std::size_t member, const std::string& own, std::string_view target) {
-  ShaderForTest shader;
+  legalize::TestShader shader;
   const ir::TypeId vector = shader.Vector(ir::Scalar::kFloat, 4);
   shader.AddCbuffer("Frame", {{"tint", vector}, {"light", vector}});
   shader.AddCbuffer(own, {{"color", vector}});
@@ -23,7 +26,7 @@ ir::Program StageThatReads(std::size_t member, const std::string& own, std::stri
   shader.Use(member_of(0, member));
   shader.Use(member_of(1, 0));
   shader.Finish();
-  return shader.Legalized(target);
+  return LegalizedFor(std::move(shader.program), *Target::Parse(target));
 }
 
 class ProgramLayoutTest : public testing::TestWithParam<const char*> {

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "backend-glsl/target.h"
 #include "backend-glsl/write.h"
@@ -16,13 +17,18 @@
 
 namespace clipc::glsl {
 
-// The GLSL of a shader for tests (legalize/test_shader.h).
-inline std::string GlslFor(ir::Program program, const Target& target) {
+// A shader for tests (legalize/test_shader.h), as the writer takes it.
+inline ir::Program LegalizedFor(ir::Program program, const Target& target) {
   program.form = ir::Form::kInlined;
   ir::PassOptions options;
   options.verify = true;
   legalize::Legalize(program, target.Needs(), options);
-  return WriteGlsl(program, target).glsl;
+  return program;
+}
+
+// Its GLSL.
+inline std::string GlslFor(ir::Program program, const Target& target) {
+  return WriteGlsl(LegalizedFor(std::move(program), target), target).glsl;
 }
 
 // Returns the output of `glslangValidator options` for the shader, and its exit status in `status`.
