@@ -10,16 +10,17 @@ const ready = createCompiler(module).then((compiler) => {
   return compiler;
 });
 
-/** The compiler with glslang, which is loaded when a compile needs it. */
+/** The compiler with glslang and with the listing of SPIR-V, which is loaded when a compile needs it. */
 let whole;
 
 /** A result, with its SPIR-V as text where it has some. */
 async function compile(light, text, options) {
   const result = light.compile(text, options);
-  if (!light.missedGlslang) return result;
+  const isMissing = light.missedGlslang;
+  if (!isMissing && !result.spirv.length) return result;
   const compiler = await (whole ??= createCompiler());
-  const again = compiler.compile(text, options);
-  return again.spirv.length ? { ...again, text: compiler.disassemble(again.spirv) } : again;
+  const made = isMissing ? compiler.compile(text, options) : result;
+  return made.spirv.length ? { ...made, text: compiler.disassemble(made.spirv) } : made;
 }
 
 addEventListener('message', async ({ data: { module, number, text, requests } }) => {

@@ -9,7 +9,7 @@ if [ ! -f "$made" ]; then
   echo "nothing is built for the web; \`./test --web\` builds it"
   exit 77
 fi
-newer=$(find base ir frontend passes legalize backend-glsl clip-table link compiler runtime cmake/cross \
+newer=$(find base ir frontend passes legalize backend-glsl backend-spirv clip-table link rewrite compiler runtime cmake/cross \
   web/build.sh web/module web/wasm web/npm web/page web/examples examples/gallery study/tables/speed.csv \
   -newer "$made" -type f -regex '.*\.\(cpp\|h\|def\|js\|ts\|css\|html\|json\|cmake\|sh\|csv\|hlsl\|fx\)' -not -name '*_test.cpp' -print -quit)
 if [ -n "$newer" ]; then

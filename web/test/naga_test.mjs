@@ -17,7 +17,7 @@ const REFUSED = {
   'control_flow.hlsl': /fall-through/,
   'skinning.hlsl': /Function .* is invalid/,
   'images.hlsl': /ImageBuffer/, // RWBuffer, which WGSL lacks
-  'matrices.hlsl': /Index 3 is out of bounds/, // of a row_major matrix that is not square
+  'matrices.hlsl': /UnsupportedMatrixStride/, // of two components in each register of 16 bytes
   'matrix.hlsl': /cannot be used for user-defined entry point inputs or outputs/,
 };
 const OTHERWISE = {
