@@ -11,6 +11,7 @@
 
 #include "backend-glsl/target.h"
 #include "compiler/validate.h"
+#include "compiler/write_spirv.h"
 #include "tools/draw/build.h"
 #include "tools/draw/compare.h"
 #include "tools/draw/draw_call.h"
@@ -65,18 +66,26 @@ std::string Words(const Comparison& comparison) {
   return text;
 }
 
-// What is wrong with the SPIR-V of the shader; empty if nothing is.
-std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
-  const Spirv spirv = MakeSpirv(shader.glsl, target, shader.typed.stage, {}, "program");
-  if (!spirv.problems.empty()) return spirv.problems[0];
+// What spirv-val says of a module; empty if nothing is wrong.
+std::string ProblemOf(const std::vector<std::uint32_t>& words) {
   std::string problem;
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
   tools.SetMessageConsumer(
       [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
         if (problem.empty()) problem = std::string("spirv-val: ") + message;
       });
-  if (tools.Validate(spirv.words)) return "";
+  if (tools.Validate(words)) return "";
   return problem.empty() ? "spirv-val refuses it" : problem;
+}
+
+// What is wrong with the SPIR-V of the shader, glslang's and clipc's own; empty if nothing is.
+std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
+  const Spirv spirv = MakeSpirv(shader.glsl, target, shader.typed.stage, {}, "program");
+  if (!spirv.problems.empty()) return spirv.problems[0];
+  const std::string problem = ProblemOf(spirv.words);
+  if (!problem.empty()) return problem;
+  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, {}, {});
+  return own.words.empty() ? "" : ProblemOf(own.words);
 }
 
 }  // namespace
