@@ -31,9 +31,10 @@ class Fit {
       if (part.offset < end || !Has(part)) return false;
       const TypeKind kind = types_[part.type].kind;
       end = std::uint64_t{part.offset} + PackedExtent(types_, part.type, part.row_major).size;
-      const bool is_rows =
-          types_[part.type].IsNumeric() && ShapeOf(types_[part.type]).kind == Shape::kRows;
-      if (kind == TypeKind::kArray || kind == TypeKind::kStruct || is_rows)
+      const Type& type = types_[part.type];
+      // The last column of a matrix has its whole stride, as spirv-val counts; not so the last row.
+      const bool has_columns = type.IsNumeric() && ShapeOf(type).HasRows() && part.row_major;
+      if (kind == TypeKind::kArray || kind == TypeKind::kStruct || has_columns)
         end = RoundUp(end, kRow);
     }
     return true;

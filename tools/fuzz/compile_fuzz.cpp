@@ -49,6 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (request.first().profile.starts_with("vs")) ChoosePlanes(text, request.planes);
   request.style.clip_space = {.negative_one_to_one = true, .flip_y = true};
   request.outputs.facts = true;
+  if (request.target.IsVulkan()) request.outputs.spirv.emplace();
   request.debug.verify = true;
   const clipc::CompileResult result = compiler.Compile(request);
   if (result.ok() != result.outputs.has_value()) std::abort();

@@ -125,7 +125,10 @@ def make(files, seed):
     if random_.random() < 0.3:
         stage = "ps" if any(option.startswith(("-Tps", "ps_")) for option in options) else "vs"
         options = options + ["-T", random_.choice(PROFILES[stage])]
-    options = options + ["-I", str(file.parent), "--target=" + random_.choice(TARGETS)]
+    target = random_.choice(TARGETS)
+    options = options + ["-I", str(file.parent), "--target=" + target]
+    if target == "vulkan":
+        options = options + ["-spirv"]
     return file, "".join(tokens), options
 
 
