@@ -173,7 +173,8 @@ std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::s
     if (!HasElement(object.kind)) return context.types.Object(object.kind);
     const TypeId element = ElementArgument(context, type, text);
     if (context.IsError(element)) return element;
-    if (HasTexels(object.kind) && !context[element].IsScalarOrVector()) {
+    const bool is_texel = context[element].IsScalarOrVector() && !IsWide(context[element].scalar);
+    if (HasTexels(object.kind) && !is_texel) {
       context.Report(type.span, diag::TexelType, text, context.TypeName(element));
       return context.types.Error();
     }

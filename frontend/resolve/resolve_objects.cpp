@@ -68,10 +68,10 @@ bool ObjectResolver::IsNeeded() {
   for (FunctionId id : program_.functions.ids()) {
     if (Holds(program_.functions[id].return_type)) return true;
   }
-  if (!program_.calls_objects) return false;
   for (ExprId id : program_.exprs.ids()) {
-    const bool is_choice = As<Conditional>(program_, id) || As<Comma>(program_, id);
-    if (is_choice && IsObject(program_.exprs[id].type)) return true;
+    const auto* comma = As<Comma>(program_, id);
+    if (comma && IsObject(program_.exprs[comma->first].type)) return true;
+    if ((comma || As<Conditional>(program_, id)) && IsObject(program_.exprs[id].type)) return true;
   }
   return false;
 }

@@ -2,6 +2,7 @@
 // RUN: not %clipc -T ps_5_0 -E index %s -o - 2>&1 | FileCheck %s --check-prefix=INDEX
 // RUN: not %clipc -T ps_5_0 -E tight --target=glsl450 %s -o - 2>&1 | FileCheck %s --check-prefix=TIGHT
 // RUN: not %clipc -T ps_5_0 -E texels -DTEXELS %s -o - 2>&1 | FileCheck %s --check-prefix=TEXELS
+// RUN: not %clipc -T ps_6_0 -E wide -DWIDE --target=vulkan %s -o - 2>&1 | FileCheck %s --check-prefix=WIDE
 // RUN: not %clipc -T ps_6_0 -E chosen --target=vulkan %s -o - 2>&1 | FileCheck %s --check-prefix=CHOSEN
 // RUN: not %clipc -T ps_6_0 -E chosen_texture %s -o - 2>&1 | FileCheck %s --check-prefix=TEXTURE
 struct Element {
@@ -24,7 +25,20 @@ uint tight() : SV_Target {
 #ifdef TEXELS
 Texture2D<Element> map;
 float4 texels() : SV_Target { return map.Load(0).tight.x; }
-// TEXELS: [[#@LINE-2]]:1: error: `Texture2D` has elements of type `Element`; clipc translates textures and typed buffers of scalars and vectors [texel-type]
+// TEXELS: [[#@LINE-2]]:1: error: `Texture2D` has elements of type `Element`; clipc translates textures and typed buffers of scalars and vectors of 32 bits [texel-type]
+#endif
+
+#ifdef WIDE
+// DXC has elements of at most four 32-bit quantities; no format of GLSL or Vulkan holds a double.
+Buffer<double2> doubles;
+RWBuffer<uint64_t> longs : register(u1);
+Texture2D<int64_t> signed_longs;
+RasterizerOrderedBuffer<uint64_t4> ordered : register(u2);
+float4 wide() : SV_Target { return (float)(doubles.Load(0).x + signed_longs.Load(0)); }
+// WIDE: [[#@LINE-5]]:1: error: `Buffer` has elements of type `double2`; clipc translates textures and typed buffers of scalars and vectors of 32 bits [texel-type]
+// WIDE: [[#@LINE-5]]:1: error: `RWBuffer` has elements of type `uint64_t`;
+// WIDE: [[#@LINE-5]]:1: error: `Texture2D` has elements of type `int64_t`;
+// WIDE: [[#@LINE-5]]:1: error: `RasterizerOrderedBuffer` has elements of type `uint64_t4`;
 #endif
 
 SamplerState first, second;
