@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "compiler/compile.h"
+#include "compiler/compile/compile.h"
 
 #include <sstream>
 #include <thread>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/options.h"
+#include "compiler/command/options.h"
 
 namespace clipc {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/compile.h"
-#include "compiler/facts_json.h"
+#include "compiler/compile/compile.h"
+#include "compiler/compile/facts_json.h"
 
 namespace clipc {
 namespace {

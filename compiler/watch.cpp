@@ -17,8 +17,8 @@
 #include "base/path.h"
 #include "base/spelling.h"
 #include "base/system.h"
-#include "compiler/batch.h"
-#include "compiler/show_messages.h"
+#include "compiler/batch/batch.h"
+#include "compiler/command/show_messages.h"
 
 namespace clipc {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "compiler/command_line.h"
-#include "compiler/run_result.h"
+#include "compiler/command/command_line.h"
+#include "compiler/command/run_result.h"
 
 namespace clipc {
 

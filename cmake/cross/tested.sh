@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 list=cmake/cross/tested
 case $2 in
-  web) paths=(web compiler/list_spirv.h compiler/validate.h link/read.h) ;; # no_glslang.cpp stands in for the three
+  web) paths=(web compiler/compile/list_spirv.h compiler/compile/validate.h link/read.h) ;; # no_glslang.cpp stands in for the three
   windows) paths=(cmake/windows base/system.h base/system_windows.cpp compiler/library runtime/d3d9) ;;
 esac
 hash=$(git ls-files -z -- "${paths[@]}" cmake/cross ":!$list" | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c 1-16)

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "compiler/compile.h"
+#include "compiler/compile/compile.h"
 #include "tools/bench/reference_compilers.h"
 #include "tools/harness/timing.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/compile.h"
+#include "compiler/compile/compile.h"
 #include "tools/bench/corpus.h"
 #include "tools/bench/generate.h"
 #include "tools/bench/process.h"

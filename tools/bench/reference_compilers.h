@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "compiler/compile.h"
+#include "compiler/compile/compile.h"
 
 // Compiling HLSL to GLSL without clipc, by libraries in this process: glslang's HLSL front end
 // makes SPIR-V, and SPIRV-Cross makes GLSL of it.

@@ -4,7 +4,7 @@
 
     check_diagnostics.py [--write] [--coverage] [--explanations CLIPC]
 
-Fails when two kinds share a name, when one has no explanation in compiler/explanations/, but those that
+Fails when two kinds share a name, when one has no explanation in compiler/compile/explanations/, but those that
 no user sees, or, with --coverage, when no test expects a kind. A test expects a kind where
 its printed name is as clipc prints it: in brackets after a message (`[-Wclip-plane-repeated]`,
 `[clip-plane-not-float4, X3084]`), as the code of the msvc form, or as a name of the JSON form, which
@@ -53,12 +53,12 @@ def kinds():
 
 def explanations():
     """(name, rule, options and text of an example, those of the fixed one) of each explained kind."""
-    list_of_files = (root / "compiler/explanations.def").read_text()
+    list_of_files = (root / "compiler/compile/explanations.def").read_text()
     files = re.findall(r'^#include "(.*)"$', list_of_files, re.M)
     text = "\n".join((root / file).read_text() for file in files)
     found = list(EXPLANATION.finditer(text))
     if len(found) != len(re.findall(r"^(?:EXPLANATION|RULE)\(", text, re.M)):
-        sys.exit("compiler/explanations: a row was not understood")
+        sys.exit("compiler/compile/explanations: a row was not understood")
     for name, rule, options, example, fixed_options, fixed in (m.groups() for m in found):
         yield name, unquoted(rule), options, example, fixed_options, fixed
 
@@ -236,7 +236,7 @@ def main():
     if declared != len(all_kinds):
         problems.append(f"{declared} kinds are declared but {len(all_kinds)} were understood")
     problems += [
-        f"{name}: compiler/explanations has no page of `{printed(name)}`"
+        f"{name}: compiler/compile/explanations has no page of `{printed(name)}`"
         for name in unexplained(all_kinds)
     ]
     if "--explanations" in sys.argv:

@@ -14,6 +14,14 @@ LIBRARY = "compiler/clipc.hpp"  # what an application sees of the compiler
 # The headers of the runtime and the clip table are installed below include/clipc, and include each other by the way from one to
 # the other: an application's own runtime/status.h cannot stand for clipc's.
 INSTALLED = re.compile(r"(runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc\.hpp")
+COMPILER = {
+    "compiler",
+    "compiler/compile",
+    "compiler/command",
+    "compiler/batch",
+    "compiler/effect",
+    "compiler/library",
+}
 ROOMS = {
     VOCABULARY: set(),
     LIBRARY: {"compiler"},
@@ -49,7 +57,7 @@ ROOMS = {
         "frontend/check",
         VOCABULARY,
     },
-    "compiler": {
+    "compiler/compile": {
         "link",
         "rewrite",
         "base",
@@ -66,6 +74,45 @@ ROOMS = {
         "clip-table",
         VOCABULARY,
     },
+    "compiler/command": {
+        "base",
+        "ir",
+        "frontend/lex",
+        "backend-glsl",
+        "clip-table",
+        "compiler/compile",
+        VOCABULARY,
+    },
+    "compiler/batch": {
+        "base",
+        "frontend/lex",
+        "compiler/compile",
+        "compiler/command",
+        VOCABULARY,
+    },
+    "compiler/effect": {
+        "base",
+        "ir",
+        "frontend/parse",
+        "compiler/compile",
+        "compiler/command",
+        "compiler/batch",
+    },
+    "compiler/library": {
+        "clip-table",
+        "compiler",
+        "compiler/compile",
+        "compiler/command",
+    },
+    "compiler": {
+        "base",
+        "ir",
+        "frontend/lex",
+        "compiler/compile",
+        "compiler/command",
+        "compiler/batch",
+        "compiler/effect",
+    },
     "runtime": {"clip-table", VOCABULARY},
     "tools/harness": {"base", "runtime"},
     "tools/draw": {
@@ -79,7 +126,8 @@ ROOMS = {
         "passes",
         "backend-glsl",
         "clip-table",
-        "compiler",
+        "compiler/compile",
+        "compiler/command",
         "runtime",
         "tools/harness",
         VOCABULARY,
@@ -90,7 +138,7 @@ ROOMS = {
         "base",
         "ir",
         "backend-glsl",
-        "compiler",
+        "compiler/compile",
         "clip-table",
         "tools/harness",
         "tools/draw",
@@ -99,9 +147,9 @@ ROOMS = {
     "study": {"runtime", "tools/harness", VOCABULARY, LIBRARY},
     "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
     "tools/effects": {"runtime", "tools/harness"},
-    "tools/bench": {"compiler", "runtime", "tools/harness"},
-    "tools/fuzz": {"clip-table", "compiler", "runtime"},
-    "web/module": {"compiler", "link", "runtime"},
+    "tools/bench": {"compiler/compile", "runtime", "tools/harness"},
+    "tools/fuzz": {"clip-table", "runtime", *COMPILER},
+    "web/module": {"compiler", "compiler/compile", "link", "runtime"},
     "web/wasm": set(),
     "examples": {"runtime", "tools/harness", LIBRARY},
 }

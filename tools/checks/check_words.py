@@ -6,7 +6,7 @@
     check_words.py --test     the check's own examples
 
 The list below is that of a technical editor. Pages are those below docs/, CONTRIBUTING.md, CHANGELOG.md and each README.md, without code, paths and links;
-messages are the texts of base/diagnostic_kinds.def, their explanations are those in compiler/explanations/, and the help is that of compiler/own_options.cpp.
+messages are the texts of base/diagnostic_kinds.def, their explanations are those in compiler/compile/explanations/, and the help is that of compiler/command/own_options.cpp.
 Comments are those of the sources in C, C++, HLSL, Python, JavaScript and CMake, without code and quotations; a part of the list is for
 them.
 """
@@ -141,8 +141,8 @@ def pages():
 
 def explanations():
     """(name, text) of the rules of each file of explanations."""
-    for file in sorted((ROOT / "compiler/explanations").glob("*.def")):
-        yield f"compiler/explanations/{file.name}", rules(file.read_text())
+    for file in sorted((ROOT / "compiler/compile/explanations").glob("*.def")):
+        yield f"compiler/compile/explanations/{file.name}", rules(file.read_text())
 
 
 def texts():
@@ -156,7 +156,7 @@ def texts():
     yield "packaging/clipc.1.in", (ROOT / "packaging/clipc.1.in").read_text(), WORDS | PAGE_WORDS
     for name, beginning, words in (
         ("base/diagnostic_kinds.def", r"DIAG\(", WORDS),
-        ("compiler/own_options.cpp", r'\s+(?:"|\{"|Topic)', WORDS | PAGE_WORDS),
+        ("compiler/command/own_options.cpp", r'\s+(?:"|\{"|Topic)', WORDS | PAGE_WORDS),
     ):
         yield name, strings((ROOT / name).read_text(), beginning).replace("`", " "), words
     for name, text in explanations():

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <regex>
 
-#include "compiler/check_lowering.h"
-#include "compiler/stages.h"
+#include "compiler/compile/check_lowering.h"
+#include "compiler/compile/stages.h"
 
 namespace clipc::draw {
 // The text of a shader, and the diagnostics about it.

@@ -52,8 +52,8 @@ class CheckedShader : NotCopied {
 
   const ir::Program& typed() const;
 
-  // Runs the rest of the compiler's stages (compiler/stages.h). Throws NotForTarget when only the
-  // target is at fault.
+  // Runs the rest of the compiler's stages (compiler/compile/stages.h). Throws NotForTarget when
+  // only the target is at fault.
   Shader BuildFor(const std::string& target) const;
 
  private:

@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "compiler/options.h"
+#include "compiler/command/options.h"
 #include "tools/draw/arguments.h"
 #include "tools/draw/commands.h"
 #include "tools/draw/compare_flags.h"

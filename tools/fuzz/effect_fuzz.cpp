@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/compile.h"
-#include "compiler/effect.h"
-#include "compiler/effect_json.h"
-#include "compiler/gl_effect.h"
-#include "compiler/gl_effect_header.h"
-#include "compiler/make_effect_facts.h"
+#include "compiler/compile/compile.h"
+#include "compiler/effect/effect.h"
+#include "compiler/effect/effect_json.h"
+#include "compiler/effect/gl_effect.h"
+#include "compiler/effect/gl_effect_header.h"
+#include "compiler/effect/make_effect_facts.h"
 
 namespace {
 

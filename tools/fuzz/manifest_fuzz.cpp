@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "compiler/manifest.h"
-#include "compiler/permutations.h"
+#include "compiler/batch/manifest.h"
+#include "compiler/batch/permutations.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // An `@` may name a response file, which would be read.

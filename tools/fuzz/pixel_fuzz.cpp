@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "compiler/compile.h"
+#include "compiler/compile/compile.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "compiler/compile.h"
+#include "compiler/compile/compile.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <spirv-tools/libspirv.hpp>
 
 #include "backend-glsl/target.h"
-#include "compiler/validate.h"
-#include "compiler/write_spirv.h"
+#include "compiler/compile/validate.h"
+#include "compiler/compile/write_spirv.h"
 #include "tools/draw/build.h"
 #include "tools/draw/compare.h"
 #include "tools/draw/draw_call.h"

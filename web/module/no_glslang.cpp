@@ -2,8 +2,8 @@
 // What the page's first module has in place of glslang, which is half of the whole module and which
 // SPIR-V, --validate and pixel shaders in GLSL need. A compile that needs it is made again by the
 // whole module, which the page loads then.
-#include "compiler/list_spirv.h"
-#include "compiler/validate.h"
+#include "compiler/compile/list_spirv.h"
+#include "compiler/compile/validate.h"
 #include "link/read.h"
 
 namespace {

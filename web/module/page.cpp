@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/clipc.h"
-#include "compiler/list_spirv.h"
+#include "compiler/compile/list_spirv.h"
 
 #define CLIPC_EXPORT(name) __attribute__((export_name(#name)))
 

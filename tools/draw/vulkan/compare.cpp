@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "compiler/write_spirv.h"
+#include "compiler/compile/write_spirv.h"
 #include "tools/draw/feed.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"

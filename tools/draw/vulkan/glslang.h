@@ -5,14 +5,14 @@
 
 #include <glslang/Public/ShaderLang.h>
 
-#include "compiler/validate.h"
+#include "compiler/compile/validate.h"
 #include "tools/draw/inputs.h"
 #include "tools/draw/vulkan/spirv.h"
 
 // Shaders to SPIR-V, by glslang.
 namespace clipc::draw::vulkan {
 
-// Initializes glslang once and never frees it, as compiler/validate.cpp does.
+// Initializes glslang once and never frees it, as compiler/compile/validate.cpp does.
 void InitializeGlslang();
 
 // Parses and links the shader, and writes it as SPIR-V. Throws DrawError where glslang refuses it.

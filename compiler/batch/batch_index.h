@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/batch/permutations.h"
+#include "compiler/compile/message.h"
+
+namespace clipc {
+
+enum class BatchStatus : std::uint8_t { kNotCompiled, kCompiled, kFailed };
+
+// A permutation, and the files that hold its outputs. Permutations may share files.
+struct BatchEntry {
+  std::string name;  // of the files that it would have alone
+  std::string source, entry, profile, target;
+  std::vector<std::pair<std::string, std::optional<std::string>>> defines;
+  BatchStatus status = BatchStatus::kNotCompiled;
+  int exit_code = 0;
+  std::vector<std::pair<std::string, std::string>> files;  // kind and name
+  std::shared_ptr<const std::vector<Message>> errors;      // null: none
+};
+
+// Fills in the source, entry, profile, target and defines of the group's permutation `number`.
+void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry);
+
+// Which part of a batch an index is of: part 2 of 4 has the second of each four permutations.
+struct ShardOfIndex {
+  unsigned part = 1, parts = 1;
+};
+
+// The index as JSON: docs/permutations.md.
+std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex shard);
+
+// The index of a batch, of the indexes at `paths` of all its parts.
+struct MergedIndex {
+  std::string text;
+  std::string error;  // not empty: why there is none
+};
+MergedIndex MergeIndexes(const std::vector<std::string>& paths);
+
+}  // namespace clipc

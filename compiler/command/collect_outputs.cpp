@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/command/collect_outputs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/file_set.h"
+#include "clip-table/write.h"
+#include "compiler/command/depfile.h"
+#include "compiler/command/structs.h"
+#include "compiler/compile/facts_json.h"
+#include "compiler/compile/list_spirv.h"
+
+namespace clipc {
+namespace {
+
+std::string VariableOf(const CommandLine& command, const Outputs& outputs) {
+  if (!command.variable.empty()) return command.variable;
+  std::string name = "g_" + outputs.table->entry;
+  std::ranges::replace(name, ':', '_');
+  return name;
+}
+
+// "table", "table.2": the kind of the first and of the second file of one option.
+std::string Numbered(std::string_view kind, std::size_t number) {
+  return number == 0 ? std::string(kind) : fmt::format("{}.{}", kind, number + 1);
+}
+
+std::string ContentsOf(const std::vector<std::uint32_t>& words, CommandLine::SpirvForm form) {
+  using enum CommandLine::SpirvForm;
+  if (form == kListing) return ListSpirv(words);
+  if (form == kBinary) return {reinterpret_cast<const char*>(words.data()), 4 * words.size()};
+  const std::string numbers = WordsInC(words);
+  return form == kInBraces ? "{" + numbers + "\n}\n" : numbers.substr(1) + "\n";
+}
+
+// Adds the shaders of a program, each if it has a path. `kinds` are those of their texts.
+void AddShaders(const CommandLine& command, const OutputPaths& paths, const char* const (&kinds)[2],
+                std::vector<ShaderOutput>& shaders, std::vector<OutputPiece>& pieces) {
+  const std::pair<const char*, const std::string&> files[] = {{"spirv", paths.glsl},
+                                                              {"fragment.spirv", paths.fragment}};
+  for (std::size_t i = 0; i < std::min(shaders.size(), std::size(files)); ++i) {
+    const auto& [kind, path] = files[i];
+    ShaderOutput& shader = shaders[i];
+    if (path.empty()) continue;
+    if (shader.spirv.empty()) {
+      pieces.push_back({kinds[i], path, std::move(shader.text)});
+    } else {
+      pieces.push_back({kind, path, ContentsOf(shader.spirv, command.spirv_form)});
+    }
+  }
+}
+
+void AddVariants(const CommandLine& command, const OutputPaths& paths,
+                 std::vector<std::vector<ShaderOutput>>& variants,
+                 std::vector<OutputPiece>& pieces) {
+  for (std::size_t planes = 0; planes < variants.size(); ++planes) {
+    std::vector<ShaderOutput>& shaders = variants[planes];
+    const std::string path = VariantName(paths.glsl, planes);
+    pieces.push_back({fmt::format("glsl.{}", planes), path, std::move(shaders.front().text)});
+    if (paths.fragment.empty()) continue;
+    const std::string stem = WithoutExtension(paths.glsl);
+    const std::string fragment = command.request.shaders.size() > 1
+                                     ? VariantName(paths.fragment, planes)
+                                     : WithoutExtension(path) + paths.fragment.substr(stem.size());
+    pieces.push_back({fmt::format("fragment.{}", planes), fragment, std::move(shaders[1].text)});
+  }
+}
+
+// The header of -Fh: an array or a string for each shader that was compiled.
+std::string HeaderOf(const CommandLine& command, const Outputs& outputs) {
+  const std::string variable = VariableOf(command, outputs);
+  const auto header_of = [](const ShaderOutput& shader, const std::string& name) {
+    return shader.spirv.empty() ? HeaderWith(shader.text, name) : HeaderWith(shader.spirv, name);
+  };
+  std::string header = header_of(outputs.shaders.front(), variable);
+  if (command.request.shaders.size() > 1)
+    header += header_of(outputs.shaders[1], variable + "_pixel");
+  return header;
+}
+
+// Adds the files that describe the program. Returns the problem in words; empty if there is none.
+std::string AddFacts(const CommandLine& command, const OutputPaths& paths, const Outputs& outputs,
+                     std::vector<OutputPiece>& pieces) {
+  if (!paths.listing.empty()) pieces.push_back({"listing", paths.listing, outputs.listing});
+  for (std::size_t i = 0; i < paths.tables.size(); ++i) {
+    const std::string& path = paths.tables[i];
+    auto text = clip_table::Write(*outputs.table, *clip_table::FormatOf(path), path);
+    if (!text) return fmt::format("cannot write `{}`: {}", path, text.error);
+    pieces.push_back({Numbered("table", i), path, std::move(*text)});
+  }
+  for (std::size_t i = 0; i < paths.reflections.size(); ++i) {
+    const std::string& path = paths.reflections[i];
+    pieces.push_back({Numbered("reflection", i), path,
+                      path.ends_with(".h") ? WriteStructs(*outputs.facts, command.struct_prefix)
+                                           : FactsJson(*outputs.facts)});
+  }
+  return {};
+}
+
+// Adds what was made of a program of GLSL. Returns the problem in words; empty if there is none.
+std::string AddGlsl(const CommandLine& command, const OutputPaths& paths, Outputs& outputs,
+                    std::vector<OutputPiece>& pieces) {
+  std::string header = paths.header.empty() ? "" : HeaderOf(command, outputs);
+  if (!paths.glsl.empty() && command.request.planes.variants) {
+    AddVariants(command, paths, outputs.variants, pieces);
+  } else if (!paths.glsl.empty()) {
+    AddShaders(command, paths, {"glsl", "fragment"}, outputs.shaders, pieces);
+  }
+  if (!header.empty()) pieces.push_back({"header", paths.header, std::move(header)});
+  return AddFacts(command, paths, outputs, pieces);
+}
+
+}  // namespace
+
+std::string CollectOutputs(const CommandLine& command, const OutputPaths& paths,
+                           CompileResult& result, std::vector<OutputPiece>& pieces) {
+  FileSet sources;
+  for (const std::string& source : result.dependencies) sources.Add(source);
+  for (const std::string& path : paths.Named()) {
+    if (sources.Has(path))
+      return fmt::format("the output `{}` would overwrite an included file", path);
+  }
+  const ProgramRequest& request = command.request;
+  if (!result.dump.empty()) pieces.push_back({"dump", "-", result.dump});
+  if (result.ok() && !paths.preprocessed.empty())
+    pieces.push_back({"preprocessed", paths.preprocessed, result.preprocessed});
+  const bool is_hlsl = result.outputs && request.hlsl.wanted;
+  const bool is_glsl = result.outputs && !is_hlsl && !request.debug.dump;
+  std::string problem;
+  if (is_hlsl)
+    AddShaders(command, paths, {"hlsl", "fragment.hlsl"}, result.outputs->shaders, pieces);
+  if (is_glsl) problem = AddGlsl(command, paths, *result.outputs, pieces);
+  if (!problem.empty()) return problem;
+  if ((is_glsl || is_hlsl || request.outputs.preprocess) && result.ok() &&
+      !paths.dependencies.empty()) {
+    pieces.push_back({"dependencies", paths.dependencies,
+                      DependencyRule(paths.dependency_target, result.dependencies)});
+  }
+  return {};
+}
+
+}  // namespace clipc

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/command/usage.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "compiler/command/show_messages.h"
+#include "compiler/compile/message.h"
+#include "frontend/lex/source.h"
+#include "frontend/lex/source_text.h"
+#include "ir/profile.h"
+
+namespace clipc {
+
+namespace {
+
+// Whether the file of --reflect has C structs, and not JSON.
+bool HoldsStructs(const std::string& file) { return file.ends_with(".h"); }
+
+// Returns the option that HLSL cannot have; empty if there is none.
+std::string_view NotForHlsl(const CommandLine& command) {
+  const ProgramRequest& request = command.request;
+  if (!command.tables.empty()) return "--table";
+  if (!command.reflections.empty()) return "--reflect";
+  if (!command.header.empty()) return "-Fh";
+  if (!command.listing.empty()) return "-Fc";
+  if (!command.fragment.empty()) return "--fragment";
+  if (request.outputs.spirv) return "-spirv";
+  if (request.style.layout != glsl::BufferLayout::kDirect3D) return "-fvk-use-gl-layout";
+  return {};
+}
+
+// Returns the first mistake in what is said about HLSL as the target.
+std::string CheckHlsl(const CommandLine& command) {
+  const ProgramRequest& request = command.request;
+  const HlslOptions& hlsl = request.hlsl;
+  const Lowering lowering = request.planes.lowering.value_or(Lowering::kClipDistance);
+  if (hlsl.plane_distances > 0 && (!hlsl.wanted || lowering != Lowering::kClipDistance))
+    return "--plane-distances is for --target=hlsl with clip distances, of which it writes more";
+  if (!hlsl.wanted) {
+    return hlsl.wrapper_entry.empty() ? ""
+                                      : "--wrapper-entry is for --target=hlsl; GLSL has one entry "
+                                        "function, `main`";
+  }
+  if (!hlsl.wrapper_entry.empty() && hlsl.entries.size() > 1)
+    return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
+  if (const std::string_view option = NotForHlsl(command); !option.empty())
+    return fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option);
+  if (request.is_linked() && lowering != Lowering::kDiscard)
+    return "with --target=hlsl, a pixel shader is for --lower=discard; it stays as it is under the "
+           "other lowerings";
+  if (request.is_linked() && hlsl.entries.size() > 1)
+    return "the pixel shader fits one vertex shader; with it, give one -E";
+  if (!command.pixel_shader.path.empty() && command.pixel_output.empty())
+    return "--pixel-shader is rewritten too; --pixel-output names the file that it goes to";
+  return {};
+}
+
+// Whether a name in C can begin with the text.
+bool IsIdentifier(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
+         (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) == 0);
+}
+
+// Returns the first mistake in what is said about the pixel shader of a pair.
+std::string CheckPair(const CommandLine& command) {
+  const bool is_pair = !command.pixel_output.empty();
+  if (!is_pair && !command.pixel_shader.profile.empty())
+    return "--pixel-profile is for --pixel-output, which compiles the pixel shader";
+  if (!is_pair) return {};
+  if (!command.fragment.empty())
+    return "--fragment is for a pixel shader in GLSL; with --pixel-output clipc writes it";
+  if (command.request.planes.variants && command.pixel_output == "-")
+    return "--variants writes several files, named after the one that --pixel-output gives";
+  const ShaderSource& pixel = command.request.shaders.back();
+  if (pixel.path.empty() && pixel.entry.empty())
+    return "--pixel-output needs --pixel-entry, the pixel shader's function in the same file";
+  return {};
+}
+
+}  // namespace
+
+std::string CheckCommand(const CommandLine& command) {
+  const ProgramRequest& request = command.request;
+  if (std::string problem = CheckHlsl(command); !problem.empty()) return problem;
+  for (const std::string& table : command.tables) {
+    if (!clip_table::FormatOf(table))
+      return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", table);
+  }
+  if (request.planes.variants && (!command.header.empty() || request.outputs.spirv))
+    return "-Fh and -spirv write one shader; with --variants there are several";
+  if (std::string problem = CheckPair(command); !problem.empty()) return problem;
+  if (!command.variable.empty() && command.header.empty())
+    return "-Vn names what -Fh writes; give that option too";
+  if (!command.struct_prefix.empty() && std::ranges::none_of(command.reflections, HoldsStructs))
+    return "--struct-prefix is for the C structs of --reflect=FILE.h";
+  if (!IsIdentifier(command.struct_prefix))
+    return fmt::format("`{}` cannot begin a name in C; a prefix is letters, digits and `_`",
+                       command.struct_prefix);
+  if (!command.fragment.empty() && request.planes.lowering != Lowering::kDiscard) {
+    return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
+           "as it is";
+  }
+  if (!request.planes.position_input.empty() && request.planes.space != PlaneSpace::kObject) {
+    return "--position-input is for --plane-space=object; other spaces take the position that the "
+           "shader computes";
+  }
+  const bool has_pixel_shader = !command.pixel_output.empty() || !command.pixel_shader.path.empty();
+  if (!has_pixel_shader && request.link.keep_outputs) {
+    return "--keep-outputs is for --pixel-shader; without it every output is kept";
+  }
+  if (!has_pixel_shader && request.link.zero_unwritten) {
+    return "--zero-unwritten is for --pixel-shader, which says what is read";
+  }
+  return {};
+}
+
+void ReportIdle(const CommandLine& command, Diagnostics& notices) {
+  const ProgramRequest& request = command.request;
+  const auto report = [&](bool is_idle, const char* option, const char* why) {
+    if (is_idle) notices.Report({}, diag::OptionWithoutEffect, option, why);
+  };
+  const bool has_rule =
+      command.write_dependencies || !command.dependency_file.empty() || command.only_dependencies;
+  report(!command.dependency_target.empty() && !has_rule, "-MT",
+         "it names the target of a make rule, which -MD, -MF or -M writes");
+  constexpr const char* kForMany = "it is for permutations and manifests";
+  report(!command.index.empty(), "--index", kForMany);
+  report(command.keep_going, "-k", kForMany);
+  report(command.resume, "--resume", kForMany);
+  constexpr const char* kForEffects = "it is for --effect";
+  report(!command.technique.empty(), "--technique", kForEffects);
+  report(!command.pass.empty(), "--pass", kForEffects);
+  report(command.shards != 1, "--shard", kForMany);
+  report(
+      !request.is_linked() && !command.pixel_shader.entry.empty(), "--pixel-entry",
+      "it is for --pixel-shader, which fits a pixel shader, and --pixel-output, which writes one");
+  const glsl::Target& target = request.target;
+  report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),
+         "--separable", "it is for targets `glsl410` to `glsl460`");
+  const auto profile = ir::ParseProfile(request.first().profile);
+  const bool has_planes = !profile || !profile->stage || InfoOf(*profile->stage).has_stage_after;
+  const bool has_pixel_shader =
+      !has_planes || request.shaders.size() > 1 || command.effect || !command.batch.empty();
+  if (!request.language.shadow_samplers.empty()) {
+    report(request.hlsl.wanted, "--shadow-samplers", "with --target=hlsl the text stays as it is");
+    report(!request.hlsl.wanted && !has_pixel_shader, "--shadow-samplers",
+           "this is not a pixel shader");
+  }
+  report(!has_planes && !command.tables.empty(), "--table", "only a vertex shader has clip planes");
+  report(request.debug.changes_result() && !command.tables.empty(), "--table",
+         "a dump takes its place");
+  report(request.debug.changes_result() && !command.reflections.empty(), "--reflect",
+         "a dump takes its place");
+}
+
+CompileResult NoticesOf(const CommandLine& command) {
+  CompileResult result;
+  if (command.notices.all().empty()) return result;
+  FrontendContext context;
+  const Source nowhere(context, {});
+  result.text = nowhere.RenderText(command.notices, command.request.outputs.colour);
+  for (const Diagnostic& notice : command.notices.all())
+    result.messages.push_back(ToMessage(notice, nowhere));
+  return result;
+}
+
+std::string PrepareRequest(CommandLine& command) {
+  ProgramRequest& request = command.request;
+  if (!command.fragment.empty()) {
+    const std::string problem = ReadText(command.fragment, request.planes.fragment.emplace());
+    if (!problem.empty()) return fmt::format("cannot read `{}`: {}", command.fragment, problem);
+  }
+  OutputOptions& outputs = request.outputs;
+  outputs.facts = outputs.facts || !command.reflections.empty();
+  outputs.listing = !command.listing.empty();
+  outputs.preprocess = !command.preprocessed.empty() || command.only_dependencies;
+  outputs.text = command.format == MessageFormat::kText;
+  outputs.colour = outputs.text && WantsColour(command);
+  const bool reflects_planes = !std::ranges::all_of(command.reflections, HoldsStructs);
+  request.planes.given_to_device =
+      request.planes.given_to_device || !command.tables.empty() || reflects_planes;
+  return {};
+}
+
+}  // namespace clipc

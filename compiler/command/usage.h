@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "compiler/command/command_line.h"
+#include "compiler/compile/result.h"
+
+namespace clipc {
+
+// The first mistake in the options, whatever the inputs are; empty if there is none.
+std::string CheckCommand(const CommandLine& command);
+
+// Reports the options that have no effect on the compile of single shaders.
+void ReportIdle(const CommandLine& command, Diagnostics& notices);
+
+// The warnings about the options, as the result of a compile.
+CompileResult NoticesOf(const CommandLine& command);
+
+// Reads what the request needs besides the shader, and sets what follows from the outputs that are
+// wanted. Returns the problem in words; empty if there is none.
+std::string PrepareRequest(CommandLine& command);
+
+}  // namespace clipc

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/compile/known_texts.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "frontend/parse/parse.h"
+
+namespace clipc {
+namespace {
+
+// Some hundred bytes each are kept of a token and of an expression.
+constexpr std::size_t kMostTokens = 200'000, kMostExprs = 200'000;
+constexpr std::size_t kMostBytes = std::size_t{4} << 20;
+
+std::string KeyOf(const Plan& plan, const SourceInput& input) {
+  std::string key = fmt::format("{}\n{}\n{}\n{} {} {} {}", input.path, plan.check.entry_call,
+                                input.preamble, input.shader_model_major, input.shader_model_minor,
+                                static_cast<int>(input.stage), static_cast<int>(input.language));
+  for (const auto* list : {&input.include_dirs, &input.defines, &input.forced_includes}) {
+    for (const std::string& text : *list) key += '\n' + text;
+    key += '\n';
+  }
+  return key;
+}
+
+std::string KeyOf(const std::string& glsl, const glsl::Target& target, Stage stage) {
+  return fmt::format("{}\n{}\n{}", target.name(), static_cast<int>(stage), glsl);
+}
+
+}  // namespace
+
+ir::Program KnownText::Check(const CheckOptions& options, Diagnostics& diagnostics) {
+  std::string key = options.profile.name + '\n' + options.entry;
+  if (const auto known = checked_.find(key); known != checked_.end()) {
+    diagnostics = known->second.messages;
+    return known->second.program;
+  }
+  ir::Program program = clipc::Check(file, options, diagnostics);
+  exprs_ += program.exprs.size();
+  if (!diagnostics.has_errors() && exprs_ <= kMostExprs)
+    checked_.emplace(std::move(key), Checked{program, diagnostics});
+  return program;
+}
+
+std::shared_ptr<KnownText> KnownTexts::Get(FrontendContext& context, const ProgramRequest& request,
+                                           const Plan& plan, const SourceInput& input) {
+  // A caller who gives the text or the includes may give others of the same name the next time.
+  const bool is_of_file = !input.text && !request.includes.read && input.path != "-";
+  const bool wants_tokens = request.debug.changes_result() || request.outputs.preprocess;
+  if (!request.language.is_in_effect || !is_of_file || wants_tokens || !plan.check.profile.stage)
+    return nullptr;
+  std::string key = KeyOf(plan, input);
+  if (const auto known = texts_.find(key); known != texts_.end()) return known->second;
+  auto text = std::make_shared<KnownText>(context, input, request.warnings);
+  Tokens tokens = Lex(text->source, text->messages);
+  if (text->messages.has_errors()) return nullptr;
+  const std::size_t count = tokens.list.size();
+  text->file = Parse(std::move(tokens), text->messages, FunctionBodies::kParse,
+                     {.entry_call = plan.check.entry_call});
+  if (text->messages.has_errors()) return nullptr;
+  if (tokens_ + count > kMostTokens) Clear();
+  if (count > kMostTokens) return text;
+  tokens_ += count;
+  texts_.emplace(std::move(key), text);
+  return text;
+}
+
+void KnownTexts::Clear() {
+  texts_.clear();
+  tokens_ = 0;
+}
+
+bool ValidTexts::Has(const std::string& glsl, const glsl::Target& target, Stage stage) const {
+  return texts_.contains(KeyOf(glsl, target, stage));
+}
+
+void ValidTexts::Add(const std::string& glsl, const glsl::Target& target, Stage stage) {
+  if (bytes_ + glsl.size() > kMostBytes) {
+    texts_.clear();
+    bytes_ = 0;
+  }
+  if (glsl.size() > kMostBytes) return;
+  bytes_ += glsl.size();
+  texts_.insert(KeyOf(glsl, target, stage));
+}
+
+}  // namespace clipc

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/compile/lower_program.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "compiler/compile/check_lowering.h"
+#include "compiler/compile/link_program.h"
+#include "ir/print.h"
+#include "link/whole.h"
+
+namespace clipc {
+namespace {
+
+// The number of planes for which a shader discards: those of the shader before.
+std::size_t DiscardedPlanes(std::span<Job> jobs, const std::vector<ir::Program>& programs,
+                            std::size_t number) {
+  if (number == 0 || jobs[number - 1].plan.lowering.lowering != Lowering::kDiscard) return 0;
+  return programs[number - 1].clip_planes.size();
+}
+
+// Fits a shader to what reads its outputs, and asks whether it fits the request. Returns the input
+// with the position (FindPositionInput).
+ir::VarId Fit(std::span<Job> jobs, std::size_t number, const std::vector<Lowered>& after,
+              ir::Program& program, std::vector<std::string>& dependencies) {
+  Job& job = jobs[number];
+  const ProgramRequest& request = job.request;
+  if (job.plan.keeps_matrices_whole)
+    link::KeepMatricesWhole(program, !request.target.Has(glsl::Feature::kFullMatrices));
+  if (!after.empty()) {
+    LinkWithNext(job, jobs[number + 1], after.front(), program);
+  } else if (request.neighbour) {
+    LinkWithNeighbour(job, program, dependencies);
+  }
+  if (job.diagnostics.has_errors()) return {};
+  const ir::VarId position_input = FindPositionInput(program, job.plan.lowering, job.diagnostics);
+  if (!request.planes.given_to_device && !request.debug.changes_result())
+    CheckPlanesAreKept(program, job.plan.lowering, request.target, job.diagnostics);
+  return position_input;
+}
+
+LowerOptions OptionsOf(Job& job, ir::VarId position_input, std::string& dump) {
+  const ProgramRequest& request = job.request;
+  LowerOptions options{request.target, {}};
+  // The shaders of a program are numbered together.
+  if (request.shaders.size() > 1) options.target.bindings.pixel_base = 0;
+  passes::PipelineOptions& passes = options.passes;
+  passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
+  passes.clip_space = request.style.clip_space;
+  passes.precise_outputs = request.style.precise;
+  static_cast<ir::PassOptions&>(passes) = PassesOf(job, dump);
+  return options;
+}
+
+// Runs all passes, unless one stops them or the target cannot express the program.
+Lowered LowerAlone(LinkedShader&& shader, const StyleOptions& style, Diagnostics& diagnostics) {
+  const ClipDistances distances = ClipDistancesOf(shader.program);
+  Lowered lowered = Lower(std::move(shader.program), shader.options);
+  if (!lowered.is_complete) return lowered;
+  ReportLeftOut(distances, lowered.program, diagnostics);
+  CheckTarget(lowered, style.blocks, diagnostics);
+  CheckBufferLayout(lowered.program, style.layout, diagnostics);
+  if (!diagnostics.has_errors()) Legalize(lowered, shader.options.passes);
+  return lowered;
+}
+
+}  // namespace
+
+ir::PassOptions PassesOf(Job& job, std::string& dump) {
+  const DebugOptions& debug = job.request.debug;
+  return {job.plan.stop_after, debug.verify,
+          [&job, &dump](std::string_view pass, const ir::Program& after) {
+            if (job.watch && job.watch->AskNow()) return false;
+            const auto& wanted = job.request.debug.dump_after;
+            if (std::ranges::find(wanted, pass) == wanted.end()) return true;
+            if (wanted.size() > 1) dump += fmt::format("// after {}\n", pass);
+            dump += ir::Print(after);
+            return true;
+          }};
+}
+
+std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::Program> programs,
+                                           CompileResult& result) {
+  const ProgramRequest& request = jobs.front().request;
+  LoweredProgram lowered;
+  for (std::size_t i = jobs.size(); i-- > 0;) {
+    Job& job = jobs[i];
+    ir::Program& program = programs[i];
+    const std::size_t written = program.outputs.size();
+    const ir::VarId position = Fit(jobs, i, lowered.shaders, program, result.dependencies);
+    if (job.diagnostics.has_errors()) return std::nullopt;
+    if (request.outputs.facts && InfoOf(program.stage).has_stage_after)
+      lowered.position = FollowPosition(program);
+    LowerOptions options = OptionsOf(job, position, result.dump);
+    options.passes.drops_unneeded = i + 1 < jobs.size() && program.outputs.size() < written;
+    options.passes.discarded_planes = DiscardedPlanes(jobs, programs, i);
+    if (options.passes.discarded_planes > 0) CheckDiscards(program, job.diagnostics);
+    LinkedShader shader{std::move(program), std::move(options)};
+    if (request.planes.variants) lowered.linked.insert(lowered.linked.begin(), shader);
+    lowered.shaders.insert(lowered.shaders.begin(),
+                           LowerAlone(std::move(shader), request.style, job.diagnostics));
+    if (job.diagnostics.has_errors() || job.IsStopped()) return std::nullopt;
+  }
+  const Lowered& first = lowered.shaders.front();
+  if (first.is_complete) return lowered;
+  if (request.debug.dump_after.empty()) result.dump = ir::Print(first.program);
+  return std::nullopt;
+}
+
+std::vector<Lowered> LowerWithPlanes(std::vector<LinkedShader> linked, std::size_t planes) {
+  std::vector<Lowered> lowered;
+  for (LinkedShader& shader : linked) {
+    if (shader.program.clip_planes.size() > planes) shader.program.clip_planes.resize(planes);
+    passes::PipelineOptions& passes = shader.options.passes;
+    passes.discarded_planes = std::min(passes.discarded_planes, planes);
+    passes.after_pass = {};
+    // CheckTarget has judged the shader with all planes.
+    lowered.push_back(Lower(std::move(shader.program), shader.options));
+    Legalize(lowered.back(), passes);
+  }
+  return lowered;
+}
+
+}  // namespace clipc

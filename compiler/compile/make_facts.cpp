@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/compile/make_facts.h"
+
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "ir/packing.h"
+
+namespace clipc {
+namespace {
+
+using glsl::GlslInfo;
+using ir::IoVar;
+using ir::Program;
+
+constexpr Named<ir::CbufferKind> kCbufferKinds[] = {
+    {ir::CbufferKind::kCbuffer, "cbuffer"},
+    {ir::CbufferKind::kTbuffer, "tbuffer"},
+    {ir::CbufferKind::kGlobals, "globals"},
+    {ir::CbufferKind::kParams, "params"},
+    {ir::CbufferKind::kConstantBuffer, "ConstantBuffer"}};
+constexpr Named<glsl::BlockForm> kBlockForms[] = {{glsl::BlockForm::kStd140, "std140"},
+                                                  {glsl::BlockForm::kRows, "rows"},
+                                                  {glsl::BlockForm::kUniforms, "uniforms"}};
+
+RegisterFact FactOf(const ir::Register& reg) {
+  return {std::string(1, reg.letter) + std::to_string(reg.number), reg.space, reg.is_explicit};
+}
+
+// What is said of one stage.
+class Describer {
+ public:
+  explicit Describer(const DescribedStage& stage)
+      : lowered_(stage.lowered), program_(stage.lowered.program), info_(stage.info) {}
+
+  StageFacts Describe(const clip_table::ClipTable& table) {
+    const StageInfo& traits = InfoOf(program_.stage);
+    StageFacts facts{.entry = table.entry,
+                     .profile = table.profile,
+                     .stage = std::string(traits.name),
+                     .draws_pixels = traits.draws_pixels,
+                     .inputs = Signature(program_.inputs, info_.inputs),
+                     .outputs = Signature(program_.outputs, info_.outputs)};
+    for (const ir::CbufferId id : program_.cbuffers.ids()) {
+      for (const ir::CbufferMember& member : program_.cbuffers[id].members)
+        AddStructs(program_.vars[member.var].type, facts.structs);
+    }
+    for (const ir::CbufferId id : program_.cbuffers.ids())
+      facts.buffers.push_back(Buffer(program_.cbuffers[id], info_.BlockOf(id)));
+    facts.resources = Resources();
+    if (traits.draws_pixels) facts.host = Host();
+    facts.tests_early = program_.tests_early;
+    return facts;
+  }
+
+ private:
+  std::string TypeName(ir::VarId var) const { return program_.types.Name(program_.vars[var].type); }
+
+  VariableFact Variable(const IoVar& io, const GlslInfo::Variable& written) const {
+    const bool is_builtin = io.builtin != ir::Builtin::kNone;
+    VariableFact fact{.semantic = io.semantic,
+                      .index = io.index,
+                      .type = TypeName(io.var),
+                      .name = written.name,
+                      .location = written.location,
+                      .blend_index = io.blend_index,
+                      .needs_base_vertex_zero = written.needs_base_vertex_zero,
+                      .needs_base_instance_zero = written.needs_base_instance_zero,
+                      .integer_as_float = written.integer_as_float,
+                      .is_builtin = is_builtin,
+                      .interpolation = io.interpolation,
+                      .centroid = io.centroid,
+                      .sample = io.sample,
+                      .is_used = written.is_used};
+    if (program_.vars[io.var].storage == ir::Storage::kOutput && !is_builtin &&
+        !InfoOf(program_.stage).has_stage_after)
+      fact.render_target = io.location;
+    if (io.reader && io.reader->is_known) {
+      const ir::Reader& reader = *io.reader;
+      auto& input = fact.pixel_input.emplace();
+      input.name = reader.name.empty() ? io.semantic + std::to_string(io.index) : reader.name;
+      if (!reader.IsWhole()) input.element = reader.element;
+    }
+    return fact;
+  }
+
+  std::vector<VariableFact> Signature(const std::vector<IoVar>& signature,
+                                      const std::vector<GlslInfo::Variable>& written) const {
+    std::vector<VariableFact> facts;
+    facts.reserve(signature.size());
+    for (std::size_t i = 0; i < signature.size(); ++i)
+      facts.push_back(Variable(signature[i], written[i]));
+    return facts;
+  }
+
+  ShapeFact Shape(ir::TypeId type, bool row_major) const {
+    const ir::TypeTable& types = program_.types;
+    ShapeFact shape;
+    for (; types[type].kind == ir::TypeKind::kArray; type = types[type].element) {
+      shape.dimensions.push_back({types[type].count, ir::ArrayStride(types, type, row_major),
+                                  ir::PackedExtent(types, type, row_major).size});
+    }
+    const ir::Type& element = types[type];
+    shape.size = ir::PackedExtent(types, type, row_major).size;
+    shape.kind = element.kind;
+    shape.scalar = element.scalar;
+    shape.rows = element.rows;
+    shape.columns = element.columns;
+    if (element.kind == ir::TypeKind::kStruct) shape.structure = structs_.at(element.structure);
+    return shape;
+  }
+
+  FieldFact Field(ir::TypeId type, std::uint32_t index) const {
+    const ir::TypeTable& types = program_.types;
+    type = types.Innermost(type);
+    const ir::Field& field = types.StructOf(type).fields[index];
+    FieldFact fact{.name = field.name,
+                   .type = types.Name(field.type),
+                   .shape = Shape(field.type, field.row_major),
+                   .offset = ir::FieldOffset(types, types[type].structure, index),
+                   .row_major = field.row_major};
+    fact.size = fact.shape.SizeAfter(0);
+    return fact;
+  }
+
+  MemberFact Member(const ir::CbufferMember& member, const GlslInfo::UniformBlock* block,
+                    const std::vector<const GlslInfo::UniformMember*>& places) const {
+    const ir::Var& var = program_.vars[member.var];
+    MemberFact fact;
+    fact.name = var.name;
+    fact.type = program_.types.Name(var.type);
+    fact.shape = Shape(var.type, var.row_major);
+    fact.offset = member.offset;
+    fact.size = member.size;
+    fact.row_major = var.row_major;
+    if (!member.initial.empty())
+      fact.initial = ir::Packed(program_.types, var.type, var.row_major, member.initial);
+    for (const GlslInfo::UniformMember* named : places) {
+      // A ConstantBuffer's fields are members of the GLSL block.
+      FieldFact& entry =
+          named->field < 0
+              ? fact
+              : fact.fields.emplace_back(Field(var.type, static_cast<std::uint32_t>(named->field)));
+      entry.place = {.glsl = named->NameAt(member.offset),
+                     .function = named->function,
+                     .is_row = block->form == glsl::BlockForm::kRows,
+                     .is_uniform = named->is_uniform,
+                     .transpose = named->transpose};
+    }
+    return fact;
+  }
+
+  BufferFact Buffer(const ir::Cbuffer& cbuffer, const GlslInfo::UniformBlock* block) const {
+    BufferFact fact{.name = cbuffer.name,
+                    .kind = NameIn<kCbufferKinds>(cbuffer.kind),
+                    .reg = FactOf(cbuffer.reg),
+                    .size = cbuffer.size,
+                    .count = cbuffer.count};
+    std::unordered_map<std::uint32_t, std::vector<const GlslInfo::UniformMember*>> places;
+    if (block) {
+      fact.block = {.layout = NameIn<kBlockForms>(block->form),
+                    .name = block->name,
+                    .instance = block->instance,
+                    .rows = block->rows,
+                    .set = block->set,
+                    .binding = block->binding,
+                    .is_push_constant = block->is_push_constant,
+                    .is_shared = cbuffer.declared || block->is_shared};
+      for (const GlslInfo::UniformMember& named : block->members)
+        places[named.var.index].push_back(&named);
+    }
+    for (const ir::CbufferMember& member : cbuffer.members)
+      fact.members.push_back(Member(member, block, places[member.var.index]));
+    return fact;
+  }
+
+  // Adds the structs that the type has in it, inner before outer, each once.
+  void AddStructs(ir::TypeId type, std::vector<StructFact>& to) {
+    const ir::TypeTable& types = program_.types;
+    type = types.Innermost(type);
+    const ir::StructId id = types[type].structure;
+    if (types[type].kind != ir::TypeKind::kStruct || structs_.contains(id)) return;
+    StructFact fact{.name = types[id].name, .size = ir::PackedExtent(types, type, false).size};
+    const auto count = static_cast<std::uint32_t>(types.StructOf(type).fields.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      AddStructs(types.StructOf(type).fields[i].type, to);
+      fact.fields.push_back(Field(type, i));
+    }
+    structs_.emplace(id, to.size());
+    to.push_back(std::move(fact));
+  }
+
+  ResourceFact::Part Part(ir::VarId var, const ir::Resource* resource) const {
+    const ir::Type& type = program_.types[program_.vars[var].type];
+    ResourceFact::Part part{.name = program_.vars[var].name,
+                            .type = resource && resource->declared_type
+                                        ? program_.types.Name(resource->declared_type)
+                                        : TypeName(var),
+                            .is_unbounded = type.kind == ir::TypeKind::kArray && type.count == 0};
+    if (!resource) return part;
+    part.reg = FactOf(resource->reg);
+    if (resource->counter_of) part.counter_of = program_.vars[resource->counter_of].name;
+    return part;
+  }
+
+  std::vector<ResourceFact> Resources() const {
+    std::unordered_map<std::uint32_t, const ir::Resource*> resources;
+    for (const ir::Resource& resource : program_.resources)
+      resources[resource.var.index] = &resource;
+    const auto part = [&](ir::VarId var) -> std::optional<ResourceFact::Part> {
+      if (!var) return std::nullopt;
+      const auto found = resources.find(var.index);
+      return Part(var, found == resources.end() ? nullptr : found->second);
+    };
+    std::vector<ResourceFact> facts;
+    for (const GlslInfo::Object& object : info_.objects) {
+      facts.push_back({object.name, object.kind, object.set, object.binding, part(object.texture),
+                       part(object.sampler)});
+    }
+    return facts;
+  }
+
+  // Whether an input that the shader reads passes the test.
+  bool ReadsInput(auto&& test) const {
+    for (std::size_t i = 0; i < program_.inputs.size(); ++i) {
+      if (info_.inputs[i].is_used && test(program_.inputs[i])) return true;
+    }
+    return false;
+  }
+
+  HostFact Host() const {
+    const glsl::Target& target = lowered_.target;
+    HostFact fact{.framebuffer_height = info_.framebuffer_height};
+    if (ReadsInput([](const IoVar& input) { return input.builtin == ir::Builtin::kFrontFacing; })) {
+      const bool is_turned = target.flips_y && !target.IsVulkan();
+      fact.front_face = is_turned ? "counterclockwise" : "clockwise";
+    }
+    const bool is_flat = ReadsInput([&](const IoVar& input) {
+      return input.builtin == ir::Builtin::kNone &&
+             (input.interpolation == ir::Interpolation::kNoInterpolation ||
+              ir::IsInteger(program_.types[program_.vars[input.var].type].scalar));
+    });
+    fact.first_vertex_provokes = is_flat && !target.IsVulkan();
+    return fact;
+  }
+
+  const Lowered& lowered_;
+  const Program& program_;
+  const GlslInfo& info_;
+  std::map<ir::StructId, std::size_t> structs_;  // in the facts
+};
+
+PlaneFacts Planes(const DescribedStage& stage, const PositionMatrices& position) {
+  const clip_table::ClipTable& table = stage.table;
+  return {.lowering = table.lowering,
+          .space = table.plane_space,
+          .position_matrices = position.count,
+          .position_product = position.product,
+          .planes = table.planes,
+          .enable_mask = table.enable_mask,
+          .clip_distance_mask = stage.info.clip_distance_mask,
+          .cull_distance_mask = stage.info.cull_distance_mask};
+}
+
+}  // namespace
+
+Facts MakeFacts(std::span<const DescribedStage> stages, const PositionMatrices& position) {
+  Facts facts{.target = std::string(stages.front().lowered.target.name())};
+  for (const DescribedStage& stage : stages) {
+    facts.stages.push_back(Describer(stage).Describe(stage.table));
+    if (InfoOf(stage.lowered.program.stage).has_stage_after) facts.planes = Planes(stage, position);
+  }
+  return facts;
+}
+
+}  // namespace clipc

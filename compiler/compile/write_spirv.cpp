@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/compile/write_spirv.h"
+
+namespace clipc {
+namespace {
+
+spirv::Interface InterfaceOf(const glsl::GlslInfo& info) {
+  spirv::Interface interface;
+  const auto add = [](std::vector<spirv::Interface::Variable>& to,
+                      const std::vector<glsl::GlslInfo::Variable>& variables) {
+    for (const auto& variable : variables)
+      to.push_back({variable.name, variable.location, variable.is_used});
+  };
+  add(interface.inputs, info.inputs);
+  add(interface.outputs, info.outputs);
+  for (const glsl::GlslInfo::UniformBlock& block : info.blocks) {
+    interface.blocks.push_back({{block.set.value_or(0), block.binding.value_or(0)},
+                                block.cbuffer,
+                                block.name,
+                                block.is_push_constant});
+  }
+  for (const glsl::GlslInfo::Object& object : info.objects) {
+    interface.objects.push_back({{object.set.value_or(0), object.binding.value_or(0)},
+                                 object.texture ? object.texture : object.sampler,
+                                 object.name});
+  }
+  return interface;
+}
+
+// The minor version of the SPIR-V that a version of Vulkan has.
+std::uint32_t MinorVersion(const SpirvRequest& request) {
+  constexpr std::uint32_t kMinor[] = {0, 3, 5, 6, 4};  // by VulkanVersion
+  return request.version.value_or(kMinor[static_cast<std::size_t>(request.vulkan)]);
+}
+
+}  // namespace
+
+spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
+                          const glsl::WriteOptions& options, const SpirvRequest& request) {
+  if (request.debug_info) return {{}, "lines of the source"};
+  spirv::Options made;
+  made.minor_version = MinorVersion(request);
+  if (!request.entry.empty()) made.entry = request.entry;
+  made.nan_clamp = request.nan_clamp;
+  made.invariant = options.invariant;
+  made.base_vertex_is_zero = options.base_vertex_is_zero;
+  made.base_instance_is_zero = options.base_instance_is_zero;
+  return spirv::Write(program, InterfaceOf(info), made);
+}
+
+}  // namespace clipc

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/effect/effect.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/file_set.h"
+#include "base/path.h"
+#include "compiler/batch/batch.h"
+#include "compiler/command/exit_code.h"
+#include "compiler/command/place_outputs.h"
+#include "compiler/command/show_messages.h"
+#include "compiler/compile/plan.h"
+#include "compiler/compile/suggest.h"
+#include "compiler/effect/effect_json.h"
+#include "compiler/effect/effect_passes.h"
+#include "compiler/effect/gl_effect.h"
+#include "compiler/effect/gl_effect_header.h"
+#include "compiler/effect/make_effect_facts.h"
+#include "frontend/parse/parse.h"
+
+namespace clipc {
+namespace {
+
+// Whether the command asks for the header and for no file of a pass.
+bool IsHeaderAlone(const CommandLine& command) {
+  const bool names_files = !command.tables.empty() || !command.reflections.empty() ||
+                           !command.listing.empty() || !command.preprocessed.empty();
+  return !command.header.empty() && command.output.empty() && !names_files;
+}
+
+// Returns the first mistake of the command line; empty if there is none.
+std::string CheckEffectCommand(const CommandLine& command) {
+  const ProgramRequest& request = command.request;
+  if (command.inputs.size() != 1 || command.inputs[0] == "-") return "--effect compiles one file";
+  if (!IsHeaderAlone(command) && !IsDirectory(command.output))
+    return "--effect writes several files; give an existing folder with -o";
+  const glsl::Target& target = request.target;
+  if (!command.header.empty() && (request.outputs.spirv || target.IsVulkan()))
+    return "-Fh of an effect has GLSL for OpenGL; choose a target such as `glsl330`, without "
+           "-spirv";
+  if (!command.header.empty() && request.planes.variants)
+    return "-Fh of an effect has one program for each pass; --variants makes several";
+  if (request.is_linked() || !command.pixel_shader.entry.empty())
+    return "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
+           "file without techniques";
+  if (!command.batch.empty() || command.shards != 1)
+    return "--effect takes neither --batch nor --shard";
+  if (request.hlsl.wanted) return "--effect writes GLSL or SPIR-V, no HLSL";
+  const ShaderSource defaults;
+  if (request.first().entry != defaults.entry || request.first().profile != defaults.profile)
+    return "-E and -T are what the passes of an effect say; --technique and --pass choose one";
+  return {};
+}
+
+// Returns the problem if no technique, or no pass, has the name that is asked for.
+std::string CheckNames(const ast::Effect& effect, const CommandLine& command) {
+  std::vector<std::string_view> techniques, passes;
+  for (const ast::EffectTechnique& technique : effect.techniques) {
+    techniques.push_back(technique.name);
+    for (const ast::EffectPass& pass : technique.passes) passes.push_back(pass.name);
+  }
+  if (techniques.empty()) return "it has no technique; `-T` and `-E` compile one of its functions";
+  const auto check = [](const char* what, const std::string& name,
+                        const std::vector<std::string_view>& names) {
+    if (name.empty() || std::ranges::find(names, name) != names.end()) return std::string();
+    return fmt::format("it has no {} `{}`{}", what, name, Suggest(name, names));
+  };
+  std::string problem = check("technique", command.technique, techniques);
+  return problem.empty() ? check("pass", command.pass, passes) : problem;
+}
+
+CompileResult MessagesOf(const Diagnostics& diagnostics, const Source& source,
+                         const CommandLine& command) {
+  CompileResult result;
+  if (diagnostics.has_errors()) result.status = Status::kErrors;
+  for (const Diagnostic& diagnostic : diagnostics.all())
+    result.messages.push_back(ToMessage(diagnostic, source));
+  if (command.format == MessageFormat::kText && !diagnostics.all().empty())
+    result.text = source.RenderText(diagnostics, WantsColour(command));
+  return result;
+}
+
+// Adds the header for OpenGL to what is written, unless a warning about it is an error.
+void AddHeader(const EffectFacts& facts, const Source& source, const CommandLine& command,
+               BatchEnd& end) {
+  const std::string& path = command.inputs[0];
+  const std::string file = path.substr(NameBegin(path));
+  Diagnostics diagnostics(command.request.warnings);
+  const GlEffect effect = MakeGlEffect(facts, command.request.style.clip_space.flip_y, diagnostics);
+  end.messages = MessagesOf(diagnostics, source, command);
+  if (diagnostics.has_errors()) return;
+  const std::string name = command.variable.empty() ? GlEffectName(file) : command.variable;
+  end.files.push_back({"header", command.header, GlEffectHeader(effect, name)});
+}
+
+}  // namespace
+
+LoadedEffect LoadEffect(const CommandLine& command) {
+  ProgramRequest request = command.request;
+  request.first().path = command.inputs[0];
+  Diagnostics diagnostics(request.warnings);
+  const Plan plan = Resolve(request, 0, diagnostics);
+  LoadedEffect loaded;
+  loaded.context =
+      std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk, request.includes.sandbox);
+  loaded.source = std::make_unique<Source>(*loaded.context, InputOf(request, 0, plan, diagnostics));
+  Source& source = *loaded.source;
+  ast::File file;
+  if (!diagnostics.has_errors()) {
+    Tokens tokens = Lex(source, diagnostics);
+    if (!diagnostics.has_errors())
+      file = Parse(std::move(tokens), diagnostics, FunctionBodies::kSkip, {.keep = true});
+  }
+  loaded.is_read = !diagnostics.has_errors();
+  if (loaded.is_read) loaded.effect = ast::ReadEffect(file);
+  if (loaded.is_read) loaded.problem = CheckNames(loaded.effect, command);
+  if (loaded.problem.empty()) loaded.programs = FindPrograms(loaded.effect, command, diagnostics);
+  loaded.messages = MessagesOf(diagnostics, source, command);
+  loaded.messages.dependencies = source.Dependencies();
+  loaded.code = !diagnostics.has_errors() ? kExitOk
+                : source.main_file_read() ? kExitErrors
+                                          : kExitUsage;
+  return loaded;
+}
+
+RunResult RunEffect(CommandLine command) {
+  if (const std::string problem = CheckEffectCommand(command); !problem.empty())
+    return {Fail(problem, command.format)};
+  const std::string path = command.inputs[0];
+  LoadedEffect loaded = LoadEffect(command);
+  if (!loaded.problem.empty())
+    return {Fail(fmt::format("`{}`: {}", path, loaded.problem), command.format)};
+  if (!loaded.is_read) {
+    MessagePrinter printer(command.format, command.messages);
+    printer.Show(loaded.messages);
+    const int code = printer.End(loaded.code, loaded.messages.dependencies);
+    return {code, {std::move(loaded.messages.dependencies)}};
+  }
+  const char* slash = EndsWithSlash(command.output) ? "" : "/";
+  const std::string stem = WithoutExtension(path.substr(NameBegin(path)));
+  if (command.index.empty() && !command.output.empty())
+    command.index = fmt::format("{}{}{}.json", command.output, slash, stem);
+  command.header = NameAfter(command.header, command.index.empty() ? path : command.index);
+  command.keep_going = true;
+  BatchOfGroups batch{loaded.programs.groups, std::move(loaded.messages), {}, {}};
+  std::vector<std::shared_ptr<const EffectCode>> code(batch.groups.size());
+  const bool wants_header = !command.header.empty();
+  batch.keep = [&](std::size_t group, const CompileResult& compiled) {
+    if (!compiled.outputs) return;
+    EffectCode made{*compiled.outputs->facts, {}};
+    if (wants_header) made.shaders = compiled.outputs->shaders;
+    code[group] = std::make_shared<EffectCode>(std::move(made));
+  };
+  const CommandLine& options = command;
+  batch.end = [&, options](const std::vector<BatchEntry>& entries) {
+    const EffectFacts facts =
+        MakeEffectFacts(loaded.effect, loaded.programs, options, entries, code);
+    BatchEnd end{EffectJson(facts)};
+    if (wants_header) AddHeader(facts, *loaded.source, options, end);
+    return end;
+  };
+  RunResult result = RunBatch(std::move(command), std::move(batch));
+  result.code = std::max(loaded.code, result.code);
+  return result;
+}
+
+}  // namespace clipc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "compiler/command/command_line.h"
+#include "compiler/command/run_result.h"
+#include "compiler/compile/result.h"
+#include "compiler/effect/effect_passes.h"
+
+namespace clipc {
+
+// An effect as the command line asks for it. Where the file is not read, only `messages` and `code`
+// have a meaning.
+struct LoadedEffect {
+  bool is_read = false;
+  std::string problem;  // of the names of --technique and --pass; empty if there is none
+  ast::Effect effect;
+  EffectPrograms programs;  // their shaders are those of `effect`
+  CompileResult messages;
+  std::unique_ptr<FrontendContext> context;
+  std::unique_ptr<Source> source;  // of the places in `effect`
+  int code = 0;                    // the exit code that the messages alone give
+};
+
+// Reads the effect of the command's input, or of the text of its request.
+LoadedEffect LoadEffect(const CommandLine& command);
+
+// Runs --effect: compiles every pass of an effect as a pair or a single shader, and writes JSON
+// that describes the effect beside them, and a header for OpenGL (docs/effects.md).
+RunResult RunEffect(CommandLine command);
+
+}  // namespace clipc

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/effect/effect_json.h"
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/compile/facts_json.h"
+#include "compiler/compile/json_writer.h"
+
+namespace clipc {
+namespace {
+
+class EffectPrinter {
+ public:
+  std::string Print(const EffectFacts& facts) && {
+    json_.Object([&] {
+      json_.Member("version", 1);
+      json_.Member("effect", facts.effect);
+      json_.Member("target", facts.target);
+      json_.ListOf("techniques", facts.techniques,
+                   [&](const EffectTechniqueFact& fact) { Technique(fact); });
+      json_.ListOf("parameters", facts.parameters,
+                   [&](const EffectParameterFact& fact) { Parameter(fact); });
+    });
+    return std::move(json_).Finish();
+  }
+
+ private:
+  void State(const ast::EffectState& state) {
+    json_.Member("name", state.name);
+    json_.Member("value", state.text);
+  }
+
+  // What only some have: an empty list or text is left out.
+  void Text(std::string_view text, std::string_view key) {
+    if (!text.empty()) json_.Member(key, text);
+  }
+  void Texts(const std::vector<std::string>& texts, std::string_view key) {
+    if (texts.empty()) return;
+    json_.List(key, [&] {
+      for (const std::string& text : texts) json_.Text(text);
+    });
+  }
+  void Annotations(const std::vector<ast::Annotation>& annotations) {
+    if (annotations.empty()) return;
+    json_.ListOf("annotations", annotations, [&](const ast::Annotation& annotation) {
+      json_.Member("type", annotation.type);
+      json_.Member("name", annotation.name);
+      json_.Member("value", annotation.value);
+    });
+  }
+
+  void Shader(const EffectShaderFact& shader) {
+    json_.Object(InfoOf(shader.stage).name, [&] {
+      json_.Member("entry", shader.entry);
+      json_.Member("profile", shader.profile);
+      Text(shader.call, "call");
+      if (shader.element) json_.Member("element", *shader.element);
+    });
+  }
+
+  void Program(const EffectProgramFact& program) {
+    for (const EffectShaderFact& shader : program.shaders) Shader(shader);
+    json_.Member("status", program.is_compiled ? "compiled" : "failed");
+    json_.Object("files", [&] {
+      for (const auto& [kind, file] : program.files) json_.Member(kind, file);
+    });
+  }
+
+  void Pass(const EffectPassFact& fact) {
+    const ast::EffectPass& pass = fact.text;
+    json_.Member("name", pass.name);
+    Annotations(pass.annotations);
+    if (fact.is_left_out) json_.Member("leftOut", true);
+    json_.ListOf("programs", fact.programs, [&](const EffectProgramFact& it) { Program(it); });
+    Text(pass.vertex.text, "vertexShader");
+    Text(pass.pixel.text, "pixelShader");
+    if (!pass.other_shaders.empty()) {
+      json_.ListOf("otherShaders", pass.other_shaders, [&](const ast::NamedText& shader) {
+        json_.Member("name", shader.name);
+        json_.Member("value", shader.value);
+      });
+    }
+    json_.ListOf("states", pass.states, [&](const ast::EffectState& state) { State(state); });
+    Texts(pass.not_read, "notRead");
+  }
+
+  void Technique(const EffectTechniqueFact& technique) {
+    json_.Member("name", technique.name);
+    json_.Member("kind", technique.kind);
+    Text(technique.group, "group");
+    Annotations(technique.annotations);
+    Texts(technique.not_read, "notRead");
+    json_.ListOf("passes", technique.passes, [&](const EffectPassFact& pass) { Pass(pass); });
+  }
+
+  void Parameter(const EffectParameterFact& fact) {
+    const ast::EffectParameter& parameter = fact.text;
+    json_.Member("name", parameter.name);
+    json_.Member("type", parameter.type);
+    Text(parameter.semantic, "semantic");
+    Annotations(parameter.annotations);
+    Text(parameter.value, "value");
+    Text(HexadecimalDigits(fact.initial), "default");
+    if (!parameter.states.empty()) {
+      json_.ListOf("states", parameter.states,
+                   [&](const ast::EffectState& state) { State(state); });
+    }
+    std::vector<std::string> shaders;
+    for (const ast::EffectShader& shader : parameter.shaders) shaders.push_back(shader.text);
+    Texts(shaders, "shaders");
+  }
+
+  JsonWriter json_;
+};
+
+}  // namespace
+
+std::string EffectJson(const EffectFacts& facts) { return EffectPrinter().Print(facts); }
+
+}  // namespace clipc

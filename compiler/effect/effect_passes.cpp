@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/effect/effect_passes.h"
+
+#include <charconv>
+#include <map>
+#include <optional>
+#include <ranges>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ir/profile.h"
+
+namespace clipc {
+namespace {
+
+using ast::EffectShader;
+
+// The shader variables of the effect, by name.
+using Variables = std::unordered_map<std::string_view, const std::vector<EffectShader>*>;
+
+// The profile that a shader is compiled for. fxc compiles ps_1_1 to ps_1_4 as ps_2_0 (X3539).
+std::string ProfileFor(const EffectShader& shader) {
+  const auto profile = ir::ParseProfile(shader.profile);
+  const bool is_old = profile && profile->stage == Stage::kPixel && !profile->IsAtLeast(2, 0);
+  return is_old ? "ps_2_0" : shader.profile;
+}
+
+// The name of the state that gives a pass its shader.
+std::string_view StateOf(Stage stage) {
+  return stage == Stage::kVertex ? "VertexShader" : "PixelShader";
+}
+
+class ProgramFinder {
+ public:
+  ProgramFinder(const ast::Effect& effect, const CommandLine& command, Diagnostics& diagnostics)
+      : effect_(effect), command_(command), diagnostics_(diagnostics) {
+    for (const ast::EffectParameter& parameter : effect.parameters) {
+      if (!parameter.shaders.empty()) variables_.emplace(parameter.name, &parameter.shaders);
+    }
+  }
+
+  EffectPrograms Find() {
+    for (std::size_t i = 0; i < effect_.techniques.size(); ++i) {
+      const ast::EffectTechnique& technique = effect_.techniques[i];
+      if (!command_.technique.empty() && technique.name != command_.technique) continue;
+      for (const std::string& text : technique.not_read)
+        diagnostics_.Report({}, diag::EffectNotRead, text, technique.name);
+      for (std::size_t k = 0; k < technique.passes.size(); ++k) {
+        if (command_.pass.empty() || technique.passes[k].name == command_.pass) AddPass(i, k);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void AddPass(std::size_t technique, std::size_t number) {
+    const ast::EffectPass& pass = effect_.techniques[technique].passes[number];
+    PassPrograms& added = found_.passes.emplace_back();
+    added.technique = technique;
+    added.pass = number;
+    for (const std::string& text : pass.not_read)
+      diagnostics_.Report(pass.span, diag::EffectNotRead, text, pass.name);
+    for (const auto& [name, value] : pass.other_shaders) LeaveOut(added, pass, name, value);
+    std::vector<std::vector<EffectStage>> stages = {
+        ShadersOf(added, pass, Stage::kVertex, pass.vertex),
+        ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    std::erase_if(stages, [](const auto& shaders) { return shaders.empty(); });
+    if (added.is_left_out || stages.empty()) return;
+    std::size_t count = 1;
+    for (const auto& shaders : stages)
+      count =
+          shaders.size() > kMaxPermutations / count ? kMaxPermutations + 1 : count * shaders.size();
+    if (count_ + count > kMaxPermutations)
+      return LeaveOut(added, pass, StateOf(Stage::kVertex), "too many");
+    count_ += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      EffectProgram& program = added.programs.emplace_back();
+      std::size_t rest = i;
+      for (const auto& shaders : stages | std::views::reverse) {
+        program.shaders.insert(program.shaders.begin(), shaders[rest % shaders.size()]);
+        rest /= shaders.size();
+      }
+      program.group = GroupOf(program, technique, number);
+    }
+  }
+
+  void LeaveOut(PassPrograms& added, const ast::EffectPass& pass, std::string_view stage,
+                std::string_view text) {
+    constexpr std::size_t kMost = 60;
+    added.is_left_out = true;
+    diagnostics_.Report(pass.span, diag::EffectPassLeftOut, pass.name, stage,
+                        text.size() > kMost ? fmt::format("{}..", text.substr(0, kMost)) : text);
+  }
+
+  // The shaders that the pass may use in a stage; leaves the pass out if one of them is not to be
+  // compiled.
+  std::vector<EffectStage> ShadersOf(PassPrograms& added, const ast::EffectPass& pass, Stage stage,
+                                     const EffectShader& shader) {
+    std::vector<EffectStage> shaders;
+    const auto add = [&](const EffectShader& one, std::optional<std::size_t> element) {
+      if (one.kind == EffectShader::Kind::kNone) return;
+      if (one.kind == EffectShader::Kind::kCompiled) {
+        shaders.push_back({stage, &one, element, ProfileFor(one)});
+      } else if (!added.is_left_out) {
+        LeaveOut(added, pass, StateOf(stage), one.text);
+      }
+    };
+    const auto found = shader.kind == EffectShader::Kind::kVariable
+                           ? variables_.find(shader.variable)
+                           : variables_.end();
+    if (found == variables_.end()) {
+      add(shader, std::nullopt);
+      return shaders;
+    }
+    const std::vector<EffectShader>& elements = *found->second;
+    std::size_t chosen = 0;
+    const char* const end = shader.index.data() + shader.index.size();
+    const bool is_number = std::from_chars(shader.index.data(), end, chosen).ptr == end;
+    if (shader.index.empty() || (is_number && chosen < elements.size())) {
+      add(elements[chosen], std::nullopt);
+      return shaders;
+    }
+    for (std::size_t i = 0; i < elements.size() && i < kMaxPermutations; ++i) add(elements[i], i);
+    return shaders;
+  }
+
+  std::size_t GroupOf(const EffectProgram& program, std::size_t technique, std::size_t number) {
+    const ast::EffectPass& pass = effect_.techniques[technique].passes[number];
+    std::string key;
+    std::string element;
+    for (const EffectStage& stage : program.shaders) {
+      const EffectShader& shader = *stage.shader;
+      key += fmt::format("{}\n{}\n{}\n", stage.profile, shader.function, shader.call);
+      if (stage.element) element += fmt::format(".{}", *stage.element);
+    }
+    const auto [known, is_new] = by_key_.try_emplace(std::move(key), found_.groups.size());
+    if (!is_new) return known->second;
+    ShaderGroup& group = found_.groups.emplace_back();
+    group.command = command_;
+    group.command.header.clear();  // that is of all passes together
+    group.command.variable.clear();
+    group.source = command_.inputs[0];
+    const auto name_of = [](const std::string& name, const char* kind, std::size_t at) {
+      return name.empty() ? fmt::format("{}{}", kind, at) : name;
+    };
+    const std::string words[] = {
+        name_of(effect_.techniques[technique].name, "technique", technique),
+        name_of(pass.name, "pass", number)};
+    group.label = fmt::format("{}.{}{}", words[0], words[1], element);
+    group.name = fmt::format("{}.{}{}", AsFileName(words[0]), AsFileName(words[1]), element);
+    ProgramRequest& request = group.command.request;
+    const std::optional<std::string> text = request.first().text;
+    request.shaders.clear();
+    for (const EffectStage& stage : program.shaders) {
+      request.shaders.push_back({.entry = stage.shader->function,
+                                 .entry_call = stage.shader->call,
+                                 .profile = stage.profile});
+    }
+    request.first().text = text;
+    request.language.is_in_effect = true;
+    request.outputs.facts = true;
+    request.planes.given_to_device = !command_.header.empty();  // which names them
+    if (request.shaders.size() > 1)
+      group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";
+    return found_.groups.size() - 1;
+  }
+
+  const ast::Effect& effect_;
+  const CommandLine& command_;
+  Diagnostics& diagnostics_;
+  Variables variables_;
+  std::map<std::string, std::size_t> by_key_;
+  std::size_t count_ = 0;  // of programs
+  EffectPrograms found_;
+};
+
+}  // namespace
+
+EffectPrograms FindPrograms(const ast::Effect& effect, const CommandLine& command,
+                            Diagnostics& diagnostics) {
+  return ProgramFinder(effect, command, diagnostics).Find();
+}
+
+}  // namespace clipc

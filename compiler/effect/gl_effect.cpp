@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/effect/gl_effect.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace clipc {
+namespace {
+
+// Returns the number of the item in the list, to which it is added if it is new.
+template <typename Item>
+std::size_t NumberOf(const Item& item, std::vector<Item>& list) {
+  const auto found = std::ranges::find(list, item);
+  const auto number = static_cast<std::size_t>(found - list.begin());
+  if (found == list.end()) list.push_back(item);
+  return number;
+}
+
+// GL_TEXTURE_2D and the like; none for what is not a texture with a sampler.
+std::optional<std::uint32_t> TargetOf(ir::ObjectKind kind) {
+  const ir::ObjectInfo& info = ir::InfoOf(kind);
+  if (!ir::IsTexture(kind) && !ir::IsSampler(kind)) return std::nullopt;
+  if (info.is_cube) return info.is_array ? 0x9009 : 0x8513;
+  if (info.is_multisampled) return info.is_array ? 0x9102 : 0x9100;
+  if (info.axes == 1) return info.is_array ? 0x8C18 : 0x0DE0;
+  if (info.axes == 3) return 0x806F;
+  return info.is_array ? 0x8C1A : 0x0DE1;  // `sampler` of Direct3D 9 is one of 2D textures
+}
+
+std::vector<std::uint32_t> WordsOf(const std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint32_t> words((bytes.size() + 3) / 4);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    words[i / 4] |= std::uint32_t{bytes[i]} << 8 * (i % 4);
+  return words;
+}
+
+class GlEffectMaker {
+ public:
+  GlEffectMaker(const EffectFacts& effect, bool flips, Diagnostics& diagnostics)
+      : effect_(effect), flips_(flips), diagnostics_(diagnostics) {}
+
+  GlEffect Make() && {
+    for (const EffectTechniqueFact& technique : effect_.techniques) {
+      const std::size_t first = made_.passes.size();
+      for (const EffectPassFact& pass : technique.passes) AddPass(pass);
+      made_.techniques.push_back({technique.name, {first, made_.passes.size() - first}});
+    }
+    return std::move(made_);
+  }
+
+ private:
+  // A constant buffer; programs that have equal ones share it.
+  struct Block {
+    const BufferFact* buffer;
+    friend bool operator==(const Block& a, const Block& b) {
+      const auto is_same = [](const MemberFact& x, const MemberFact& y) {
+        return x.name == y.name && x.type == y.type && x.offset == y.offset && x.size == y.size &&
+               x.IsRowMajor() == y.IsRowMajor();
+      };
+      return a.buffer->name == b.buffer->name && a.buffer->size == b.buffer->size &&
+             std::ranges::equal(a.buffer->members, b.buffer->members, is_same);
+    }
+  };
+
+  void AddPass(const EffectPassFact& fact) {
+    const ast::EffectPass& pass = fact.text;
+    const auto leave_out = [&](std::string_view lacks) {
+      diagnostics_.Report(pass.span, diag::EffectPassNotInHeader, pass.name, lacks);
+    };
+    if (fact.programs.empty() && !fact.is_left_out) leave_out("shader");
+    const auto count = std::ranges::count_if(fact.programs, &EffectProgramFact::is_compiled);
+    std::size_t number = 0;
+    for (const EffectProgramFact& program : fact.programs) {
+      if (!program.is_compiled || !program.code) continue;
+      const std::string suffix = count == 1 ? "" : fmt::format(".{}", number);
+      ++number;
+      if (program.shaders.front().stage != Stage::kVertex) {
+        leave_out("vertex shader");
+        continue;
+      }
+      const std::size_t made = ProgramOf(program.code, pass);
+      const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, diagnostics_);
+      made_.passes.push_back({pass.name + suffix, made, {made_.states.size(), states.size()}});
+      made_.states.insert(made_.states.end(), states.begin(), states.end());
+    }
+  }
+
+  // The program's number. Passes whose shaders become the same share one.
+  std::size_t ProgramOf(const std::shared_ptr<const EffectCode>& code,
+                        const ast::EffectPass& pass) {
+    const auto known = std::ranges::find_if(made_.programs, [&](const GlEffect::Program& program) {
+      return program.code == code || *program.code == *code;
+    });
+    if (known != made_.programs.end())
+      return static_cast<std::size_t>(known - made_.programs.begin());
+    GlEffect::Program program;
+    program.code = code;
+    program.uses.first = made_.uses.size();
+    program.samplers.first = made_.samplers.size();
+    program.planes.first = made_.planes.size();
+    for (const StageFacts& stage : code->facts.stages) {
+      for (const BufferFact& buffer : stage.buffers) AddBlock(buffer, program.uses, pass);
+      for (const ResourceFact& resource : stage.resources)
+        AddSampler(resource, program.samplers, pass);
+    }
+    if (code->facts.planes) {
+      for (const clip_table::Plane& plane : code->facts.planes->planes)
+        made_.planes.push_back({plane.index, plane.text});
+    }
+    program.uses.count = made_.uses.size() - program.uses.first;
+    program.samplers.count = made_.samplers.size() - program.samplers.first;
+    program.planes.count = made_.planes.size() - program.planes.first;
+    made_.programs.push_back(std::move(program));
+    return made_.programs.size() - 1;
+  }
+
+  void AddBlock(const BufferFact& buffer, const GlRange& uses, const ast::EffectPass& pass) {
+    if (!buffer.block || buffer.size == 0) return;
+    if (buffer.block->layout != "std140" || buffer.count != 1) {
+      diagnostics_.Report(pass.span, diag::EffectBufferNotInHeader, buffer.name);
+      return;
+    }
+    const std::size_t number = NumberOf(Block{&buffer}, blocks_);
+    if (number == made_.block_sizes.size()) {
+      made_.block_sizes.push_back(buffer.size);
+      for (const MemberFact& member : buffer.members)
+        ParameterOf(member).places.push_back({number, member.offset, member.IsRowMajor()});
+    }
+    // Both shaders may have the block.
+    const auto first = made_.uses.begin() + static_cast<std::ptrdiff_t>(uses.first);
+    const auto known = std::find_if(first, made_.uses.end(), [&](const GlEffect::Use& use) {
+      return use.name == buffer.block->name;
+    });
+    if (known == made_.uses.end()) {
+      made_.uses.push_back({buffer.block->name, number});
+    } else {
+      known->block = number;
+    }
+  }
+
+  GlEffect::Parameter& ParameterOf(const MemberFact& member) {
+    const auto known = std::ranges::find(made_.parameters, member.name, &GlEffect::Parameter::name);
+    if (known != made_.parameters.end()) return *known;
+    GlEffect::Parameter& parameter = made_.parameters.emplace_back();
+    parameter.name = member.name;
+    SetShape(member, parameter);
+    if (const EffectParameterFact* fact = effect_.FindParameter(member.name)) {
+      parameter.semantic = fact->text.semantic;
+      parameter.value = WordsOf(fact->initial);
+    }
+    return parameter;
+  }
+
+  static void SetShape(const MemberFact& member, GlEffect::Parameter& parameter) {
+    const ShapeFact& shape = member.shape;
+    const bool is_plain =
+        (shape.kind == ir::TypeKind::kScalar || shape.kind == ir::TypeKind::kVector ||
+         shape.kind == ir::TypeKind::kMatrix) &&
+        !ir::IsWide(shape.scalar);
+    parameter.columns = is_plain ? shape.columns : member.size;
+    if (!is_plain) return;
+    parameter.rows = shape.rows;
+    parameter.elements = shape.dimensions.empty() ? 0 : 1;
+    for (const ShapeFact::Dimension& dimension : shape.dimensions)
+      parameter.elements *= dimension.count;
+  }
+
+  void AddSampler(const ResourceFact& resource, const GlRange& samplers,
+                  const ast::EffectPass& pass) {
+    const auto& [glsl, kind, set, binding, texture, sampler] = resource;
+    if (!texture) return;
+    const auto first = made_.samplers.begin() + static_cast<std::ptrdiff_t>(samplers.first);
+    if (std::any_of(first, made_.samplers.end(),
+                    [&](const GlEffect::Sampler& it) { return it.name == resource.glsl; }))
+      return;
+    const std::optional<std::uint32_t> target = TargetOf(kind);
+    if (!target) {
+      diagnostics_.Report(pass.span, diag::EffectTextureNotInHeader, texture->name, texture->type);
+      return;
+    }
+    const bool is_old = ir::IsSampler(kind);  // of Direct3D 9, which has its texture
+    const EffectParameterFact* const said =
+        effect_.FindParameter(is_old || !sampler ? texture->name : sampler->name);
+    const std::vector<ast::EffectState> states =
+        said ? said->text.states : std::vector<ast::EffectState>();
+    const std::string named = is_old ? TextureOf(states) : "";
+    const std::size_t sampling =
+        NumberOf(ReadGlSampling(states, is_old, diagnostics_), made_.samplings);
+    const std::size_t number =
+        NumberOf(GlEffect::Texture{named.empty() ? texture->name : named, *target}, made_.textures);
+    made_.samplers.push_back({glsl, number, sampling});
+  }
+
+  const EffectFacts& effect_;
+  const bool flips_;
+  Diagnostics& diagnostics_;
+  GlEffect made_;
+  std::vector<Block> blocks_;  // beside block_sizes
+};
+
+}  // namespace
+
+GlEffect MakeGlEffect(const EffectFacts& effect, bool flips, Diagnostics& diagnostics) {
+  return GlEffectMaker(effect, flips, diagnostics).Make();
+}
+
+}  // namespace clipc

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/effect/gl_states.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "base/spelling.h"
+#include "compiler/effect/gl_words.h"
+
+namespace clipc {
+namespace {
+
+using ast::EffectState;
+using ast::EffectValue;
+using enum GlStateKind;
+
+constexpr std::uint32_t kClockwise = 0x900, kCounterclockwise = 0x901;
+
+// ---- the readings of gl_states.def
+
+using ValueReading = std::optional<std::uint32_t> (*)(const EffectValue& value);
+
+template <GlWords kList>
+std::optional<std::uint32_t> Word(const EffectValue& value) {
+  return ReadWord(kList, value);
+}
+template <GlWords kList>
+std::optional<std::uint32_t> Mask(const EffectValue& value) {
+  return ReadMask(kList, value);
+}
+std::optional<std::uint32_t> Chosen(const EffectValue& value, std::uint32_t if_true,
+                                    std::uint32_t if_false) {
+  const std::optional<bool> flag = ReadFlag(value);
+  return flag ? std::optional(*flag ? if_true : if_false) : std::nullopt;
+}
+std::optional<std::uint32_t> Flag(const EffectValue& value) { return Chosen(value, 1, 0); }
+std::optional<std::uint32_t> NoFlag(const EffectValue& value) { return Chosen(value, 0, 1); }
+std::optional<std::uint32_t> FrontFace(const EffectValue& value) {
+  return Chosen(value, kCounterclockwise, kClockwise);
+}
+std::optional<std::uint32_t> DepthWrites(const EffectValue& value) {
+  return value.IsNumber() ? Flag(value) : ReadWord(GlWords::kDepthWrites, value);
+}
+std::optional<std::uint32_t> Scaled(const EffectValue& value, double factor) {
+  return value.IsNumber() ? std::optional(FloatBits(value.number * factor)) : std::nullopt;
+}
+std::optional<std::uint32_t> Float(const EffectValue& value) { return Scaled(value, 1); }
+// Direct3D 9 gives a part of the depth range, OpenGL steps of a buffer of 24 bits.
+std::optional<std::uint32_t> DepthPart(const EffectValue& value) { return Scaled(value, 1 << 24); }
+
+// Where a state is given: in a pass as in Direct3D 9, or in a block of Direct3D 10.
+enum class Block : std::uint8_t { kPass, kBlendState, kDepthStencilState, kRasterizerState };
+
+struct Rule {
+  Block block;
+  std::string_view name;
+  GlStateKind state;
+  ValueReading read;
+};
+constexpr Rule kRules[] = {
+#define GL_RULE(Where, Name, State, Read) {Block::k##Where, Name, GlStateKind::k##State, Read},
+#include "compiler/effect/gl_states.def"
+};
+
+const Rule* FindRule(Block block, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      kRules, [&](const Rule& rule) { return rule.block == block && rule.name == name; });
+  return found == std::end(kRules) ? nullptr : found;
+}
+
+// The calls that set a block of states, with what all passes that have one begin with: where
+// Direct3D 10's default is another one than that of Direct3D 9.
+struct ObjectCall {
+  std::string_view name;
+  Block block;
+  std::vector<GlState> defaults;
+};
+const ObjectCall* FindCall(std::string_view name) {
+  static const ObjectCall kCalls[] = {
+      {"SETBLENDSTATE", Block::kBlendState, {{kBlendSeparateAlpha, 1}}},
+      {"SETRASTERIZERSTATE", Block::kRasterizerState, {{kMultisample, 0}}},
+      {"SETDEPTHSTENCILSTATE",
+       Block::kDepthStencilState,
+       {{kDepthFunc, 0x201},
+        {kStencilTwoSided, 1},
+        {kStencilReadMask, 255},
+        {kStencilWriteMask, 255}}}};
+  const auto found = std::ranges::find(kCalls, name, &ObjectCall::name);
+  return found == std::end(kCalls) ? nullptr : found;
+}
+
+class StateReader {
+ public:
+  StateReader(const EffectFacts& effect, Diagnostics& diagnostics)
+      : effect_(effect), diagnostics_(diagnostics) {}
+
+  void AddPass(const ast::EffectPass& pass) {
+    for (const EffectState& state : pass.states) {
+      const std::string name = ToUpper(state.word);
+      // The shader's own sampler says the same as Sampler[0] and Texture[0].
+      if (state.has_index && (name == "SAMPLER" || name == "TEXTURE")) continue;
+      if (const ObjectCall* call = FindCall(name)) {
+        AddCall(*call, state);
+      } else {
+        Add(Block::kPass, state);
+      }
+    }
+  }
+
+  void Flip() {
+    const bool is_counterclockwise = At(kFrontFace) == kCounterclockwise;
+    At(kFrontFace) = is_counterclockwise ? kClockwise : kCounterclockwise;
+  }
+
+  std::vector<GlState> Finish() const {
+    std::vector<GlState> states;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (found_[i]) states.push_back({static_cast<GlStateKind>(i), *found_[i]});
+    }
+    return states;
+  }
+
+ private:
+  std::optional<std::uint32_t>& At(GlStateKind kind) {
+    return found_[static_cast<std::size_t>(kind)];
+  }
+
+  void NotConstant(const EffectState& state) {
+    diagnostics_.Report(state.span, diag::EffectStateValue, state.text, state.name);
+  }
+
+  void Add(Block block, const EffectState& state) {
+    const std::string name = PlainName(state);
+    const Rule* rule = FindRule(block, name);
+    // RenderTargetWriteMask[1] is a state of its own; BlendEnable[1] is that of another render
+    // target, and OpenGL 3.3 has one for all.
+    if (state.index > 0) {
+      const Rule* const numbered = FindRule(block, name + std::to_string(state.index));
+      if (!numbered && rule) return;
+      rule = numbered;
+    }
+    if (block == Block::kPass && name == "BLENDFACTOR" && state.index == 0)
+      return AddBlendFactor(state);
+    if (!rule) {
+      diagnostics_.Report(state.span, diag::EffectStateUnknown, state.name);
+      return;
+    }
+    if (const auto value = rule->read(state.value)) {
+      At(rule->state) = value;
+    } else {
+      NotConstant(state);
+    }
+  }
+
+  // BlendFactor = 0xAARRGGBB
+  void AddBlendFactor(const EffectState& state) {
+    const auto color = ReadUnsigned(state.value);
+    if (!color) return NotConstant(state);
+    const auto channel = [&](int shift) { return FloatBits((*color >> shift & 255) / 255.0); };
+    At(kBlendRed) = channel(16);
+    At(kBlendGreen) = channel(8);
+    At(kBlendBlue) = channel(0);
+    At(kBlendAlpha) = channel(24);
+  }
+
+  // SetBlendState(Blend, float4(0, 0, 0, 0), 0xFFFFFFFF)
+  void AddCall(const ObjectCall& call, const EffectState& state) {
+    for (const auto& [kind, value] : call.defaults) At(kind) = value;
+    const std::vector<EffectValue>& arguments = state.value.parts;
+    const std::string name = arguments.empty() ? "" : arguments[0].word;
+    if (!EqualIgnoringCase(name, "NULL")) {
+      const EffectParameterFact* const block = effect_.FindParameter(name);
+      if (!block || block->text.states.empty()) {
+        diagnostics_.Report(state.span, diag::EffectStateBlock, state.name, state.text);
+      } else {
+        for (const EffectState& inner : block->text.states) Add(call.block, inner);
+      }
+    }
+    const bool is_read = call.block == Block::kBlendState ? AddBlendArguments(arguments)
+                         : call.block == Block::kDepthStencilState && arguments.size() > 1
+                             ? AddUnsigned(kStencilReference, arguments[1])
+                             : true;
+    if (!is_read) NotConstant(state);
+  }
+
+  bool AddBlendArguments(const std::vector<EffectValue>& arguments) {
+    if (arguments.size() > 1) {
+      const auto factors = ReadNumbers(arguments[1]);
+      if (!factors) return false;
+      constexpr GlStateKind kChannels[] = {kBlendRed, kBlendGreen, kBlendBlue, kBlendAlpha};
+      for (std::size_t i = 0; i < std::min(factors->size(), std::size(kChannels)); ++i)
+        At(kChannels[i]) = FloatBits((*factors)[i]);
+    }
+    return arguments.size() < 3 || AddUnsigned(kSampleMask, arguments[2]);
+  }
+
+  bool AddUnsigned(GlStateKind kind, const EffectValue& argument) {
+    const auto value = ReadUnsigned(argument);
+    if (value) At(kind) = value;
+    return value.has_value();
+  }
+
+  const EffectFacts& effect_;
+  Diagnostics& diagnostics_;
+  std::array<std::optional<std::uint32_t>, static_cast<std::size_t>(kCount)> found_;
+};
+
+}  // namespace
+
+std::string_view NameOf(GlStateKind kind) {
+  static constexpr std::string_view kNames[] = {
+#define GL_STATE(Enumerator, Name) Name,
+#include "compiler/effect/gl_states.def"
+  };
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::vector<GlState> ReadGlStates(const EffectFacts& effect, const ast::EffectPass& pass,
+                                  bool flips, Diagnostics& diagnostics) {
+  StateReader reader(effect, diagnostics);
+  reader.AddPass(pass);
+  if (flips) reader.Flip();
+  return reader.Finish();
+}
+
+std::string PlainName(const ast::EffectState& state) {
+  std::string name = ToUpper(state.word);
+  std::erase(name, '_');
+  return name;
+}
+
+}  // namespace clipc
