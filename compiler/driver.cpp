@@ -11,6 +11,7 @@
 
 #include "base/file_set.h"
 #include "base/path.h"
+#include "base/result.h"
 #include "base/system.h"
 #include "compiler/batch/batch.h"
 #include "compiler/batch/batch_index.h"
@@ -41,10 +42,10 @@ class Driver {
   RunResult Run();
 
  private:
-  std::string CheckUsage();
+  Result<> CheckUsage();
   int CompileAll();
   int Finish(CompileResult result, const OutputPaths& paths);
-  std::string Write(CompileResult& result, const OutputPaths& paths) const;
+  Result<> Write(CompileResult& result, const OutputPaths& paths) const;
   void ShowNotices();
 
   CommandLine command_;
@@ -53,68 +54,69 @@ class Driver {
   MessagePrinter printer_;
 };
 
-// Returns what is wrong with a macro among the inputs, `A=1` that is not a file; empty if there is
-// none. A shell makes two words of -D A={0,1}.
-std::string CheckBraces(const CommandLine& command) {
+// What is wrong with a macro among the inputs, `A=1` that is not a file. A shell makes two words of
+// -D A={0,1}.
+Result<> CheckBraces(const CommandLine& command) {
   if (command.request.defines.empty()) return {};
   for (const std::string& input : command.inputs) {
     const std::size_t equals = input.find('=');
     std::error_code error;
     if (equals == 0 || equals == std::string::npos || std::filesystem::exists(input, error))
       continue;
-    return fmt::format(
+    return Problem{fmt::format(
         "cannot read `{}`; a shell takes braces apart unless they are in quotes, -D '{}={{...}}'",
-        input, input.substr(0, equals));
+        input, input.substr(0, equals))};
   }
   return {};
 }
 
-// Returns the first mistake that shows before anything is compiled; empty if there is none.
-std::string Driver::CheckUsage() {
+// The first mistake that shows before anything is compiled.
+Result<> Driver::CheckUsage() {
   const auto& inputs = command_.inputs;
   const ProgramRequest& request = command_.request;
-  if (inputs.empty()) return "no input file; `clipc --help` lists the options";
+  if (inputs.empty()) return Problem{"no input file; `clipc --help` lists the options"};
   const bool is_dump = request.debug.dump || !request.debug.stop_after.empty();
   const bool writes_glsl = !is_dump && !command_.only_dependencies && !command_.syntax_only &&
                            command_.preprocessed.empty();
-  if (std::string problem = CheckBraces(command_); !problem.empty()) return problem;
+  if (Result<> done = CheckBraces(command_); !done) return done;
   if (inputs.size() > 1 && writes_glsl && !IsDirectory(command_.output)) {
-    return "several input files need a folder to write to; give an existing one with -o";
+    return Problem{"several input files need a folder to write to; give an existing one with -o"};
   }
   if (request.planes.variants && !request.hlsl.wanted &&
       (command_.output.empty() || command_.output == "-")) {
-    return "--variants writes several files, named after the one that -o gives";
+    return Problem{"--variants writes several files, named after the one that -o gives"};
   }
-  if (std::string problem = CheckCommand(command_); !problem.empty()) return problem;
+  if (Result<> done = CheckCommand(command_); !done) return done;
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
   if (!command_.pixel_shader.path.empty()) sources.Add(command_.pixel_shader.path);
   const std::string& messages = command_.messages;
   if (sources.Has(messages))
-    return fmt::format("the messages in `{}` would overwrite a file that is read", messages);
+    return Problem{
+        fmt::format("the messages in `{}` would overwrite a file that is read", messages)};
   if (!messages.empty() && messages != "-") named.Add(messages);
   for (const std::string& input : inputs) {
     for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
       if (named.Has(path))
-        return fmt::format("two outputs would go to `{}`; give them different names or extensions",
-                           path);
-      if (sources.Has(path)) return fmt::format("the output `{}` would overwrite its input", path);
+        return Problem{fmt::format(
+            "two outputs would go to `{}`; give them different names or extensions", path)};
+      if (sources.Has(path))
+        return Problem{fmt::format("the output `{}` would overwrite its input", path)};
       named.Add(path);
     }
     const bool is_binary =
         request.outputs.spirv && command_.spirv_form == CommandLine::SpirvForm::kBinary;
     if (writes_glsl && is_binary && outputs_.back().glsl == "-" && system::OutputIsOnTerminal())
-      return "SPIR-V is not text; give a file with -o, or write it into a pipe";
+      return Problem{"SPIR-V is not text; give a file with -o, or write it into a pipe"};
   }
   return {};
 }
 
 RunResult Driver::Run() {
-  if (const std::string problem = CheckUsage(); !problem.empty())
-    return {Fail(problem, command_.format)};
-  if (const std::string problem = PrepareRequest(command_); !problem.empty())
-    return {Fail(problem, command_.format)};
+  Result<> ready = CheckUsage();
+  if (ready) ready = PrepareRequest(command_);
+  if (!ready) return {Fail(ready.problem(), command_.format)};
   ShowNotices();
   int exit_code = command_.notices.has_errors() ? kExitUsage : CompileAll();
   std::vector<std::string> read = command_.inputs;
@@ -136,7 +138,9 @@ int Driver::CompileAll() {
         ShaderSource& first = request.first();
         first.path = command_.inputs[index];
         // Several shaders read one text.
-        if (first.path == "-" && request.shaders.size() > 1) ReadText("-", first.text.emplace());
+        if (first.path == "-" && request.shaders.size() > 1) {
+          if (Result<std::string> text = ReadText("-")) first.text = std::move(*text);
+        }
         return compiler.Compile(request);
       },
       [&](std::size_t index, CompileResult result) {
@@ -157,8 +161,8 @@ int Driver::Finish(CompileResult result, const OutputPaths& paths) {
   }
   printer_.Show(result);
   if (result.status == Status::kBadRequest) return kExitUsage;
-  if (const std::string problem = Write(result, paths); !problem.empty())
-    return printer_.Fail(problem);
+  if (const Result<> written = Write(result, paths); !written)
+    return printer_.Fail(written.problem());
   return result.ok() ? kExitOk : kExitErrors;
 }
 
@@ -174,13 +178,12 @@ void Driver::ShowNotices() {
   if (!notices.all().empty()) printer_.Show(NoticesOf(command_));
 }
 
-// Writes the outputs for one input. Returns the problem in words; empty on success.
-std::string Driver::Write(CompileResult& result, const OutputPaths& paths) const {
-  std::vector<OutputPiece> pieces;
-  if (std::string problem = CollectOutputs(command_, paths, result, pieces); !problem.empty())
-    return problem;
+// Writes the outputs for one input.
+Result<> Driver::Write(CompileResult& result, const OutputPaths& paths) const {
+  Result<std::vector<OutputPiece>> pieces = CollectOutputs(command_, paths, result);
+  if (!pieces) return Problem{pieces.problem()};
   OutputFiles files;
-  for (OutputPiece& piece : pieces) files.Add(std::move(piece.path), std::move(piece.contents));
+  for (OutputPiece& piece : *pieces) files.Add(std::move(piece.path), std::move(piece.contents));
   return files.Commit();
 }
 
@@ -189,13 +192,13 @@ int MergeShards(const CommandLine& command) {
   if (command.inputs.empty())
     return Fail("--shard=merge needs the indexes of all parts, index.1-of-4.json and so on",
                 command.format);
-  MergedIndex index = MergeIndexes(command.inputs);
-  if (!index.error.empty()) return Fail(index.error, command.format);
+  Result<std::string> index = MergeIndexes(command.inputs);
+  if (!index) return Fail(index.problem(), command.format);
   const std::string folder = command.inputs[0].substr(0, NameBegin(command.inputs[0]));
   OutputFiles files;
-  files.Add(command.index.empty() ? folder + "index.json" : command.index, std::move(index.text));
-  const std::string problem = files.Commit();
-  return problem.empty() ? kExitOk : Fail(problem, command.format);
+  files.Add(command.index.empty() ? folder + "index.json" : command.index, std::move(*index));
+  const Result<> written = files.Commit();
+  return written ? kExitOk : Fail(written.problem(), command.format);
 }
 
 std::string VersionText(std::string_view commit) {
@@ -207,7 +210,7 @@ std::string VersionText(std::string_view commit) {
 
 int RunCommandLine(std::span<const char* const> arguments, std::string_view commit) {
   ParsedCommandLine parsed = ParseCommandLine(arguments);
-  if (!parsed.error.empty()) return Fail(parsed.error, parsed.command.format);
+  if (!parsed.result) return Fail(parsed.result.problem(), parsed.command.format);
   const auto run = [arguments](CommandLine command) {
     if (command.merge_shards) return RunResult{MergeShards(command)};
     if (command.effect) return RunEffect(std::move(command));
@@ -226,8 +229,8 @@ int RunCommandLine(std::span<const char* const> arguments, std::string_view comm
     default: text = HelpText(parsed.command.help_topic);
   }
   files.Add("-", std::move(text));
-  const std::string problem = files.Commit();
-  return problem.empty() ? kExitOk : Fail(problem, parsed.command.format);
+  const Result<> written = files.Commit();
+  return written ? kExitOk : Fail(written.problem(), parsed.command.format);
 }
 
 }  // namespace clipc

@@ -59,16 +59,16 @@ class Batch {
   };
 
   int RunAll(BatchOfGroups batch);
-  std::string CheckUsage() const;
-  std::string Prepare();
-  std::string Plan();
+  Result<> CheckUsage() const;
+  Result<> Prepare();
+  Result<> Plan();
   CompileResult Work(std::size_t at, Compiler& compiler);
   bool Finish(std::size_t at, CompileResult result);
-  std::string WriteFiles(std::size_t at, CompileResult& result);
+  Result<> WriteFiles(std::size_t at, CompileResult& result);
   void Keep(std::string key, std::string file);
   void Resume();
   bool HasFiles(const BatchJournal::Done& done);
-  std::string WriteIndex();
+  Result<> WriteIndex();
   // An effect may be a header alone.
   bool HasFolder() const { return !command_.effect || !command_.output.empty(); }
   bool HasIndex() const { return HasFolder() || !command_.index.empty(); }
@@ -117,17 +117,19 @@ bool IsOnlyExtension(const std::string& value) {
   return value.empty() || (value.starts_with('.') && !HasSlash(value));
 }
 
-std::string Batch::CheckUsage() const {
+Result<> Batch::CheckUsage() const {
   if (HasFolder() && !IsDirectory(command_.output)) {
-    return "permutations write several files and an index of them; give an existing folder with "
-           "-o";
+    return Problem{
+        "permutations write several files and an index of them; give an existing folder with "
+        "-o"};
   }
   for (const ShaderGroup& group : batch_.groups) {
     const CommandLine& command = group.command;
-    if (const std::string problem = CheckCommand(command); !problem.empty()) return problem;
+    if (Result<> done = CheckCommand(command); !done) return done;
     if (command.request.debug.changes_result() || command.only_dependencies)
-      return "--dump, --stop-after and -M are for one permutation of a shader, and there are "
-             "several";
+      return Problem{
+          "--dump, --stop-after and -M are for one permutation of a shader, and there are "
+          "several"};
     std::vector<std::pair<const char*, std::string>> files = {
         {"--pixel-output", command.pixel_output},
         {"-Fh", command.header},
@@ -137,10 +139,10 @@ std::string Batch::CheckUsage() const {
     for (const std::string& file : command.reflections) files.emplace_back("--reflect", file);
     for (const auto& [option, value] : files) {
       if (!IsOnlyExtension(value)) {
-        return fmt::format(
-            "there are several shaders, each with files of its own; {} takes an "
-            "extension, such as `{}`",
-            option, value.substr(std::min(value.rfind('.'), value.size())));
+        return Problem{
+            fmt::format("there are several shaders, each with files of its own; {} takes an "
+                        "extension, such as `{}`",
+                        option, value.substr(std::min(value.rfind('.'), value.size())))};
       }
     }
   }
@@ -149,11 +151,11 @@ std::string Batch::CheckUsage() const {
 
 // Names the files of every permutation, those of the other shards too, and chooses the jobs of this
 // shard.
-std::string Batch::Plan() {
+Result<> Batch::Plan() {
   for (const ShaderGroup& group : batch_.groups) {
     const std::size_t count = group.Count();
     if (count > kMaxPermutations || all_jobs_ + count > kMaxPermutations)
-      return fmt::format("more than {} permutations", kMaxPermutations);
+      return Problem{fmt::format("more than {} permutations", kMaxPermutations)};
     all_jobs_ += count;
   }
   std::unordered_map<std::string, int> uses;
@@ -261,9 +263,9 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     read_by_.emplace(at, result.dependencies);
     code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
     if (batch_.keep) batch_.keep(at, result);
-    if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
+    if (const Result<> written = WriteFiles(at, result); !written) {
       progress_.Clear();
-      exit_code_ = printer_.Fail(problem);
+      exit_code_ = printer_.Fail(written.problem());
       return false;
     }
     entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
@@ -276,12 +278,12 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
   if (journal_ && entry.errors) errors_.Count(*entry.errors);
   AddDependencies(done.dependencies);
   done.files = entry.files;
-  std::string problem;
-  if (journal_ && code == kExitOk) problem = journal_->Add(entry.name, done);
-  if (!problem.empty()) exit_code_ = printer_.Fail(problem);
+  Result<> noted;
+  if (journal_ && code == kExitOk) noted = journal_->Add(entry.name, done);
+  if (!noted) exit_code_ = printer_.Fail(noted.problem());
   failed_ += code == kExitOk ? 0 : 1;
   exit_code_ = std::max(exit_code_, code);
-  return problem.empty() && (code == kExitOk || command_.keep_going);
+  return noted && (code == kExitOk || command_.keep_going);
 }
 
 void Batch::AddDependencies(const std::vector<std::string>& files) {
@@ -299,7 +301,7 @@ void Batch::Keep(std::string key, std::string file) {
 }
 
 // Writes the files of a job. Contents that an earlier file has are not written again.
-std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
+Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (!HasFolder()) return {};
   BatchEntry& entry = entries_[at];
   CommandLine command = GroupOf(jobs_[at]).command;
@@ -308,15 +310,14 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
       fmt::format("{}{}{}{}", command_.output, slash, entry.name, ExtensionOf(command.request));
   command.write_dependencies = false;
   const OutputPaths outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
-  std::vector<OutputPiece> pieces;
-  if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
-    return problem;
+  Result<std::vector<OutputPiece>> pieces = CollectOutputs(command, outputs, result);
+  if (!pieces) return Problem{pieces.problem()};
   OutputFiles files(OutputFiles::Unchanged::kKept);
   std::unordered_set<std::string> paths = {IndexPath(), JournalPath(), command_.messages};
-  for (OutputPiece& piece : pieces) {
+  for (OutputPiece& piece : *pieces) {
     if (!paths.insert(piece.path).second)
-      return fmt::format("two outputs would go to `{}`; give them different names or extensions",
-                         piece.path);
+      return Problem{fmt::format(
+          "two outputs would go to `{}`; give them different names or extensions", piece.path)};
     std::string file = piece.path.substr(NameBegin(piece.path));
     std::string key = ContentsKey(file, piece.contents);
     const auto known = files_by_contents_.find(key);
@@ -335,9 +336,9 @@ bool Batch::HasFiles(const BatchJournal::Done& done) {
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
   std::vector<std::pair<std::string, std::string>> contents;
   for (const auto& [kind, file] : done.files) {
-    std::string text;
-    if (!ReadText(fmt::format("{}{}{}", command_.output, slash, file), text).empty()) return false;
-    contents.emplace_back(ContentsKey(file, text), file);
+    const auto text = ReadText(fmt::format("{}{}{}", command_.output, slash, file));
+    if (!text) return false;
+    contents.emplace_back(ContentsKey(file, *text), file);
   }
   for (auto& [key, file] : contents) Keep(std::move(key), std::move(file));
   return true;
@@ -365,7 +366,7 @@ std::string Batch::IndexPath() const {
 
 std::string Batch::JournalPath() const { return IndexPath() + ".part"; }
 
-std::string Batch::WriteIndex() {
+Result<> Batch::WriteIndex() {
   for (std::size_t at = 0; at < jobs_.size(); ++at)
     Describe(GroupOf(jobs_[at]), jobs_[at].number, entries_[at]);
   BatchEnd end = batch_.end(entries_);
@@ -377,7 +378,7 @@ std::string Batch::WriteIndex() {
   for (const std::string& source : dependencies_) sources.Add(source);
   for (OutputPiece& file : end.files) {
     if (sources.Has(file.path))
-      return fmt::format("the output `{}` would overwrite an included file", file.path);
+      return Problem{fmt::format("the output `{}` would overwrite an included file", file.path)};
     files.Add(file.path, std::move(file.contents));
   }
   if (command_.write_dependencies && !end.files.empty()) {
@@ -411,10 +412,10 @@ void Batch::Summarise() {
 }
 
 // Prepares the request of every group, and shows each warning about the options once.
-std::string Batch::Prepare() {
+Result<> Batch::Prepare() {
   std::unordered_set<std::string> said;
   for (ShaderGroup& group : batch_.groups) {
-    if (std::string problem = PrepareRequest(group.command); !problem.empty()) return problem;
+    if (Result<> done = PrepareRequest(group.command); !done) return done;
     group.command.request.limits.is_cancelled = command_.request.limits.is_cancelled;
     group.command.request.outputs.validate = group.command.asks_to_validate.value_or(true);
     const CompileResult notices = NoticesOf(group.command);
@@ -426,9 +427,10 @@ std::string Batch::Prepare() {
 
 int Batch::RunAll(BatchOfGroups batch) {
   batch_ = std::move(batch);
-  if (const std::string problem = CheckUsage(); !problem.empty()) return printer_.Fail(problem);
-  if (const std::string problem = Prepare(); !problem.empty()) return printer_.Fail(problem);
-  if (const std::string problem = Plan(); !problem.empty()) return printer_.Fail(problem);
+  Result<> ready = CheckUsage();
+  if (ready) ready = Prepare();
+  if (ready) ready = Plan();
+  if (!ready) return printer_.Fail(ready.problem());
   AddDependencies(batch_.first.dependencies);
   printer_.Show(batch_.first);
   if (command_.resume && batch_.identity.empty())
@@ -436,8 +438,7 @@ int Batch::RunAll(BatchOfGroups batch) {
   if (!batch_.identity.empty()) {
     journal_ = std::make_unique<BatchJournal>(JournalPath(), batch_.identity);
     if (command_.resume) Resume();
-    if (const std::string problem = journal_->Begin(); !problem.empty())
-      return printer_.Fail(problem);
+    if (const Result<> begun = journal_->Begin(); !begun) return printer_.Fail(begun.problem());
   }
   CompileInOrder(
       jobs_.size(), command_.jobs,
@@ -445,8 +446,8 @@ int Batch::RunAll(BatchOfGroups batch) {
       [this](std::size_t at, CompileResult result) { return Finish(at, std::move(result)); });
   progress_.Clear();
   if (exit_code_ != kExitUsage || failed_ > 0) {
-    if (const std::string problem = WriteIndex(); !problem.empty())
-      exit_code_ = printer_.Fail(problem);
+    if (const Result<> written = WriteIndex(); !written)
+      exit_code_ = printer_.Fail(written.problem());
   }
   if (journal_ && exit_code_ == kExitOk) journal_->Remove();
   Summarise();

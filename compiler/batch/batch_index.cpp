@@ -86,38 +86,38 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex sha
   return std::move(index).Finish();
 }
 
-MergedIndex MergeIndexes(const std::vector<std::string>& paths) {
+Result<std::string> MergeIndexes(const std::vector<std::string>& paths) {
   std::map<unsigned, Json> by_part;
   unsigned parts = 0;
   for (const std::string& path : paths) {
-    std::string text;
-    if (std::string problem = ReadText(path, text); !problem.empty())
-      return {{}, fmt::format("cannot read `{}`: {}", path, problem)};
-    Json json = Json::parse(text, nullptr, false);
+    const Result<std::string> text = ReadText(path);
+    if (!text) return Problem{fmt::format("cannot read `{}`: {}", path, text.problem())};
+    Json json = Json::parse(*text, nullptr, false);
     const bool is_part = json.is_object() && json.value("version", 0) == 1 &&
                          json.contains("part") && json["part"].is_number_unsigned() &&
                          json.contains("parts") && json["parts"].is_number_unsigned() &&
                          json.contains("shaders") && json["shaders"].is_array();
     if (!is_part) {
-      return {{}, fmt::format("`{}` is not the index of a part, which `--shard=1/4` writes", path)};
+      return Problem{
+          fmt::format("`{}` is not the index of a part, which `--shard=1/4` writes", path)};
     }
     const unsigned part = json["part"], of = json["parts"];
     if (parts != 0 && of != parts) {
-      return {{}, fmt::format("`{}` is of {} parts, and `{}` of {}", path, of, paths[0], parts)};
+      return Problem{fmt::format("`{}` is of {} parts, and `{}` of {}", path, of, paths[0], parts)};
     }
     parts = of;
     if (path.substr(0, NameBegin(path)) != paths[0].substr(0, NameBegin(paths[0]))) {
-      return {{},
-              fmt::format("`{}` and `{}` lie in two folders; an index names files beside it, so "
-                          "copy all outputs into one folder first",
-                          paths[0], path)};
+      return Problem{
+          fmt::format("`{}` and `{}` lie in two folders; an index names files beside it, so "
+                      "copy all outputs into one folder first",
+                      paths[0], path)};
     }
     if (!by_part.emplace(part, std::move(json["shaders"])).second)
-      return {{}, fmt::format("part {} of {} is given twice", part, parts)};
+      return Problem{fmt::format("part {} of {} is given twice", part, parts)};
   }
   for (unsigned part = 1; part <= parts; ++part) {
     if (!by_part.contains(part))
-      return {{}, fmt::format("the index of part {} of {} is missing", part, parts)};
+      return Problem{fmt::format("the index of part {} of {} is missing", part, parts)};
   }
   // The parts take the permutations in turn.
   IndexText index({});
@@ -125,7 +125,7 @@ MergedIndex MergeIndexes(const std::vector<std::string>& paths) {
     for (unsigned part = 1; part <= parts && row < by_part[part].size(); ++part)
       index.Add(by_part[part][row]);
   }
-  return {std::move(index).Finish(), {}};
+  return std::move(index).Finish();
 }
 
 }  // namespace clipc

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/result.h"
 #include "compiler/batch/permutations.h"
 #include "compiler/compile/message.h"
 
@@ -38,10 +39,6 @@ struct ShardOfIndex {
 std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex shard);
 
 // The index of a batch, of the indexes at `paths` of all its parts.
-struct MergedIndex {
-  std::string text;
-  std::string error;  // not empty: why there is none
-};
-MergedIndex MergeIndexes(const std::vector<std::string>& paths);
+Result<std::string> MergeIndexes(const std::vector<std::string>& paths);
 
 }  // namespace clipc

@@ -33,8 +33,9 @@ BatchJournal::~BatchJournal() {
 
 std::map<std::string, BatchJournal::Done> BatchJournal::Read() const {
   std::map<std::string, Done> all;
-  std::string text;
-  if (!ReadText(path_, text).empty() || !text.starts_with(identity_ + '\n')) return all;
+  const Result<std::string> read = ReadText(path_);
+  if (!read || !read->starts_with(identity_ + '\n')) return all;
+  const std::string& text = *read;
   std::map<std::string, bool> same;
   const auto is_same = [&](const std::string& path, const std::string& stamp) {
     return same.try_emplace(path, !stamp.empty() && SizeAndTimeOf(path) == stamp).first->second;
@@ -60,23 +61,24 @@ std::map<std::string, BatchJournal::Done> BatchJournal::Read() const {
   return all;
 }
 
-std::string BatchJournal::Write(const std::string& line) {
+Result<> BatchJournal::Write(const std::string& line) {
   std::size_t done = 0;
   while (file_ >= 0 && done < line.size()) {
     const std::ptrdiff_t count = system::Write(file_, line.data() + done, line.size() - done);
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
   }
-  return done == line.size() ? "" : fmt::format("cannot write `{}`", path_);
+  if (done < line.size()) return Problem{fmt::format("cannot write `{}`", path_)};
+  return {};
 }
 
-std::string BatchJournal::Begin() {
+Result<> BatchJournal::Begin() {
   system::Remove(path_);
   file_ = system::OpenNew(path_, 0666);
   return Write(identity_ + '\n');
 }
 
-std::string BatchJournal::Add(const std::string& name, const Done& done) {
+Result<> BatchJournal::Add(const std::string& name, const Done& done) {
   Json json = {{"name", name}, {"files", Json::object()}, {"read", Json::object()}};
   for (const auto& [kind, file] : done.files) json["files"][kind] = file;
   for (const std::string& path : done.dependencies) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/result.h"
+
 namespace clipc {
 
 // What a batch has compiled so far, beside its index: a run that is interrupted or that ends at an
@@ -29,15 +31,15 @@ class BatchJournal {
   std::map<std::string, Done> Read() const;
   // Begins to write, in place of what is there. This and Add return what went wrong; empty on
   // success.
-  std::string Begin();
-  std::string Add(const std::string& name, const Done& done);
+  Result<> Begin();
+  Result<> Add(const std::string& name, const Done& done);
   // The batch is complete: nothing is left to resume.
   void Remove();
 
   const std::string& path() const { return path_; }
 
  private:
-  std::string Write(const std::string& line);
+  Result<> Write(const std::string& line);
 
   std::string path_, identity_;
   int file_ = -1;

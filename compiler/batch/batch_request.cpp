@@ -24,7 +24,9 @@ std::string IdentityOf(std::span<const char* const> arguments, const std::string
         argument == "--resume" || argument == "-k" || argument.starts_with("-j");
     if (!changes_nothing) words.emplace_back(argument);
   }
-  if (!manifest.empty()) ReadText(manifest, words.emplace_back());
+  if (!manifest.empty()) {
+    if (Result<std::string> text = ReadText(manifest)) words.push_back(std::move(*text));
+  }
   const TokenDigest digest = DigestOf(words);
   return fmt::format("clipc {:016x}{:016x}", digest[0], digest[1]);
 }
@@ -37,12 +39,13 @@ bool WantsBatch(const CommandLine& command) {
 }
 
 RunResult RunBatch(std::span<const char* const> arguments, CommandLine command) {
-  Manifest manifest;
+  std::vector<ShaderGroup> groups;
   if (!command.batch.empty()) {
     if (!command.inputs.empty())
       return {Fail("the manifest of --batch names the shaders; give no others", command.format)};
-    manifest = ReadManifest(command.batch, arguments);
-    if (!manifest.error.empty()) return {Fail(manifest.error, command.format)};
+    Result<std::vector<ShaderGroup>> manifest = ReadManifest(command.batch, arguments);
+    if (!manifest) return {Fail(manifest.problem(), command.format)};
+    groups = std::move(*manifest);
   } else if (command.inputs.empty()) {
     return {Fail("no input file; `clipc --help` lists the options", command.format)};
   }
@@ -52,12 +55,12 @@ RunResult RunBatch(std::span<const char* const> arguments, CommandLine command) 
     group.axes = TakeAxes(group.command.request.defines);
     group.source = input;
     group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(NameBegin(input)));
-    manifest.groups.push_back(std::move(group));
+    groups.push_back(std::move(group));
   }
   std::string identity = IdentityOf(arguments, command.batch);
   const ShardOfIndex shard{command.shard, command.shards};
   return RunBatch(std::move(command),
-                  {std::move(manifest.groups), {}, std::move(identity), [=](const auto& entries) {
+                  {std::move(groups), {}, std::move(identity), [=](const auto& entries) {
                      return BatchEnd{RenderIndex(entries, shard)};
                    }});
 }

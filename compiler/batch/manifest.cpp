@@ -180,7 +180,7 @@ class ManifestReader {
     std::vector<const char*> pointers;
     for (const std::string& word : all) pointers.push_back(word.c_str());
     ParsedCommandLine parsed = ParseCommandLine(pointers);
-    if (!parsed.error.empty()) Refuse(where, parsed.error);
+    if (!parsed.result) Refuse(where, parsed.result.problem());
     if (!IsOfOneShader(parsed.command))
       Refuse(where, "an option is about the whole run; it stands on the command line");
     if (!parsed.command.inputs.empty())
@@ -209,27 +209,27 @@ class ManifestReader {
 
 }  // namespace
 
-Manifest ReadManifest(const std::string& path, std::span<const char* const> arguments) {
-  std::string text;
-  if (const std::string problem = ReadText(path, text); !problem.empty())
-    return {{}, fmt::format("cannot read the manifest `{}`: {}", path, problem)};
-  return ParseManifest(path, text, arguments);
+Result<std::vector<ShaderGroup>> ReadManifest(const std::string& path,
+                                              std::span<const char* const> arguments) {
+  const Result<std::string> text = ReadText(path);
+  if (!text) return Problem{fmt::format("cannot read the manifest `{}`: {}", path, text.problem())};
+  return ParseManifest(path, *text, arguments);
 }
 
-Manifest ParseManifest(const std::string& path, const std::string& text,
-                       std::span<const char* const> arguments) {
+Result<std::vector<ShaderGroup>> ParseManifest(const std::string& path, const std::string& text,
+                                               std::span<const char* const> arguments) {
   try {
-    return {ManifestReader(arguments).Read(Json::parse(text)), {}};
+    return ManifestReader(arguments).Read(Json::parse(text));
   } catch (const Json::parse_error& problem) {
     // "[json.exception.parse_error.101] parse error at line 3, column 5: ..."
     std::string_view what = problem.what();
     if (const std::size_t end = what.find("] "); end != std::string_view::npos)
       what.remove_prefix(end + 2);
-    return {{}, fmt::format("the manifest `{}` is not JSON: {}", path, what)};
+    return Problem{fmt::format("the manifest `{}` is not JSON: {}", path, what)};
   } catch (const Json::exception& problem) {
-    return {{}, fmt::format("the manifest `{}`: {}", path, problem.what())};
+    return Problem{fmt::format("the manifest `{}`: {}", path, problem.what())};
   } catch (const Mistake& mistake) {
-    return {{}, fmt::format("the manifest `{}`: {}", path, mistake.what)};
+    return Problem{fmt::format("the manifest `{}`: {}", path, mistake.what)};
   }
 }
 

@@ -81,14 +81,14 @@ std::string HeaderOf(const CommandLine& command, const Outputs& outputs) {
   return header;
 }
 
-// Adds the files that describe the program. Returns the problem in words; empty if there is none.
-std::string AddFacts(const CommandLine& command, const OutputPaths& paths, const Outputs& outputs,
-                     std::vector<OutputPiece>& pieces) {
+// Adds the files that describe the program.
+Result<> AddFacts(const CommandLine& command, const OutputPaths& paths, const Outputs& outputs,
+                  std::vector<OutputPiece>& pieces) {
   if (!paths.listing.empty()) pieces.push_back({"listing", paths.listing, outputs.listing});
   for (std::size_t i = 0; i < paths.tables.size(); ++i) {
     const std::string& path = paths.tables[i];
     auto text = clip_table::Write(*outputs.table, *clip_table::FormatOf(path), path);
-    if (!text) return fmt::format("cannot write `{}`: {}", path, text.error);
+    if (!text) return Problem{fmt::format("cannot write `{}`: {}", path, text.error)};
     pieces.push_back({Numbered("table", i), path, std::move(*text)});
   }
   for (std::size_t i = 0; i < paths.reflections.size(); ++i) {
@@ -100,9 +100,9 @@ std::string AddFacts(const CommandLine& command, const OutputPaths& paths, const
   return {};
 }
 
-// Adds what was made of a program of GLSL. Returns the problem in words; empty if there is none.
-std::string AddGlsl(const CommandLine& command, const OutputPaths& paths, Outputs& outputs,
-                    std::vector<OutputPiece>& pieces) {
+// Adds what was made of a program of GLSL.
+Result<> AddGlsl(const CommandLine& command, const OutputPaths& paths, Outputs& outputs,
+                 std::vector<OutputPiece>& pieces) {
   std::string header = paths.header.empty() ? "" : HeaderOf(command, outputs);
   if (!paths.glsl.empty() && command.request.planes.variants) {
     AddVariants(command, paths, outputs.variants, pieces);
@@ -115,31 +115,33 @@ std::string AddGlsl(const CommandLine& command, const OutputPaths& paths, Output
 
 }  // namespace
 
-std::string CollectOutputs(const CommandLine& command, const OutputPaths& paths,
-                           CompileResult& result, std::vector<OutputPiece>& pieces) {
+Result<std::vector<OutputPiece>> CollectOutputs(const CommandLine& command,
+                                                const OutputPaths& paths, CompileResult& result) {
   FileSet sources;
   for (const std::string& source : result.dependencies) sources.Add(source);
   for (const std::string& path : paths.Named()) {
     if (sources.Has(path))
-      return fmt::format("the output `{}` would overwrite an included file", path);
+      return Problem{fmt::format("the output `{}` would overwrite an included file", path)};
   }
+  std::vector<OutputPiece> pieces;
   const ProgramRequest& request = command.request;
   if (!result.dump.empty()) pieces.push_back({"dump", "-", result.dump});
   if (result.ok() && !paths.preprocessed.empty())
     pieces.push_back({"preprocessed", paths.preprocessed, result.preprocessed});
   const bool is_hlsl = result.outputs && request.hlsl.wanted;
   const bool is_glsl = result.outputs && !is_hlsl && !request.debug.dump;
-  std::string problem;
   if (is_hlsl)
     AddShaders(command, paths, {"hlsl", "fragment.hlsl"}, result.outputs->shaders, pieces);
-  if (is_glsl) problem = AddGlsl(command, paths, *result.outputs, pieces);
-  if (!problem.empty()) return problem;
+  if (is_glsl) {
+    if (const Result<> done = AddGlsl(command, paths, *result.outputs, pieces); !done)
+      return Problem{done.problem()};
+  }
   if ((is_glsl || is_hlsl || request.outputs.preprocess) && result.ok() &&
       !paths.dependencies.empty()) {
     pieces.push_back({"dependencies", paths.dependencies,
                       DependencyRule(paths.dependency_target, result.dependencies)});
   }
-  return {};
+  return pieces;
 }
 
 }  // namespace clipc

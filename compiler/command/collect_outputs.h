@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "compiler/command/command_line.h"
 #include "compiler/command/place_outputs.h"
 #include "compiler/compile/result.h"
@@ -17,10 +18,9 @@ struct OutputPiece {
   std::string contents;
 };
 
-// Adds the outputs of a result to `pieces`, in the order in which they are written. The texts are
-// moved out of the result. A failed compile has no files, but perhaps a dump of a stage before the
-// failure. Returns the problem in words; empty if there is none.
-std::string CollectOutputs(const CommandLine& command, const OutputPaths& paths,
-                           CompileResult& result, std::vector<OutputPiece>& pieces);
+// The outputs of a result, in the order in which they are written. The texts are moved out of the
+// result. A failed compile has no files, but perhaps a dump of a stage before the failure.
+Result<std::vector<OutputPiece>> CollectOutputs(const CommandLine& command,
+                                                const OutputPaths& paths, CompileResult& result);
 
 }  // namespace clipc

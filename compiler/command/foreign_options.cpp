@@ -39,8 +39,8 @@ void SetSpirvVersion(Reading& reading, const std::string& value) {
     reading.spirv.version = minor;
     return;
   }
-  reading.error =
-      fmt::format("unknown value `{}` of {}; there is `spv1.0` to `spv1.6`", value, reading.option);
+  reading.Refuse(fmt::format("unknown value `{}` of {}; there is `spv1.0` to `spv1.6`", value,
+                             reading.option));
 }
 
 // Reads what the SPIR-V is for, as glslang and glslc say it: it is written without a further -V.
@@ -56,7 +56,7 @@ template <PositionName kName>
 void SetPositionName(Reading& reading, const std::string&) {
   PositionName& name = reading.command.request.language.position_name;
   if (name != PositionName::kSystemValue && name != kName)
-    reading.error = "-Gec and -Ges contradict each other";
+    reading.Refuse("-Gec and -Ges contradict each other");
   name = kName;
 }
 
@@ -75,7 +75,7 @@ void SetOptimisation(Reading& reading, const std::string& value) {
   if (value.empty() ||
       (value.size() == 1 && std::string_view("01234dpsz").find(value[0]) != std::string_view::npos))
     return;
-  reading.error = fmt::format("unknown option `-O{}`", value);
+  reading.Refuse(fmt::format("unknown option `-O{}`", value));
 }
 
 // Requires the one value that clipc has, by either of its names, of those that another compiler
@@ -83,7 +83,7 @@ void SetOptimisation(Reading& reading, const std::string& value) {
 template <const auto& kValue>
 void RequireValue(Reading& reading, const std::string& value) {
   if (value != kValue)
-    reading.error = fmt::format("`{}`: clipc has `{}` only", AsWritten(reading, value), kValue);
+    reading.Refuse(fmt::format("`{}`: clipc has `{}` only", AsWritten(reading, value), kValue));
 }
 
 // Reads the stage as glslang, glslc or Slang calls it.
@@ -93,9 +93,9 @@ void SetStage(Reading& reading, const std::string& value) {
   } else if (value == "frag" || value == "fragment" || value == "pixel") {
     reading.stage = Stage::kPixel;
   } else {
-    reading.error = fmt::format(
+    reading.Refuse(fmt::format(
         "`{}`: clipc compiles vertex and pixel shaders; use dxc or glslang for other ones",
-        AsWritten(reading, value));
+        AsWritten(reading, value)));
   }
 }
 
@@ -138,7 +138,7 @@ void SetSpirvForm(Reading& reading, const std::string& value) {
 void SetLanguage(Reading& reading, const std::string& value) {
   if (value == "hlsl") return;
   if (!value.empty() && value.find('.') == value.npos) {
-    reading.error = fmt::format("`{}`: clipc has `hlsl` only", AsWritten(reading, value));
+    reading.Refuse(fmt::format("`{}`: clipc has `hlsl` only", AsWritten(reading, value)));
     return;
   }
   reading.spirv_option = reading.option;

@@ -58,8 +58,8 @@ void Choose(Reading& reading, const std::string& value) {
   }
   std::vector<std::string_view> names;
   for (const auto& named : kNames) names.emplace_back(named.name);
-  reading.error =
-      fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
+  reading.Refuse(
+      fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names)));
 }
 
 // The option and its value as the user wrote them, in one argument or in several.
@@ -76,8 +76,8 @@ void SetNumber(Reading& reading, const std::string& value) {
     MemberOf(reading, kMember) = number;
     return;
   }
-  reading.error = fmt::format("`{}`: it must be a number from {} to {}", AsWritten(reading, value),
-                              kLeast, kMost);
+  reading.Refuse(fmt::format("`{}`: it must be a number from {} to {}", AsWritten(reading, value),
+                             kLeast, kMost));
 }
 
 template <bool kForVulkan>
@@ -101,7 +101,7 @@ template <bool (*kRead)(glsl::BindingRules&, std::string_view), bool kIsForVulka
 void Bind(Reading& reading, const std::string& value) {
   if (kIsForVulkan) reading.vulkan_option = reading.option;
   if (!kRead(reading.bindings, value))
-    reading.error = fmt::format("`{}`: it takes {}", AsWritten(reading, value), reading.advice);
+    reading.Refuse(fmt::format("`{}`: it takes {}", AsWritten(reading, value), reading.advice));
 }
 
 // Reads -E. The last one is the entry of GLSL; HLSL may have several.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/result.h"
 #include "compiler/command/command_line.h"
 
 // Every spelling of every option, and what it does.
@@ -22,7 +23,7 @@ struct Reading {
   std::string option;    // the option that it begins with
   std::string advice;    // its Option::help
   std::string next;      // the argument after it; empty: none
-  std::string error;
+  Result<> result;       // the first mistake in the arguments
   // The options that clipc does not have, as they are written, with the advice for each.
   std::vector<std::pair<std::string, std::string>> unknown;
 
@@ -48,6 +49,10 @@ struct Reading {
   };
   std::vector<Ignored> without_effect;  // options of other compilers
   std::vector<std::string> foreign_warnings;
+
+  void Refuse(std::string what) {
+    if (result) result = Problem{std::move(what)};
+  }
 };
 
 // The error that an option which needs a value has none.

@@ -53,19 +53,19 @@ std::vector<std::string> Words(std::string_view text) {
 
 // Adds `argument`, or for @FILE the words of the file, to `to`. Returns the problem in words; empty
 // if there is none.
-std::string Expand(std::string argument, int depth, std::vector<std::string>& to) {
+Result<> Expand(std::string argument, int depth, std::vector<std::string>& to) {
   if (!argument.starts_with('@') || argument.size() == 1) {
     to.push_back(std::move(argument));
-    return to.size() > kMaxArguments ? "too many arguments" : "";
+    if (to.size() > kMaxArguments) return Problem{"too many arguments"};
+    return {};
   }
   const std::string file = argument.substr(1);
-  if (depth == kMaxResponseDepth) return fmt::format("`{}` includes itself", file);
-  std::string text;
-  if (const std::string problem = ReadText(file, text); !problem.empty())
-    return fmt::format("cannot read the response file `{}`: {}", file, problem);
-  for (std::string& word : Words(text)) {
-    if (std::string problem = Expand(std::move(word), depth + 1, to); !problem.empty())
-      return problem;
+  if (depth == kMaxResponseDepth) return Problem{fmt::format("`{}` includes itself", file)};
+  const Result<std::string> text = ReadText(file);
+  if (!text)
+    return Problem{fmt::format("cannot read the response file `{}`: {}", file, text.problem())};
+  for (std::string& word : Words(*text)) {
+    if (Result<> done = Expand(std::move(word), depth + 1, to); !done) return done;
   }
   return {};
 }
@@ -135,7 +135,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
                           (!is_definition || IsDefinition(arguments[at]));
     if (has_next) value = arguments[at++];
     if (!has_next && option->form != kOptional && !is_definition) {
-      reading.error = NeedsValue(reading);
+      reading.Refuse(NeedsValue(reading));
       return;
     }
   }
@@ -182,8 +182,8 @@ void FinishTarget(Reading& reading) {
   }
   if (reading.target) request.target = *reading.target;
   request.target.bindings = std::move(reading.bindings);
-  if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan() && reading.error.empty())
-    reading.error = "-G writes SPIR-V for OpenGL, and --target=vulkan is not; give one of the two";
+  if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan())
+    reading.Refuse("-G writes SPIR-V for OpenGL, and --target=vulkan is not; give one of the two");
   if (!reading.spirv.entry.empty() && reading.spirv.entry != "main")
     reading.spirv_option =
         reading.source_entry.empty() ? "-fspv-entrypoint-name" : "--source-entrypoint";
@@ -211,9 +211,9 @@ void FinishStage(Reading& reading) {
   std::string& name = reading.command.request.first().profile;
   if (reading.names_profile) {
     const auto profile = ir::ParseProfile(name);
-    if (reading.stage && profile && profile->stage != reading.stage && reading.error.empty())
-      reading.error = fmt::format("-S names a {} shader, and profile `{}` is of another one",
-                                  InfoOf(*reading.stage).name, name);
+    if (reading.stage && profile && profile->stage != reading.stage)
+      reading.Refuse(fmt::format("-S names a {} shader, and profile `{}` is of another one",
+                                 InfoOf(*reading.stage).name, name));
     return;
   }
   const auto is_pixel = [](std::string_view file) {
@@ -221,8 +221,8 @@ void FinishStage(Reading& reading) {
   };
   const bool by_name = !reading.stage && !command.request.hlsl.wanted;
   const auto pixel = by_name ? std::ranges::count_if(command.inputs, is_pixel) : 0;
-  if (pixel > 0 && pixel < std::ssize(command.inputs) && reading.error.empty())
-    reading.error = "the names of the files are of vertex and of pixel shaders; -T says which";
+  if (pixel > 0 && pixel < std::ssize(command.inputs))
+    reading.Refuse("the names of the files are of vertex and of pixel shaders; -T says which");
   if (pixel > 0 || reading.stage == Stage::kPixel) name = "ps_5_0";
 }
 
@@ -300,14 +300,13 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   Reading reading;
   std::vector<std::string> words;
   for (const char* argument : arguments) {
-    reading.error = Expand(argument, 0, words);
-    if (!reading.error.empty()) break;
+    reading.result = Expand(argument, 0, words);
+    if (!reading.result) break;
   }
-  for (std::size_t at = 0; at < words.size() && reading.error.empty();)
-    ReadArgument(words, at, reading);
+  for (std::size_t at = 0; at < words.size() && reading.result;) ReadArgument(words, at, reading);
   CommandLine& command = reading.command;
   FinishBindings(reading);
-  if (reading.error.empty()) reading.error = UnknownOptions(reading);
+  if (!reading.unknown.empty()) reading.Refuse(UnknownOptions(reading));
   FinishEntry(reading);
   FinishStage(reading);
   FinishProgram(command);
@@ -324,7 +323,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   // glslang's tables cost tens of milliseconds once: much for one shader, little for many.
   command.asks_to_validate = reading.validate;
   command.request.outputs.validate = reading.validate.value_or(command.inputs.size() > 1);
-  return {std::move(command), std::move(reading.error)};
+  return {std::move(command), std::move(reading.result)};
 }
 
 namespace {

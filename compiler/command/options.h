@@ -5,13 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
 #include "compiler/command/command_line.h"
 
 namespace clipc {
 
 struct ParsedCommandLine {
   CommandLine command;
-  std::string error;  // not empty: what is wrong with the arguments
+  Result<> result;  // what is wrong with the arguments
 };
 
 // Reads a command line. `arguments` do not include the name of the program. fxc's spelling with a

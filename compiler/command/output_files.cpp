@@ -15,9 +15,9 @@
 namespace clipc {
 namespace {
 
-std::string Problem(const std::string& path) {
-  return fmt::format("cannot write `{}`: {}", path == "-" ? "standard output" : path,
-                     std::strerror(errno));
+Problem CannotWrite(const std::string& path) {
+  return {fmt::format("cannot write `{}`: {}", path == "-" ? "standard output" : path,
+                      std::strerror(errno))};
 }
 
 bool WriteAll(int file, const std::string& contents) {
@@ -74,18 +74,18 @@ void OutputFiles::Add(std::string path, std::string contents) {
   files_.push_back({std::move(path), std::move(contents), {}});
 }
 
-std::string OutputFiles::Prepare(File& file) {
+Result<> OutputFiles::Prepare(File& file) {
   if (file.path == "-") return {};
   constexpr unsigned kNewFile = 0666;
   unsigned mode = kNewFile;
   if (const auto status = system::StatusOf(file.path)) {
     if (status->kind == system::FileKind::kFolder) {
       errno = EISDIR;
-      return Problem(file.path);
+      return CannotWrite(file.path);
     }
     if (status->kind != system::FileKind::kRegular) return {};
     // Renaming needs no permission to write the file itself; a file without it is not replaced.
-    if (!system::MayWrite(file.path)) return Problem(file.path);
+    if (!system::MayWrite(file.path)) return CannotWrite(file.path);
     file.is_kept = unchanged_ == Unchanged::kKept && status->size == file.contents.size() &&
                    HasContents(file.path, file.contents);
     if (file.is_kept) return {};
@@ -95,30 +95,31 @@ std::string OutputFiles::Prepare(File& file) {
   }
   std::string name;
   const int descriptor = CreateBeside(file.path, mode, name);
-  if (descriptor < 0) return Problem(file.path);
+  if (descriptor < 0) return CannotWrite(file.path);
   file.temporary = std::move(name);
   if (mode != kNewFile) system::SetMode(descriptor, mode);  // without the umask: as the old file
-  return WriteAndClose(descriptor, file.contents) ? std::string() : Problem(file.path);
+  if (!WriteAndClose(descriptor, file.contents)) return CannotWrite(file.path);
+  return {};
 }
 
-std::string OutputFiles::Commit() {
+Result<> OutputFiles::Commit() {
   for (File& file : files_) {
-    if (std::string problem = Prepare(file); !problem.empty()) return problem;
+    if (Result<> done = Prepare(file); !done) return done;
   }
   // Writing, which may fail, comes before renaming, which hardly can.
   for (const File& file : files_) {
     if (file.is_kept || !file.temporary.empty()) continue;
     const bool is_stdout = file.path == "-";
     const int descriptor = is_stdout ? system::kStandardOutput : system::OpenToWrite(file.path);
-    if (descriptor < 0) return Problem(file.path);
+    if (descriptor < 0) return CannotWrite(file.path);
     if (!(is_stdout ? WriteAll(descriptor, file.contents)
                     : WriteAndClose(descriptor, file.contents))) {
-      return Problem(file.path);
+      return CannotWrite(file.path);
     }
   }
   for (File& file : files_) {
     if (file.temporary.empty()) continue;
-    if (!system::Replace(file.temporary, file.path)) return Problem(file.path);
+    if (!system::Replace(file.temporary, file.path)) return CannotWrite(file.path);
     file.temporary.clear();
   }
   return {};

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
+
 namespace clipc {
 
 // Output files that appear all at once or not at all. Each is written to a temporary file beside
@@ -25,9 +27,8 @@ class OutputFiles {
   // Adds a file to write; the path "-" is standard output.
   void Add(std::string path, std::string contents);
 
-  // Writes the files. Returns an empty string on success; otherwise what went wrong, and every
-  // regular file is as it was. Call it once.
-  std::string Commit();
+  // Writes the files. Where there is a problem, every regular file is as it was. Call it once.
+  Result<> Commit();
 
  private:
   struct File {
@@ -36,7 +37,7 @@ class OutputFiles {
     std::string temporary;  // empty: written in place
     bool is_kept = false;
   };
-  std::string Prepare(File& file);
+  Result<> Prepare(File& file);
 
   Unchanged unchanged_;
 

@@ -29,7 +29,7 @@ void SetTarget(Reading& reading, const std::string& value) {
   if (reading.target) return;
   std::vector<std::string_view> names(glsl::Target::Names().begin(), glsl::Target::Names().end());
   names.push_back(kHlslTarget);
-  reading.error = fmt::format("unknown target `{}`{}", value, Suggest(value, names));
+  reading.Refuse(fmt::format("unknown target `{}`{}", value, Suggest(value, names)));
 }
 
 // Reads "2/4", the number of a shard and the number of shards, or "merge".
@@ -42,8 +42,8 @@ void SetShard(Reading& reading, const std::string& value) {
       ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
       command.shard <= command.shards)
     return;
-  reading.error = fmt::format("`{}`: it needs a part and the number of parts, as `2/4`, or `merge`",
-                              AsWritten(reading, value));
+  reading.Refuse(fmt::format("`{}`: it needs a part and the number of parts, as `2/4`, or `merge`",
+                             AsWritten(reading, value)));
 }
 
 // Adds names with commas between them to a list.
@@ -53,8 +53,8 @@ void SetNames(Reading& reading, const std::string& value) {
   while (begin <= value.size()) {
     const std::size_t end = std::min(value.find(',', begin), value.size());
     if (end == begin) {
-      reading.error = fmt::format("`{}`: it needs names with commas between them, as `a,b`",
-                                  AsWritten(reading, value));
+      reading.Refuse(fmt::format("`{}`: it needs names with commas between them, as `a,b`",
+                                 AsWritten(reading, value)));
       return;
     }
     MemberOf(reading, kMember).push_back(value.substr(begin, end - begin));
@@ -77,7 +77,7 @@ void SetPreprocess(Reading& reading, const std::string& value) {
 void SetEntryOrPreprocess(Reading& reading, const std::string& value) {
   const bool is_file = value.find('.') != value.npos;
   if (!value.empty() && !is_file) return SetEntry(reading, value);
-  if (value.empty() && reading.argument.starts_with('/')) reading.error = NeedsValue(reading);
+  if (value.empty() && reading.argument.starts_with('/')) reading.Refuse(NeedsValue(reading));
   reading.preprocesses_only = true;
   if (is_file) reading.command.inputs.push_back(value);
 }
@@ -86,7 +86,7 @@ template <auto kMember>
 void SetForZero(Reading& reading, const std::string& value) {
   MemberOf(reading, kMember) = true;
   if (value != "zero")
-    reading.error = fmt::format("`{}={}`: the only value is `zero`", reading.option, value);
+    reading.Refuse(fmt::format("`{}={}`: the only value is `zero`", reading.option, value));
 }
 
 // Reads -Wno-clip-plane-twice, -Werror, -Werror=... and -Wno-error=...
@@ -120,14 +120,14 @@ void SetWarning(Reading& reading, const std::string& value) {
   if (NearNames(name, views).empty()) {
     reading.foreign_warnings.push_back("-W" + value);
   } else {
-    reading.error = fmt::format("unknown warning `{}`{}", name, Suggest(name, views));
+    reading.Refuse(fmt::format("unknown warning `{}`{}", name, Suggest(name, views)));
   }
 }
 
 // Reads the name of the pixel shader's GLSL, which asks for a pair.
 void SetPixelOutput(Reading& reading, const std::string& value) {
   reading.command.pixel_output = value;
-  if (value.empty()) reading.error = "--pixel-output needs the name of a file, or `.frag`";
+  if (value.empty()) reading.Refuse("--pixel-output needs the name of a file, or `.frag`");
 }
 
 // Without a value it is glslang's -D, which says that the text is HLSL.
@@ -162,7 +162,7 @@ void SetHelpTopic(Reading& reading, const std::string& value) {
     if (option.IsTopic()) topics.push_back(option.metavar);
   topics.push_back(kCompilersTopic);
   if (std::ranges::find(topics, value) == topics.end())
-    reading.error = fmt::format("unknown topic `{}`{}", value, Suggest(value, topics));
+    reading.Refuse(fmt::format("unknown topic `{}`{}", value, Suggest(value, topics)));
 }
 
 void SetExplained(Reading& reading, const std::string& value) {
@@ -170,7 +170,7 @@ void SetExplained(Reading& reading, const std::string& value) {
   command.action = Action::kExplain;
   command.explained = value;
   if (Explain(value).empty())
-    reading.error = fmt::format("no message is called `{}`{}", value, SuggestDiagnostic(value));
+    reading.Refuse(fmt::format("no message is called `{}`{}", value, SuggestDiagnostic(value)));
 }
 
 // The options in the order of --help.

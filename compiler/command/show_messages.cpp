@@ -79,11 +79,11 @@ std::string MessagePrinter::Document() const {
   return format_ == MessageFormat::kJson ? RenderJson(messages_) : RenderSarif(messages_);
 }
 
-std::string MessagePrinter::WriteFile(const std::vector<std::string>& read) const {
+Result<> MessagePrinter::WriteFile(const std::vector<std::string>& read) const {
   FileSet sources;
   for (const std::string& source : read) sources.Add(source);
   if (sources.Has(file_))
-    return fmt::format("the messages in `{}` would overwrite a file that is read", file_);
+    return Problem{fmt::format("the messages in `{}` would overwrite a file that is read", file_)};
   OutputFiles files;
   files.Add(file_, text_);
   return files.Commit();
@@ -98,11 +98,11 @@ int MessagePrinter::End(int code, const std::vector<std::string>& read) {
   }
   if (!IsLines()) Print(Document());
   if (file_.empty()) return code;
-  const std::string problem = WriteFile(read);
-  if (problem.empty()) return code;
+  const Result<> written = WriteFile(read);
+  if (written) return code;
   file_.clear();
   if (IsLines()) Print(text_);
-  Fail(problem);
+  Fail(written.problem());
   if (!IsLines()) Print(Document());
   return kExitUsage;
 }

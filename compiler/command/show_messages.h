@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/result.h"
 #include "compiler/command/command_line.h"
 #include "compiler/compile/message.h"
 #include "compiler/compile/result.h"
@@ -43,7 +44,7 @@ class MessagePrinter {
 
   void Print(std::string_view text);
   std::string Document() const;
-  std::string WriteFile(const std::vector<std::string>& read) const;
+  Result<> WriteFile(const std::vector<std::string>& read) const;
 
   MessageFormat format_;
   std::string file_, text_;

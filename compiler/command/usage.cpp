@@ -32,29 +32,33 @@ std::string_view NotForHlsl(const CommandLine& command) {
   return {};
 }
 
-// Returns the first mistake in what is said about HLSL as the target.
-std::string CheckHlsl(const CommandLine& command) {
+// The first mistake in what is said about HLSL as the target.
+Result<> CheckHlsl(const CommandLine& command) {
   const ProgramRequest& request = command.request;
   const HlslOptions& hlsl = request.hlsl;
   const Lowering lowering = request.planes.lowering.value_or(Lowering::kClipDistance);
   if (hlsl.plane_distances > 0 && (!hlsl.wanted || lowering != Lowering::kClipDistance))
-    return "--plane-distances is for --target=hlsl with clip distances, of which it writes more";
+    return Problem{
+        "--plane-distances is for --target=hlsl with clip distances, of which it writes more"};
   if (!hlsl.wanted) {
-    return hlsl.wrapper_entry.empty() ? ""
-                                      : "--wrapper-entry is for --target=hlsl; GLSL has one entry "
-                                        "function, `main`";
+    if (hlsl.wrapper_entry.empty()) return {};
+    return Problem{"--wrapper-entry is for --target=hlsl; GLSL has one entry function, `main`"};
   }
   if (!hlsl.wrapper_entry.empty() && hlsl.entries.size() > 1)
-    return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
+    return Problem{
+        "--wrapper-entry names one function; with several -E each wrapper has its entry's name"};
   if (const std::string_view option = NotForHlsl(command); !option.empty())
-    return fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option);
+    return Problem{
+        fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option)};
   if (request.is_linked() && lowering != Lowering::kDiscard)
-    return "with --target=hlsl, a pixel shader is for --lower=discard; it stays as it is under the "
-           "other lowerings";
+    return Problem{
+        "with --target=hlsl, a pixel shader is for --lower=discard; it stays as it is under the "
+        "other lowerings"};
   if (request.is_linked() && hlsl.entries.size() > 1)
-    return "the pixel shader fits one vertex shader; with it, give one -E";
+    return Problem{"the pixel shader fits one vertex shader; with it, give one -E"};
   if (!command.pixel_shader.path.empty() && command.pixel_output.empty())
-    return "--pixel-shader is rewritten too; --pixel-output names the file that it goes to";
+    return Problem{
+        "--pixel-shader is rewritten too; --pixel-output names the file that it goes to"};
   return {};
 }
 
@@ -64,55 +68,59 @@ bool IsIdentifier(std::string_view text) {
          (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) == 0);
 }
 
-// Returns the first mistake in what is said about the pixel shader of a pair.
-std::string CheckPair(const CommandLine& command) {
+// The first mistake in what is said about the pixel shader of a pair.
+Result<> CheckPair(const CommandLine& command) {
   const bool is_pair = !command.pixel_output.empty();
   if (!is_pair && !command.pixel_shader.profile.empty())
-    return "--pixel-profile is for --pixel-output, which compiles the pixel shader";
+    return Problem{"--pixel-profile is for --pixel-output, which compiles the pixel shader"};
   if (!is_pair) return {};
   if (!command.fragment.empty())
-    return "--fragment is for a pixel shader in GLSL; with --pixel-output clipc writes it";
+    return Problem{"--fragment is for a pixel shader in GLSL; with --pixel-output clipc writes it"};
   if (command.request.planes.variants && command.pixel_output == "-")
-    return "--variants writes several files, named after the one that --pixel-output gives";
+    return Problem{
+        "--variants writes several files, named after the one that --pixel-output gives"};
   const ShaderSource& pixel = command.request.shaders.back();
   if (pixel.path.empty() && pixel.entry.empty())
-    return "--pixel-output needs --pixel-entry, the pixel shader's function in the same file";
+    return Problem{
+        "--pixel-output needs --pixel-entry, the pixel shader's function in the same file"};
   return {};
 }
 
 }  // namespace
 
-std::string CheckCommand(const CommandLine& command) {
+Result<> CheckCommand(const CommandLine& command) {
   const ProgramRequest& request = command.request;
-  if (std::string problem = CheckHlsl(command); !problem.empty()) return problem;
+  if (Result<> done = CheckHlsl(command); !done) return done;
   for (const std::string& table : command.tables) {
     if (!clip_table::FormatOf(table))
-      return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", table);
+      return Problem{fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", table)};
   }
   if (request.planes.variants && (!command.header.empty() || request.outputs.spirv))
-    return "-Fh and -spirv write one shader; with --variants there are several";
-  if (std::string problem = CheckPair(command); !problem.empty()) return problem;
+    return Problem{"-Fh and -spirv write one shader; with --variants there are several"};
+  if (Result<> done = CheckPair(command); !done) return done;
   if (!command.variable.empty() && command.header.empty())
-    return "-Vn names what -Fh writes; give that option too";
+    return Problem{"-Vn names what -Fh writes; give that option too"};
   if (!command.struct_prefix.empty() && std::ranges::none_of(command.reflections, HoldsStructs))
-    return "--struct-prefix is for the C structs of --reflect=FILE.h";
+    return Problem{"--struct-prefix is for the C structs of --reflect=FILE.h"};
   if (!IsIdentifier(command.struct_prefix))
-    return fmt::format("`{}` cannot begin a name in C; a prefix is letters, digits and `_`",
-                       command.struct_prefix);
+    return Problem{fmt::format("`{}` cannot begin a name in C; a prefix is letters, digits and `_`",
+                               command.struct_prefix)};
   if (!command.fragment.empty() && request.planes.lowering != Lowering::kDiscard) {
-    return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
-           "as it is";
+    return Problem{
+        "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
+        "as it is"};
   }
   if (!request.planes.position_input.empty() && request.planes.space != PlaneSpace::kObject) {
-    return "--position-input is for --plane-space=object; other spaces take the position that the "
-           "shader computes";
+    return Problem{
+        "--position-input is for --plane-space=object; other spaces take the position that the "
+        "shader computes"};
   }
   const bool has_pixel_shader = !command.pixel_output.empty() || !command.pixel_shader.path.empty();
   if (!has_pixel_shader && request.link.keep_outputs) {
-    return "--keep-outputs is for --pixel-shader; without it every output is kept";
+    return Problem{"--keep-outputs is for --pixel-shader; without it every output is kept"};
   }
   if (!has_pixel_shader && request.link.zero_unwritten) {
-    return "--zero-unwritten is for --pixel-shader, which says what is read";
+    return Problem{"--zero-unwritten is for --pixel-shader, which says what is read"};
   }
   return {};
 }
@@ -167,11 +175,13 @@ CompileResult NoticesOf(const CommandLine& command) {
   return result;
 }
 
-std::string PrepareRequest(CommandLine& command) {
+Result<> PrepareRequest(CommandLine& command) {
   ProgramRequest& request = command.request;
   if (!command.fragment.empty()) {
-    const std::string problem = ReadText(command.fragment, request.planes.fragment.emplace());
-    if (!problem.empty()) return fmt::format("cannot read `{}`: {}", command.fragment, problem);
+    Result<std::string> text = ReadText(command.fragment);
+    if (!text)
+      return Problem{fmt::format("cannot read `{}`: {}", command.fragment, text.problem())};
+    request.planes.fragment = std::move(*text);
   }
   OutputOptions& outputs = request.outputs;
   outputs.facts = outputs.facts || !command.reflections.empty();

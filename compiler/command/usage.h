@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "base/result.h"
 #include "compiler/command/command_line.h"
 #include "compiler/compile/result.h"
 
 namespace clipc {
 
-// The first mistake in the options, whatever the inputs are; empty if there is none.
-std::string CheckCommand(const CommandLine& command);
+// The first mistake in the options, whatever the inputs are.
+Result<> CheckCommand(const CommandLine& command);
 
 // Reports the options that have no effect on the compile of single shaders.
 void ReportIdle(const CommandLine& command, Diagnostics& notices);
@@ -18,7 +19,7 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices);
 CompileResult NoticesOf(const CommandLine& command);
 
 // Reads what the request needs besides the shader, and sets what follows from the outputs that are
-// wanted. Returns the problem in words; empty if there is none.
-std::string PrepareRequest(CommandLine& command);
+// wanted.
+Result<> PrepareRequest(CommandLine& command);
 
 }  // namespace clipc

@@ -74,8 +74,9 @@ link::ReadResult Read(const ProgramRequest& request, std::vector<std::string>& d
     bytes = std::move(*text);
   } else {
     dependencies.push_back(given.path);
-    if (const std::string problem = ReadText(given.path, bytes); !problem.empty())
-      return {.problems = {fmt::format("{}: {}", given.path, problem)}};
+    Result<std::string> text = ReadText(given.path);
+    if (!text) return {.problems = {fmt::format("{}: {}", given.path, text.problem())}};
+    bytes = std::move(*text);
   }
   const link::Language language = link::LanguageOf(bytes);
   if (language == link::Language::kSpirv) return link::ReadSpirv(bytes, given.path, given.entry);

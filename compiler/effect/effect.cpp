@@ -31,45 +31,50 @@ bool IsHeaderAlone(const CommandLine& command) {
   return !command.header.empty() && command.output.empty() && !names_files;
 }
 
-// Returns the first mistake of the command line; empty if there is none.
-std::string CheckEffectCommand(const CommandLine& command) {
+// The first mistake of the command line.
+Result<> CheckEffectCommand(const CommandLine& command) {
   const ProgramRequest& request = command.request;
-  if (command.inputs.size() != 1 || command.inputs[0] == "-") return "--effect compiles one file";
+  if (command.inputs.size() != 1 || command.inputs[0] == "-")
+    return Problem{"--effect compiles one file"};
   if (!IsHeaderAlone(command) && !IsDirectory(command.output))
-    return "--effect writes several files; give an existing folder with -o";
+    return Problem{"--effect writes several files; give an existing folder with -o"};
   const glsl::Target& target = request.target;
   if (!command.header.empty() && (request.outputs.spirv || target.IsVulkan()))
-    return "-Fh of an effect has GLSL for OpenGL; choose a target such as `glsl330`, without "
-           "-spirv";
+    return Problem{
+        "-Fh of an effect has GLSL for OpenGL; choose a target such as `glsl330`, without "
+        "-spirv"};
   if (!command.header.empty() && request.planes.variants)
-    return "-Fh of an effect has one program for each pass; --variants makes several";
+    return Problem{"-Fh of an effect has one program for each pass; --variants makes several"};
   if (request.is_linked() || !command.pixel_shader.entry.empty())
-    return "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
-           "file without techniques";
+    return Problem{
+        "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
+        "file without techniques"};
   if (!command.batch.empty() || command.shards != 1)
-    return "--effect takes neither --batch nor --shard";
-  if (request.hlsl.wanted) return "--effect writes GLSL or SPIR-V, no HLSL";
+    return Problem{"--effect takes neither --batch nor --shard"};
+  if (request.hlsl.wanted) return Problem{"--effect writes GLSL or SPIR-V, no HLSL"};
   const ShaderSource defaults;
   if (request.first().entry != defaults.entry || request.first().profile != defaults.profile)
-    return "-E and -T are what the passes of an effect say; --technique and --pass choose one";
+    return Problem{
+        "-E and -T are what the passes of an effect say; --technique and --pass choose one"};
   return {};
 }
 
-// Returns the problem if no technique, or no pass, has the name that is asked for.
-std::string CheckNames(const ast::Effect& effect, const CommandLine& command) {
+// A problem if no technique, or no pass, has the name that is asked for.
+Result<> CheckNames(const ast::Effect& effect, const CommandLine& command) {
   std::vector<std::string_view> techniques, passes;
   for (const ast::EffectTechnique& technique : effect.techniques) {
     techniques.push_back(technique.name);
     for (const ast::EffectPass& pass : technique.passes) passes.push_back(pass.name);
   }
-  if (techniques.empty()) return "it has no technique; `-T` and `-E` compile one of its functions";
+  if (techniques.empty())
+    return Problem{"it has no technique; `-T` and `-E` compile one of its functions"};
   const auto check = [](const char* what, const std::string& name,
                         const std::vector<std::string_view>& names) {
-    if (name.empty() || std::ranges::find(names, name) != names.end()) return std::string();
-    return fmt::format("it has no {} `{}`{}", what, name, Suggest(name, names));
+    if (name.empty() || std::ranges::find(names, name) != names.end()) return Result<>();
+    return Result<>(Problem{fmt::format("it has no {} `{}`{}", what, name, Suggest(name, names))});
   };
-  std::string problem = check("technique", command.technique, techniques);
-  return problem.empty() ? check("pass", command.pass, passes) : problem;
+  const Result<> known = check("technique", command.technique, techniques);
+  return known ? check("pass", command.pass, passes) : known;
 }
 
 CompileResult MessagesOf(const Diagnostics& diagnostics, const Source& source,
@@ -116,8 +121,8 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   }
   loaded.is_read = !diagnostics.has_errors();
   if (loaded.is_read) loaded.effect = ast::ReadEffect(file);
-  if (loaded.is_read) loaded.problem = CheckNames(loaded.effect, command);
-  if (loaded.problem.empty()) loaded.programs = FindPrograms(loaded.effect, command, diagnostics);
+  if (loaded.is_read) loaded.names = CheckNames(loaded.effect, command);
+  if (loaded.names) loaded.programs = FindPrograms(loaded.effect, command, diagnostics);
   loaded.messages = MessagesOf(diagnostics, source, command);
   loaded.messages.dependencies = source.Dependencies();
   loaded.code = !diagnostics.has_errors() ? kExitOk
@@ -127,12 +132,12 @@ LoadedEffect LoadEffect(const CommandLine& command) {
 }
 
 RunResult RunEffect(CommandLine command) {
-  if (const std::string problem = CheckEffectCommand(command); !problem.empty())
-    return {Fail(problem, command.format)};
+  if (const Result<> usage = CheckEffectCommand(command); !usage)
+    return {Fail(usage.problem(), command.format)};
   const std::string path = command.inputs[0];
   LoadedEffect loaded = LoadEffect(command);
-  if (!loaded.problem.empty())
-    return {Fail(fmt::format("`{}`: {}", path, loaded.problem), command.format)};
+  if (!loaded.names)
+    return {Fail(fmt::format("`{}`: {}", path, loaded.names.problem()), command.format)};
   if (!loaded.is_read) {
     MessagePrinter printer(command.format, command.messages);
     printer.Show(loaded.messages);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "base/result.h"
 #include "compiler/command/command_line.h"
 #include "compiler/command/run_result.h"
 #include "compiler/compile/result.h"
@@ -15,7 +16,7 @@ namespace clipc {
 // have a meaning.
 struct LoadedEffect {
   bool is_read = false;
-  std::string problem;  // of the names of --technique and --pass; empty if there is none
+  Result<> names;  // whether there are a technique and a pass of the names that are asked for
   ast::Effect effect;
   EffectPrograms programs;  // their shaders are those of `effect`
   CompileResult messages;

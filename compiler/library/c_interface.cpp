@@ -121,22 +121,22 @@ std::vector<std::string> DecisiveOptions(const clipc_request& from,
   return options;
 }
 
-// Returns the first mistake in the options; empty if there is none.
-std::string ReadRequest(const clipc_request& from, clipc::CommandLine& command) {
+// The first mistake in the options.
+clipc::Result<> ReadRequest(const clipc_request& from, clipc::CommandLine& command) {
   clipc::ParsedCommandLine parsed = clipc::ParseCommandLine({from.options, from.option_count});
-  if (!parsed.error.empty()) return parsed.error;
+  if (!parsed.result) return parsed.result;
   if (const std::string_view option = ProgramsOption(parsed.command); !option.empty()) {
-    return fmt::format(
-        "`{}` is for the program; the library compiles one shader, and what comes out "
-        "is memory",
-        option);
+    return clipc::Problem{
+        fmt::format("`{}` is for the program; the library compiles one shader, and what comes out "
+                    "is memory",
+                    option)};
   }
   command = std::move(parsed.command);
   clipc::ProgramRequest& to = command.request;
   clipc::ShaderSource& first = to.first();
   first.path = from.path ? from.path : "";
   if (from.text) first.text.emplace(from.text, from.text_size);
-  if (!from.text && !from.path) return "there is no shader";
+  if (!from.text && !from.path) return clipc::Problem{"there is no shader"};
   if (from.pixel_text && to.neighbour) {
     to.neighbour->text.emplace(from.pixel_text, from.pixel_text_size);
   } else if (from.pixel_text && !to.shaders.back().path.empty() && to.shaders.size() > 1) {
@@ -204,9 +204,9 @@ void Fill(clipc::CompileResult compiled, bool is_hlsl, clipc_result& to) {
 
 clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc_result& to) {
   clipc::CommandLine command;
-  if (const std::string problem = ReadRequest(from, command); !problem.empty()) {
-    to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + problem + "\n";
-    to.messages = {clipc::UsageMessage(problem)};
+  if (const clipc::Result<> read = ReadRequest(from, command); !read) {
+    to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + read.problem() + "\n";
+    to.messages = {clipc::UsageMessage(read.problem())};
     to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(to.messages);
     return CLIPC_BAD_REQUEST;
   }

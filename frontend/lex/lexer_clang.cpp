@@ -330,8 +330,10 @@ void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor,
 bool Source::State::EnterMainFile() {
   if (input.text) {
     main_text = *input.text;
-  } else if (const std::string problem = ReadText(input.path, main_text); !problem.empty()) {
-    diagnostics->Report({}, diag::CannotReadFile, input.path, problem);
+  } else if (Result<std::string> text = ReadText(input.path)) {
+    main_text = std::move(*text);
+  } else {
+    diagnostics->Report({}, diag::CannotReadFile, input.path, text.problem());
     return false;
   }
   const std::string name = input.path == "-"    ? "<stdin>"

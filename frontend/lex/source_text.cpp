@@ -20,10 +20,11 @@ std::string Reason(int error) {
   return reason;
 }
 
-std::string ReadAll(int file, std::string& text) {
+Result<std::string> ReadAll(int file) {
+  std::string text;
   const auto status = system::StatusOf(file);
-  if (!status) return Reason(errno);
-  if (status->kind == system::FileKind::kFolder) return Reason(EISDIR);
+  if (!status) return Problem{Reason(errno)};
+  if (status->kind == system::FileKind::kFolder) return Problem{Reason(EISDIR)};
   constexpr std::size_t kStep = 64 << 10;
   text.reserve(status->kind == system::FileKind::kRegular
                    ? std::min<std::uint64_t>(status->size, kMaxSourceBytes) + 1
@@ -33,14 +34,15 @@ std::string ReadAll(int file, std::string& text) {
     // One byte more than the file has, so that its end is seen without growing.
     text.resize(std::max(text.capacity(), size + 1));
     const std::ptrdiff_t got = system::Read(file, text.data() + size, text.size() - size);
-    if (got < 0) return Reason(errno);
+    if (got < 0) return Problem{Reason(errno)};
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
-    if (size > kMaxSourceBytes) return fmt::format("longer than {} MiB", kMaxSourceBytes >> 20);
+    if (size > kMaxSourceBytes)
+      return Problem{fmt::format("longer than {} MiB", kMaxSourceBytes >> 20)};
     if (size == text.size()) text.reserve(2 * size);
   }
   text.resize(size);
-  return {};
+  return text;
 }
 
 void AppendUtf8(std::uint32_t code, std::string& text) {
@@ -108,14 +110,14 @@ void ConvertUtf16(std::string& text) {
   if (IsUtf16(text)) text = FromUtf16(text, text.front() == '\xfe');
 }
 
-std::string ReadText(const std::string& path, std::string& text) {
+Result<std::string> ReadText(const std::string& path) {
   const bool is_stdin = path == "-";
   const int file = is_stdin ? system::kStandardInput : system::OpenToRead(path);
-  if (file < 0) return Reason(errno);
-  std::string problem = ReadAll(file, text);
+  if (file < 0) return Problem{Reason(errno)};
+  Result<std::string> text = ReadAll(file);
   if (!is_stdin) system::Close(file);
-  ConvertUtf16(text);
-  return problem;
+  if (text) ConvertUtf16(*text);
+  return text;
 }
 
 std::string Predefines(const SourceInput& input) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
 #include "frontend/lex/source.h"
 
 namespace clipc {
@@ -19,9 +20,8 @@ void ConvertUtf16(std::string& text);
 bool IsUtf16(std::string_view text);
 
 // Reads a whole file, pipe or device as UTF-8; "-" is standard input. UTF-16 with a byte order mark
-// is converted. Returns an empty string on success, otherwise the reason of the failure, which
-// starts with a small letter.
-std::string ReadText(const std::string& path, std::string& text);
+// is converted. A problem is the reason of the failure alone, which starts with a small letter.
+Result<std::string> ReadText(const std::string& path);
 
 // The text that defines the macros that exist before the first line: clipc's own, those of the
 // compiler that the shader model belongs to, and the user's, which are in "<command line>" for

@@ -16,9 +16,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   if (text.find('@') != std::string_view::npos) return 0;
   const char* const arguments[] = {"--batch=fuzz.json", "-o", "out", "-DA={0,1}"};
-  const clipc::Manifest manifest = clipc::ParseManifest("fuzz.json", std::string(text), arguments);
-  if (manifest.error.empty() == manifest.groups.empty()) std::abort();
-  for (const clipc::ShaderGroup& group : manifest.groups) {
+  const auto groups = clipc::ParseManifest("fuzz.json", std::string(text), arguments);
+  if (!groups && groups.problem().empty()) std::abort();
+  if (!groups) return 0;
+  if (groups->empty()) std::abort();
+  for (const clipc::ShaderGroup& group : *groups) {
     const std::size_t count = std::min<std::size_t>(group.Count(), 20);
     for (std::size_t number = 0; number < count; ++number) {
       const std::string name = clipc::FileNameOf(group, number);
