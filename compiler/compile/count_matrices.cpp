@@ -194,6 +194,18 @@ class Follower {
     if (!expr || IsTooMuch(1)) return {};
     return Visit([&](const auto& node) { return OfNode(expr, node); }, program_.exprs[expr].node);
   }
+  // The value of a variable or of a field of one, where it stands; null for all else, and for a
+  // struct whose fields have no values of their own yet.
+  const MatrixCount* Standing(ExprId expr) const {
+    if (const auto* ref = As<VarRef>(program_, expr)) return &state_.values[ref->var.index];
+    const auto* field = As<FieldRef>(program_, expr);
+    const MatrixCount* base = field ? Standing(field->base) : nullptr;
+    return base && field->field < base->fields.size() ? &base->fields[field->field] : nullptr;
+  }
+  MatrixCount AsWhole(ExprId expr) {
+    const MatrixCount* standing = expr ? Standing(expr) : nullptr;
+    return standing && !IsTooMuch(1) ? standing->Whole() : Of(expr).Whole();
+  }
   std::vector<MatrixCount> OfAll(List<ExprId> list) {
     std::vector<MatrixCount> values;
     for (const ExprId expr : program_.expr_lists[list]) values.push_back(Of(expr));
@@ -203,7 +215,7 @@ class Follower {
   MatrixCount MixOf(ExprId expr) {
     MatrixCount mixed;
     ForEachOperand(program_, expr,
-                   [&](ExprId operand) { mixed = MatrixCount::Mixed(mixed, Of(operand).Whole()); });
+                   [&](ExprId operand) { mixed = MatrixCount::Mixed(mixed, AsWhole(operand)); });
     return mixed;
   }
   template <typename Node>
@@ -222,7 +234,8 @@ class Follower {
     return op == BinaryOp::kMul ? Times(left, right) : MatrixCount::Mixed(left, right);
   }
   MatrixCount OfNode(ExprId, const VarRef& node) { return At(node.var); }
-  MatrixCount OfNode(ExprId, const FieldRef& node) {
+  MatrixCount OfNode(ExprId expr, const FieldRef& node) {
+    if (const MatrixCount* standing = Standing(expr)) return *standing;
     MatrixCount base = Of(node.base);
     if (node.field < base.fields.size()) return std::move(base.fields[node.field]);
     return base.Whole();
@@ -230,17 +243,17 @@ class Follower {
   // The index does not become a part of the element.
   MatrixCount OfNode(ExprId, const Index& node) {
     Of(node.index);
-    return Of(node.base).Whole();
+    return AsWhole(node.base);
   }
   MatrixCount OfNode(ExprId, const Binary& node) {
-    const MatrixCount left = Of(node.left).Whole();
-    return Combined(node.op, left, Of(node.right).Whole());
+    const MatrixCount left = AsWhole(node.left);
+    return Combined(node.op, left, AsWhole(node.right));
   }
   MatrixCount OfNode(ExprId, const Unary& node) { return Of(node.operand); }
   MatrixCount OfNode(ExprId, const Assign& node) {
     MatrixCount value = Of(node.value);
     if (node.op) {
-      value = Combined(*node.op, Of(node.target).Whole(), value.Whole());
+      value = Combined(*node.op, AsWhole(node.target), value.Whole());
     }
     Write(node.target, value);
     return value;
@@ -273,8 +286,9 @@ class Follower {
   MatrixCount OfNode(ExprId expr, const IntrinsicCall& node) {
     MatrixCount mixed;
     std::vector<MatrixCount> values;
-    for (const MatrixCount& value : OfAll(node.arguments)) {
-      values.push_back(value.Whole());
+    values.reserve(node.arguments.size);
+    for (const ExprId argument : program_.expr_lists[node.arguments]) {
+      values.push_back(AsWhole(argument));
       mixed = MatrixCount::Mixed(mixed, values.back());
     }
     ForEachWrite(program_, expr, [&](ExprId target) { Write(target, mixed); });
