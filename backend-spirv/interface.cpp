@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // What the shader shares with the pipeline: inputs, outputs, constant buffers and global variables.
 #include <algorithm>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "backend-spirv/block_fit.h"
 #include "backend-spirv/writer.h"
@@ -72,8 +74,21 @@ void Writer::DeclareInput(const IoVar& input, const Interface::Variable& place) 
   storages_[input.var.index] = kStorage;
 }
 
+// Drivers write the outputs in the order of their declarations. It costs least if that is the order
+// in which the shader writes them, and the position is the last.
+std::vector<std::size_t> Writer::OrderOfOutputs() const {
+  std::vector<std::size_t> order(program_.outputs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t output) {
+    const IoVar& io = program_.outputs[output];
+    const auto mention = std::ranges::find(mentioned_outputs_, io.var);
+    return std::pair(io.builtin != Builtin::kNone, mention - mentioned_outputs_.begin());
+  });
+  return order;
+}
+
 void Writer::DeclareOutputs() {
-  for (std::size_t i = 0; i < program_.outputs.size(); ++i)
+  for (const std::size_t i : OrderOfOutputs())
     DeclareOutput(program_.outputs[i], interface_.outputs[i]);
 }
 

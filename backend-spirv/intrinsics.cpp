@@ -112,8 +112,13 @@ Ref Writer::Saturated(const Shape& shape, Ref value) {
 // mul(left, right). SPIR-V's matrices are the transposes of HLSL's, so the factors are swapped:
 // mul(v, M) is M * v.
 Ref Writer::Product(ExprId left, ExprId right, const Shape& result) {
-  const Ref a = Value(left), b = Value(right);
   const Shape of_a = ShapeAt(left), of_b = ShapeAt(right);
+  // What SPIR-V has first is loaded first: in the other order, drivers need more registers.
+  Ref b{};
+  const bool is_swapped = !of_b.IsScalar() && IsPure(program_, right);
+  if (is_swapped) b = Value(right);
+  const Ref a = Value(left);
+  if (!is_swapped) b = Value(right);
   const Ref type = types_.Of(result);
   if (of_a.IsScalar() || of_b.IsScalar()) {
     const Ref wide_a = of_a.IsScalar() ? Splat(result, a) : a;

@@ -22,6 +22,7 @@ void Writer::FindMemoryOf(ExprId expr) {
   };
   if (const auto* ref = As<VarRef>(expr); ref && !is_read_[ref->var.index]) {
     is_read_[ref->var.index] = true;
+    if ((*this)[ref->var].storage == Storage::kOutput) mentioned_outputs_.push_back(ref->var);
     const Var& var = (*this)[ref->var];
     const bool is_global = var.storage == Storage::kStatic || var.storage == Storage::kConstant;
     if (is_global && var.init)

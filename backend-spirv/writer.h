@@ -43,6 +43,7 @@ class Writer {
 
   // ---- interface.cpp: what the shader shares with the pipeline
   void DeclareInputs();
+  std::vector<std::size_t> OrderOfOutputs() const;
   void DeclareOutputs();
   void DeclareInput(const ir::IoVar& input, const Interface::Variable& place);
   void DeclareOutput(const ir::IoVar& output, const Interface::Variable& place);
@@ -175,9 +176,10 @@ class Writer {
   // By VarId: the value of a variable that is never changed; the pointer to another.
   std::vector<Ref> values_, pointers_;
   std::vector<spv::StorageClass> storages_;
-  std::vector<bool> in_memory_;       // by VarId: it is changed, or an index chooses a part of it
-  std::vector<bool> is_read_;         // by VarId: a function mentions it
-  std::vector<bool> is_precise_var_;  // by VarId
+  std::vector<bool> in_memory_;  // by VarId: it is changed, or an index chooses a part of it
+  std::vector<bool> is_read_;    // by VarId: a function mentions it
+  std::vector<ir::VarId> mentioned_outputs_;                  // in the order in which functions do
+  std::vector<bool> is_precise_var_;                          // by VarId
   std::map<std::uint32_t, const ir::IoVar*> builtin_inputs_;  // by VarId
   std::map<std::uint32_t, DeclaredBlock> blocks_;             // by CbufferId
   std::map<std::uint32_t, Ref> objects_;                      // by VarId

@@ -22,7 +22,7 @@ struct Varyings {
 // CHECK:     OpCapability ClipDistance
 // CHECK:     OpCapability DrawParameters
 // CHECK-NOT: OpCapability
-// CHECK:     OpEntryPoint Vertex %main "main" %in_POSITION0 %gl_Position %vs_ID0 %vs_COLOR0 %gl_ClipDistance %gl_VertexIndex %gl_BaseVertex
+// CHECK:     OpEntryPoint Vertex %main "main" %in_POSITION0 %vs_ID0 %vs_COLOR0 %gl_Position %gl_ClipDistance %gl_VertexIndex %gl_BaseVertex
 // CHECK:     OpSource HLSL 510
 // CHECK:     OpMemberName %Frame 0 "world"
 // CHECK-DAG: OpDecorate %in_POSITION0 Location 0
