@@ -36,12 +36,13 @@ constexpr auto kNames = [] {
 
 constexpr int kNever = 10000;
 
-// The first version that has a feature in its core, and the first one that has it through an
-// extension.
+// The first version that has a feature in its core, the first one that has it through an extension,
+// and the last one that has it.
 struct Since {
   int core = kNever;
   int extended = kNever;
   std::string_view extension = {};
+  int last = kNever;
 };
 struct FeatureRow {
   Feature feature;
@@ -81,16 +82,14 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kDynamicBlockIndex, {400}, {320}},
     {Feature::kClipDistance, {130}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
     {Feature::kCullDistance, {450}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
-    {Feature::kClipVertex, {110}, {}},  // up to 1.30
+    {Feature::kClipVertex, {.core = 110, .last = 130}, {}},
     {Feature::kVertexId, {130}, {300}},
     {Feature::kInstanceId, {140, 110, "GL_ARB_draw_instanced"}, {300}},
     // The extension is older (OpenGL 3.1), but glslang knows its variables from GLSL 4.50 on only.
     {Feature::kDrawParameters, {460, 450, "GL_ARB_shader_draw_parameters"}, {}},
     {Feature::kBaseVertexDraws, {150}, {320}},
     {Feature::kLayerAndViewport, {kNever, 410, "GL_ARB_shader_viewport_layer_array"}, {}},
-    {Feature::kViewIndex,  // Vulkan: GL_EXT_multiview
-     {kNever, 330, "GL_OVR_multiview2"},
-     {kNever, 300, "GL_OVR_multiview2"}},
+    {Feature::kViewIndex, {kNever, 330, "GL_OVR_multiview2"}, {kNever, 300, "GL_OVR_multiview2"}},
     {Feature::kShadingRate,
      {kNever, 450, "GL_EXT_fragment_shading_rate"},
      {kNever, 310, "GL_EXT_fragment_shading_rate"}},
@@ -114,11 +113,10 @@ constexpr FeatureRow kFeatures[] = {
      {300, 100, "GL_EXT_shader_texture_lod"}},
     {Feature::kLevelQueries, {400}, {}},
     {Feature::kInterpolants, {400}, {320, 300, "GL_OES_shader_multisample_interpolation"}},
-    {Feature::kBarycentrics,  // Vulkan: GL_EXT_fragment_shader_barycentric
+    {Feature::kBarycentrics,
      {kNever, 450, "GL_NV_fragment_shader_barycentric"},
      {kNever, 320, "GL_NV_fragment_shader_barycentric"}},
     {Feature::kFullyCovered, {kNever, 450, "GL_NV_conservative_raster_underestimation"}, {}},
-    // Vulkan has no such variable.
     {Feature::kSampleCount, {400}, {320, 300, "GL_OES_sample_variables"}},
     {Feature::kHelperInvocation, {450}, {310}},
     // Vulkan: from 1.1 on.
@@ -186,6 +184,26 @@ consteval bool HasEveryFeature() {
 }
 static_assert(HasEveryFeature());
 
+// Where an API differs from the version of GLSL that it has, which is 4.60 for Vulkan. Of the
+// extensions of ES 3.00, browsers have WEBGL_clip_cull_distance, OVR_multiview2 and
+// WEBGL_blend_func_extended.
+struct Difference {
+  Feature feature;
+  Api api;
+  Since since;
+};
+constexpr Difference kDifferences[] = {
+    {Feature::kViewIndex, Api::kVulkan, {kNever, 460, "GL_EXT_multiview"}},
+    {Feature::kBarycentrics, Api::kVulkan, {kNever, 460, "GL_EXT_fragment_shader_barycentric"}},
+    {Feature::kSampleCount, Api::kVulkan, {}},  // it has no such variable
+    {Feature::kClipDistance, Api::kWebGL, {kNever, 300, "GL_ANGLE_clip_cull_distance"}},
+    {Feature::kCullDistance, Api::kWebGL, {kNever, 300, "GL_ANGLE_clip_cull_distance"}},
+    {Feature::kPerSample, Api::kWebGL, {}},
+    {Feature::kSampleVariables, Api::kWebGL, {}},
+    {Feature::kSampleCount, Api::kWebGL, {}},
+    {Feature::kInterpolants, Api::kWebGL, {}},
+};
+
 }  // namespace
 
 std::optional<Target> Target::Parse(std::string_view name) {
@@ -225,25 +243,14 @@ std::string Target::VersionLine() const {
 }
 
 Support Target::Of(Feature feature) const {
-  if (feature == Feature::kClipVertex && (version_ > 130 || IsVulkan())) return {};
-  if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
-  if (feature == Feature::kBarycentrics && IsVulkan())
-    return {true, "GL_EXT_fragment_shader_barycentric"};
-  if (feature == Feature::kSampleCount && IsVulkan()) return {};
-  if (api_ == Api::kWebGL && version_ >= 300) {
-    // Of the extensions of ES 3.00, browsers have WEBGL_clip_cull_distance, OVR_multiview2 and
-    // WEBGL_blend_func_extended.
-    if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)
-      return {true, "GL_ANGLE_clip_cull_distance"};
-    constexpr Feature kNoBrowserHas[] = {Feature::kPerSample, Feature::kSampleVariables,
-                                         Feature::kSampleCount, Feature::kInterpolants};
-    if (std::ranges::find(kNoBrowserHas, feature) != std::end(kNoBrowserHas)) return {};
-  }
-  // Vulkan's GLSL has what OpenGL 4.6 has, where both have it.
   const FeatureRow& row = kFeatures[static_cast<std::size_t>(feature)];
-  const Since& since = IsEs() ? row.es : row.desktop;
-  if (version_ >= since.core) return {true, ""};
-  return {version_ >= since.extended, version_ >= since.extended ? since.extension : ""};
+  const Since* since = IsEs() ? &row.es : &row.desktop;
+  for (const Difference& difference : kDifferences) {
+    if (difference.api == api_ && difference.feature == feature) since = &difference.since;
+  }
+  if (version_ > since->last) return {};
+  if (version_ >= since->core) return {true, ""};
+  return {version_ >= since->extended, version_ >= since->extended ? since->extension : ""};
 }
 
 legalize::Needs Target::FindNeeds() const {
