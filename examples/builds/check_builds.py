@@ -106,7 +106,7 @@ def bazel(builds):
     found = []
     for number in (1, 2):
         folder = builds.folder("bazel").rename(builds.scratch / f"bazel{number}")
-        shutil.copytree(ROOT / "bazel", folder / "bazel")
+        shutil.copytree(ROOT / "packaging/bazel", folder / "bazel")
         shutil.copytree(builds.installed, folder / "installed")
         start = ["bazel", f"--output_user_root={builds.scratch}/bazel_root{number}", "--batch"]
         options = ["--spawn_strategy=sandboxed", "--curses=no"]
