@@ -55,7 +55,15 @@ Ref Types::Vector(Ref component, std::uint32_t size) {
   return size == 1 ? component : module_.Type(spv::Op::OpTypeVector, {component, size});
 }
 
+// Most instructions ask for one of a few types, so each is looked up once.
 Ref Types::Of(const Shape& shape) {
+  Ref& known = shapes_[static_cast<std::size_t>(BaseOf(shape.scalar))][shape.rows - 1]
+                      [shape.size - 1][static_cast<std::size_t>(shape.kind)];
+  if (known == 0) known = Make(shape);
+  return known;
+}
+
+Ref Types::Make(const Shape& shape) {
   const Ref row = Vector(Of(shape.scalar), shape.size);
   switch (shape.kind) {
     case Shape::kMatrix: return module_.Type(spv::Op::OpTypeMatrix, {row, shape.rows});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -73,6 +74,9 @@ class Types {
   static std::uint64_t OneOf(ir::Scalar scalar);
 
  private:
+  static constexpr std::size_t kScalars = static_cast<std::size_t>(ir::Scalar::kUint64) + 1;
+
+  Ref Make(const Shape& shape);
   Ref StructInBlock(ir::StructId structure);
   Ref NewStructInBlock(ir::StructId structure);
   void DecorateMatrix(Ref structure, std::uint32_t member, ir::TypeId type, bool row_major);
@@ -80,6 +84,8 @@ class Types {
 
   const ir::Program& program_;
   Module& module_;
+  // The types of shapes: by scalar, rows, components of a row, and kind. 0: not made yet.
+  std::array<std::array<std::array<std::array<Ref, 4>, 4>, 4>, kScalars> shapes_{};
   std::map<std::uint32_t, Ref> structs_, block_structs_;                 // by StructId
   std::map<std::tuple<Ref, std::uint32_t, std::uint32_t>, Ref> arrays_;  // with their strides
 };
