@@ -185,6 +185,7 @@ Result<> PrepareRequest(CommandLine& command) {
   }
   OutputOptions& outputs = request.outputs;
   outputs.facts = outputs.facts || !command.reflections.empty();
+  outputs.glsl = !outputs.spirv || request.debug.dump;
   outputs.listing = !command.listing.empty();
   outputs.preprocess = !command.preprocessed.empty() || command.only_dependencies;
   outputs.text = command.format == MessageFormat::kText;

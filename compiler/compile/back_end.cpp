@@ -45,16 +45,14 @@ glsl::ProgramLayout LayOut(std::span<Job> jobs, std::vector<Lowered>& lowered) {
   return glsl::ProgramLayout(stages);
 }
 
-// Writes the shaders. With `lines`, the GLSL has those of the HLSL as comments.
-std::vector<ShaderOutput> WriteShaders(std::span<Job> jobs, glsl::ProgramLayout& layout,
-                                       bool lines) {
-  std::vector<ShaderOutput> written;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    glsl::CommentOf comment_of;
-    if (lines) comment_of = [&job = jobs[i]](Span span) { return SourceLine(job.source(), span); };
-    written.push_back({layout.Write(i, std::move(comment_of)), {}});
+// Writes the GLSL of a shader, with the lines of the HLSL as comments if they are wanted.
+std::string WriteGlsl(std::span<Job> jobs, std::size_t shader, glsl::ProgramLayout& layout,
+                      bool wants_lines) {
+  glsl::CommentOf comment_of;
+  if (wants_lines) {
+    comment_of = [&job = jobs[shader]](Span span) { return SourceLine(job.source(), span); };
   }
-  return written;
+  return layout.Write(shader, std::move(comment_of));
 }
 
 // The shaders of a program, and what kept glslang from judging them; empty where nothing did.
@@ -90,15 +88,44 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
   return std::move(insertion.text);
 }
 
+// The SPIR-V of a shader by clipc's own writer; none where that lacks something, or for OpenGL.
+std::vector<std::uint32_t> OwnSpirv(const Job& job, const Lowered& lowered,
+                                    const glsl::GlslInfo& info) {
+  const ProgramRequest& request = job.request;
+  if (!request.target.IsVulkan()) return {};
+  return WriteSpirv(lowered.program, info, job.plan.write, *request.outputs.spirv).words;
+}
+
+// The SPIR-V that glslang makes of the GLSL.
+std::vector<std::uint32_t> TranslatedSpirv(Job& job, Stage stage, const std::string& glsl) {
+  const ProgramRequest& request = job.request;
+  // The name has no folder, so that it does not matter where a shader is compiled.
+  const std::string name =
+      fmt::format("{}{}", job.path.substr(NameBegin(job.path)), InfoOf(stage).extension);
+  Spirv spirv = MakeSpirv(glsl, request.target, stage, *request.outputs.spirv, name);
+  for (const std::string& problem : spirv.problems)
+    job.diagnostics.Report({}, diag::NoSpirv, problem);
+  return std::move(spirv.words);
+}
+
 // Writes and validates the shaders, and adds the fragment shader's part where none of them
 // discards.
 Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
                 glsl::ProgramLayout& layout) {
   const OutputOptions& wanted = jobs.front().request.outputs;
-  Finished finished{WriteShaders(jobs, layout, wanted.source_lines), {}};
-  for (std::size_t i = 0; wanted.validate && i < jobs.size(); ++i) {
-    const std::string_view unjudged = ValidateShader(jobs[i], lowered[i], finished.shaders[i].text);
-    if (finished.unjudged.empty()) finished.unjudged = unjudged;
+  Finished finished;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    ShaderOutput& shader = finished.shaders.emplace_back();
+    if (wanted.spirv) shader.spirv = OwnSpirv(jobs[i], lowered[i], layout.InfoOf(i));
+    const bool is_translated = wanted.spirv && shader.spirv.empty();
+    if (!wanted.glsl && !wanted.validate && !is_translated) continue;
+    shader.text = WriteGlsl(jobs, i, layout, wanted.source_lines);
+    if (wanted.validate) {
+      const std::string_view unjudged = ValidateShader(jobs[i], lowered[i], shader.text);
+      if (finished.unjudged.empty()) finished.unjudged = unjudged;
+    }
+    if (is_translated)
+      shader.spirv = TranslatedSpirv(jobs[i], lowered[i].program.stage, shader.text);
   }
   if (lowered.back().lowering == Lowering::kDiscard) {
     const glsl::GlslInfo& info = layout.InfoOf(jobs.size() - 1);
@@ -126,25 +153,6 @@ std::vector<Finished> WriteVariants(std::span<Job> jobs, const LoweredProgram& l
   return variants;
 }
 
-// Writes the SPIR-V of a shader; where the writer lacks something, glslang translates its GLSL.
-std::vector<std::uint32_t> SpirvOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& info,
-                                   const std::string& glsl) {
-  const ProgramRequest& request = job.request;
-  const SpirvRequest& wanted = *request.outputs.spirv;
-  if (request.target.IsVulkan()) {
-    spirv::Written own = WriteSpirv(lowered.program, info, job.plan.write, wanted);
-    if (!own.words.empty()) return std::move(own.words);
-  }
-  // The name has no folder, so that it does not matter where a shader is compiled.
-  const Stage stage = lowered.program.stage;
-  const std::string name =
-      fmt::format("{}{}", job.path.substr(NameBegin(job.path)), InfoOf(stage).extension);
-  Spirv spirv = MakeSpirv(glsl, request.target, stage, wanted, name);
-  for (const std::string& problem : spirv.problems)
-    job.diagnostics.Report({}, diag::NoSpirv, problem);
-  return std::move(spirv.words);
-}
-
 // Describes the program in the outputs that were asked for.
 void Describe(const LoweredProgram& lowered, const glsl::ProgramLayout& layout, bool wants_facts,
               Outputs& outputs) {
@@ -169,18 +177,14 @@ void RunBackEnd(std::span<Job> jobs, std::vector<ir::Program> typed, CompileResu
   Outputs& outputs = result.outputs.emplace();
   if (wanted.listing) {
     glsl::ProgramLayout layout = LayOut(jobs, lowered->shaders);
-    for (const ShaderOutput& listed : WriteShaders(jobs, layout, true))
-      outputs.listing += (outputs.listing.empty() ? "" : "\n") + listed.text;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      outputs.listing += (i == 0 ? "" : "\n") + WriteGlsl(jobs, i, layout, true);
   }
   glsl::ProgramLayout layout = LayOut(jobs, lowered->shaders);
   Describe(*lowered, layout, wanted.facts, outputs);
   Finished finished = Finish(jobs, lowered->shaders, layout);
   std::string_view unjudged = finished.unjudged;
   outputs.shaders = std::move(finished.shaders);
-  for (std::size_t i = 0; wanted.spirv && i < jobs.size(); ++i) {
-    ShaderOutput& shader = outputs.shaders[i];
-    shader.spirv = SpirvOf(jobs[i], lowered->shaders[i], layout.InfoOf(i), shader.text);
-  }
   if (request.planes.variants) {
     for (Finished& variant : WriteVariants(jobs, *lowered, outputs.shaders)) {
       if (unjudged.empty()) unjudged = variant.unjudged;

@@ -139,6 +139,7 @@ struct HlslOptions {
 
 // The parts of the result that are filled besides the shaders and the table.
 struct OutputOptions {
+  bool glsl = true;                   // fill ShaderOutput::text, if there is SPIR-V too
   bool validate = false;              // give the GLSL to glslang before returning it
   bool source_lines = false;          // put the lines of the HLSL as comments into the GLSL
   bool listing = false;               // fill Outputs::listing

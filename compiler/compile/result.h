@@ -24,7 +24,7 @@ enum class Status : std::uint8_t {
 
 // A shader as it is written.
 struct ShaderOutput {
-  std::string text;                  // GLSL, or HLSL on request
+  std::string text;                  // GLSL, where it is wanted, or HLSL
   std::vector<std::uint32_t> spirv;  // of the GLSL, on request
   friend bool operator==(const ShaderOutput&, const ShaderOutput&) = default;
 };
