@@ -5,7 +5,7 @@
 #include <span>
 
 #include "ir/packing.h"
-#include "legalize/shape.h"
+#include "ir/std_layout.h"
 
 namespace clipc::glsl {
 
@@ -13,109 +13,7 @@ using namespace ir;
 
 namespace {
 
-// The limit on sizes in bytes: no device takes a larger buffer, and sums of such sizes stay far
-// from wrapping round.
-constexpr std::uint64_t kLargest = 1u << 30;
 constexpr std::uint32_t kPromised = 16384;  // bytes: GL_MAX_UNIFORM_BLOCK_SIZE is this at least
-
-Std140Extent VectorExtent(std::uint32_t scalar_size, std::uint32_t components) {
-  return {scalar_size * components, scalar_size * (components == 3 ? 4 : components)};
-}
-
-// Adds the layout of the matrices in a part to that of the whole; returns whether the two agree.
-bool Agree(MatrixLayout& whole, MatrixLayout part) {
-  if (part == MatrixLayout::kNone) return true;
-  if (whole == MatrixLayout::kNone) whole = part;
-  return whole == part;
-}
-
-// A comparison of std140 or std430 (section 7.6.2.2) with HLSL's layout.
-class Comparer {
- public:
-  // `tight`: std430 against a StructuredBuffer; else std140 against a cbuffer.
-  Comparer(const TypeTable& types, bool tight)
-      : types_(types), row_(tight ? 1 : kRow), tight_(tight) {}
-
-  std::optional<Std140Extent> Extent(TypeId id, bool row_major) const {
-    const Type& type = types_[id];
-    switch (type.kind) {
-      case TypeKind::kScalar:
-      case TypeKind::kVector: return VectorExtent(ByteSize(type.scalar), type.columns);
-      case TypeKind::kMatrix: return Matrix(type, row_major);
-      case TypeKind::kArray: return Array(id, row_major);
-      case TypeKind::kStruct: return Struct(types_.StructOf(id));
-      default: return std::nullopt;
-    }
-  }
-
- private:
-  std::optional<Std140Extent> Matrix(const Type& type, bool row_major) const {
-    const std::uint32_t scalar_size = ByteSize(type.scalar);
-    const legalize::Shape shape = legalize::ShapeOf(type.scalar, type.rows, type.columns);
-    const std::uint32_t registers = row_major ? type.rows : type.columns;
-    const std::uint32_t length = row_major ? type.columns : type.rows;
-    if (!shape.HasRows()) {
-      // The matrix is a vector in GLSL; in memory it has one component a row if it lies across its
-      // only direction.
-      if (registers > 1 && !tight_) return std::nullopt;
-      return VectorExtent(scalar_size, shape.size);
-    }
-    if (shape.kind == legalize::Shape::kRows && !row_major) return std::nullopt;
-    const Std140Extent vector = VectorExtent(scalar_size, length);
-    const auto alignment = std::max(vector.alignment, row_);
-    const auto stride = static_cast<std::uint32_t>(RoundUp(vector.size, alignment));
-    if (stride != RoundUp(std::uint64_t{scalar_size} * length, row_)) return std::nullopt;
-    const MatrixLayout layout = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
-    return Std140Extent{stride * registers, alignment,
-                        shape.kind == legalize::Shape::kMatrix ? layout : MatrixLayout::kNone};
-  }
-
-  std::optional<Std140Extent> Array(TypeId id, bool row_major) const {
-    const auto element = Extent(types_[id].element, row_major);
-    if (!element) return std::nullopt;
-    const auto alignment = std::max(element->alignment, row_);
-    const std::uint64_t stride = RoundUp(element->size, alignment);
-    const std::uint64_t size = stride * types_[id].count;
-    if (size > kLargest || stride != HlslStride(id, row_major)) return std::nullopt;
-    return Std140Extent{static_cast<std::uint32_t>(size), alignment, element->matrices};
-  }
-
-  std::optional<Std140Extent> Struct(const ir::Struct& structure) const {
-    if (structure.fields.empty())
-      return std::nullopt;  // takes no room in HLSL, and cannot be declared in GLSL
-    Std140Extent whole{0, row_, MatrixLayout::kNone};
-    std::uint32_t hlsl_end = 0;
-    std::uint64_t end = 0;
-    for (const Field& field : structure.fields) {
-      const auto extent = Extent(field.type, field.row_major);
-      if (!extent || !Agree(whole.matrices, extent->matrices)) return std::nullopt;
-      const std::uint32_t hlsl_offset = HlslOffset(field, hlsl_end);
-      if (RoundUp(end, extent->alignment) != hlsl_offset) return std::nullopt;
-      end = std::uint64_t{hlsl_offset} + extent->size;
-      if (end > kLargest) return std::nullopt;
-      hlsl_end = hlsl_offset + HlslSize(field.type, field.row_major);
-      whole.alignment = std::max(whole.alignment, extent->alignment);
-    }
-    whole.size = static_cast<std::uint32_t>(RoundUp(end, whole.alignment));
-    return whole;
-  }
-
-  std::uint32_t HlslStride(TypeId array, bool row_major) const {
-    if (!tight_) return ArrayStride(types_, array, row_major);
-    return Structured(types_, types_[array].element).size;
-  }
-  std::uint32_t HlslOffset(const Field& field, std::uint32_t end) const {
-    if (!tight_) return FieldPlace(types_, field, end);
-    return static_cast<std::uint32_t>(RoundUp(end, Structured(types_, field.type).alignment));
-  }
-  std::uint32_t HlslSize(TypeId type, bool row_major) const {
-    return tight_ ? Structured(types_, type).size : PackedExtent(types_, type, row_major).size;
-  }
-
-  const TypeTable& types_;
-  std::uint32_t row_;
-  bool tight_;
-};
 
 // The members of the cbuffer or, with `fields_as_members`, the fields of T.
 std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer,
@@ -233,7 +131,7 @@ class Division {
 
   std::uint64_t End() const { return parts_.empty() ? 0 : parts_.back().end; }
 
-  void AddWhole(const BlockMember& member, const Std140Extent& extent, bool is_read) {
+  void AddWhole(const BlockMember& member, const StdExtent& extent, bool is_read) {
     parts_.push_back(
         {member, std::uint64_t{member.offset} + extent.size, extent.alignment, is_read});
     parts_.back().member.matrices = extent.matrices;
@@ -314,51 +212,6 @@ BlockLayout AsUniforms(const Program& program, const Cbuffer& cbuffer) {
 }
 
 }  // namespace
-
-std::optional<Std140Extent> Std140(const TypeTable& types, TypeId type, bool row_major) {
-  return Comparer(types, false).Extent(type, row_major);
-}
-
-std::optional<Std140Extent> Std430(const TypeTable& types, TypeId type, bool row_major) {
-  const auto extent = Comparer(types, true).Extent(type, row_major);
-  if (!extent || RoundUp(extent->size, extent->alignment) != Structured(types, type).size)
-    return std::nullopt;
-  return extent;
-}
-
-bool IsOfWords(const TypeTable& types, TypeId id) {
-  const Type& type = types[id];
-  if (type.kind == TypeKind::kArray) return IsOfWords(types, type.element);
-  if (type.kind == TypeKind::kStruct) {
-    return std::ranges::all_of(types.StructOf(id).fields,
-                               [&](const Field& field) { return IsOfWords(types, field.type); });
-  }
-  return type.IsScalarOrVector() && ByteSize(type.scalar) == 4;
-}
-
-StructuredExtent Structured(const TypeTable& types, TypeId id) {
-  const Type& type = types[id];
-  const std::uint32_t scalar = ByteSize(type.scalar);
-  switch (type.kind) {
-    case TypeKind::kArray: {
-      const StructuredExtent element = Structured(types, type.element);
-      const std::uint64_t size = std::uint64_t{element.size} * type.count;
-      return {static_cast<std::uint32_t>(std::min(size, kLargest)), element.alignment};
-    }
-    case TypeKind::kStruct: {
-      StructuredExtent whole;
-      for (const Field& field : types.StructOf(id).fields) {
-        const StructuredExtent extent = Structured(types, field.type);
-        const std::uint64_t end = RoundUp(whole.size, extent.alignment) + extent.size;
-        whole.size = static_cast<std::uint32_t>(std::min(end, kLargest));
-        whole.alignment = std::max(whole.alignment, extent.alignment);
-      }
-      whole.size = static_cast<std::uint32_t>(RoundUp(whole.size, whole.alignment));
-      return whole;
-    }
-    default: return {scalar * type.Components(), scalar};
-  }
-}
 
 bool OnlyFloats(const TypeTable& types, TypeId id) {
   const Type& type = types[id];

@@ -85,30 +85,4 @@ BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer,
 // Whether a type has floats only, which are all that rows hold where the target has no blocks.
 bool OnlyFloats(const ir::TypeTable& types, ir::TypeId type);
 
-// The extent that std140 or std430 gives a type, in bytes.
-struct Std140Extent {
-  std::uint32_t size = 0;  // with the padding after arrays, structs and matrices
-  std::uint32_t alignment = 4;
-  ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
-};
-// Returns std140's extent of `type`; std::nullopt if std140 puts some part of the type elsewhere
-// than HLSL does in a cbuffer, or GLSL cannot say the order of its matrices or a struct without
-// fields.
-std::optional<Std140Extent> Std140(const ir::TypeTable& types, ir::TypeId type, bool row_major);
-
-// Returns std430's extent of `type` if it lays an array of them out as a StructuredBuffer<type>
-// does; otherwise std::nullopt.
-std::optional<Std140Extent> Std430(const ir::TypeTable& types, ir::TypeId type, bool row_major);
-
-// HLSL's layout of the elements of a StructuredBuffer: scalars at multiples of their own size,
-// nothing else.
-struct StructuredExtent {
-  std::uint32_t size = 0;
-  std::uint32_t alignment = 4;
-};
-StructuredExtent Structured(const ir::TypeTable& types, ir::TypeId type);
-// Whether an element of a StructuredBuffer is words in the order of its components, one each: it
-// has no matrix and nothing of 64 bits.
-bool IsOfWords(const ir::TypeTable& types, ir::TypeId type);
-
 }  // namespace clipc::glsl

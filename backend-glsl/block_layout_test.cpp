@@ -195,24 +195,6 @@ TEST_F(BlockLayoutTest, ConstantBuffersAreBlocksWithAName) {
   EXPECT_FALSE(Layout({{"cb", t}}, "glsl140", ir::CbufferKind::kConstantBuffer).fields_as_members);
 }
 
-TEST_F(BlockLayoutTest, StructuredBuffers) {
-  const auto& types = shader_.program.types;
-  EXPECT_TRUE(Std430(types, F(4), false));
-  EXPECT_TRUE(Std430(types, F(2), false));
-  EXPECT_TRUE(Std430(types, F(1), false));
-  EXPECT_FALSE(Std430(types, F(3), false)) << "12 bytes each";
-  EXPECT_TRUE(Std430(types, M(4, 4), false));
-  EXPECT_TRUE(Std430(types, M(2, 4), false)) << "four registers of two";
-  EXPECT_FALSE(Std430(types, M(3, 4), false)) << "four registers of three";
-  EXPECT_TRUE(Std430(types, S({{"x", F(3)}, {"y", F(1)}}), false));
-  EXPECT_FALSE(Std430(types, S({{"x", F(1)}, {"y", F(3)}}), false));
-  EXPECT_FALSE(Std430(types, S({{"x", F(4)}, {"y", F(1)}}), false)) << "20 bytes each";
-  EXPECT_EQ(
-      Structured(types, S({{"x", F(1)}, {"y", shader_.Vector(Scalar::kDouble, 1)}, {"z", F(1)}}))
-          .size,
-      24u);
-}
-
 // ---- members' offsets in the written block, by glslang's own reflection, against those of HLSL
 
 struct Leaf {

@@ -7,6 +7,7 @@
 
 #include "backend-glsl/writer/wave_call.h"
 #include "ir/scalar.h"
+#include "ir/std_layout.h"
 #include "legalize/es100/loops.h"
 #include "legalize/shape.h"
 #include "legalize/split_arrays.h"

@@ -9,6 +9,7 @@
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/reach.h"
+#include "ir/std_layout.h"
 
 namespace clipc::glsl {
 
@@ -18,14 +19,14 @@ namespace {
 
 // The extent of a constant buffer's member in the layout; none if a part of it lies elsewhere than
 // in Direct3D.
-std::optional<Std140Extent> ExtentIn(BufferLayout layout, const Program& program, TypeId type,
-                                     const CbufferMember& member) {
+std::optional<StdExtent> ExtentIn(BufferLayout layout, const Program& program, TypeId type,
+                                  const CbufferMember& member) {
   const Var& var = program.vars[member.var];
   if (layout == BufferLayout::kGl) return Std140(program.types, type, var.row_major);
   const StructuredExtent extent = Structured(program.types, type);
   const Extent packed = PackedExtent(program.types, type, var.row_major);
   if (extent.size != packed.size) return std::nullopt;  // Direct3D pads a part of it
-  return Std140Extent{.size = extent.size, .alignment = extent.alignment};
+  return StdExtent{.size = extent.size, .alignment = extent.alignment};
 }
 
 bool LiesAlike(BufferLayout layout, const Program& program, const ir::Cbuffer& cbuffer) {

@@ -116,9 +116,13 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
 
 bool IsPure(const Program& program, ExprId expr) {
   return !AnyExpr(program, expr, [&](ExprId part) {
+    if (Writes(program, part)) return true;
     const auto* call = As<Call>(program, part);
-    return Writes(program, part) || (call && (!program.functions[call->function].is_helper ||
-                                              program.functions[call->function].is_accessor));
+    if (!call) return false;
+    const Function& function = program.functions[call->function];
+    const bool stores =
+        function.is_accessor && program.types[function.return_type].kind == TypeKind::kVoid;
+    return !function.is_helper || stores;
   });
 }
 

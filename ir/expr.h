@@ -95,8 +95,8 @@ struct Splat {
   ExprId operand;
 };
 // A vector, from scalars and vectors of the same kind whose components add up; a matrix, from
-// scalars in row order or from its rows; a struct or an array, from one expression for each field
-// or element, of exactly its type.
+// scalars in row order, from its rows or from its only column; a struct or an array, from one
+// expression for each field or element, of exactly its type.
 struct Construct {
   List<ExprId> arguments;
 };

@@ -8,6 +8,7 @@
 
 #include "base/overloaded.h"
 #include "ir/access.h"
+#include "ir/std_layout.h"
 #include "ir/verifier.h"
 #include "ir/verify_interface.h"
 
@@ -31,9 +32,7 @@ class ProgramVerifier {
     }
     for (const Resource& resource : program_.resources) {
       Show(resource.var);
-      const Type& type = program_.types[program_.types.Innermost(program_.vars[resource.var].type)];
-      if (form >= Form::kAddressed && IsByteAddress(type.object))
-        Fail("a byte address buffer is a structured buffer of words");
+      if (form >= Form::kAddressed) CheckAddressed(program_.vars[resource.var]);
     }
     for (const IoVar& io : program_.inputs) {
       if (IsReadAnywhere(io.builtin)) Show(io.var);
@@ -58,6 +57,14 @@ class ProgramVerifier {
   }
   const Type& TypeOf(ExprId expr) const { return program_.types[program_.exprs[expr].type]; }
   void Show(VarId var) { exprs_.scope[var.index] = Scope::kVisible; }
+
+  void CheckAddressed(const Var& object) {
+    const Type& type = program_.types[program_.types.Innermost(object.type)];
+    Require(!IsByteAddress(type.object), "a byte address buffer is a structured buffer of words");
+    Require(!IsStructured(type.object) ||
+                Std430(program_.types, type.element, object.row_major).has_value(),
+            "the elements of a structured buffer lie as std430 has them");
+  }
 
   void CheckGlobals() {
     for (VarId var : program_.globals) {

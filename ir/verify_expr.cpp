@@ -285,7 +285,9 @@ void ExprVerifier::Check(const Construct& node) {
   }
   Require(components == type.Components(), "the components do not add up");
   if (type.kind == kMatrix) {
-    Require(all_rows || all_scalars, "a matrix is made of its rows, or of scalars in row order");
+    const bool is_column = type.columns == 1 && arguments.size() == 1;
+    Require(all_rows || all_scalars || is_column,
+            "a matrix is made of its rows, its only column, or scalars in row order");
   }
 }
 

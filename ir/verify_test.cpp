@@ -157,6 +157,14 @@ TEST_F(Verifier, ByteAddressBufferIsOneOfWords) {
   EXPECT_EQ(Verify(shader, Form::kLegalized), std::nullopt);
   ExpectProblem("a structured buffer of words", Form::kAddressed);
 }
+TEST_F(Verifier, StructuredBufferHasElementsOfStd430) {
+  const TypeId tight = shader.types.Object(ObjectKind::kStructuredBuffer, F(3));
+  const VarId buffer = shader.AddVar("buffer", tight, Storage::kResource);
+  shader.resources.push_back({buffer, {.letter = 't', .is_explicit = true}});
+  shader.form = Form::kAddressed;
+  EXPECT_EQ(Verify(shader, Form::kLegalized), std::nullopt);
+  ExpectProblem("lie as std430 has them", Form::kAddressed);
+}
 TEST_F(Verifier, LogicTakesBool) {
   ExpectProblemIn(build.BinaryOf(BinaryOp::kLogicalAnd, build.Int(1), build.Int(1)),
                   "does not take this kind");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -35,5 +36,11 @@ class HelperBody {
   std::vector<ir::StmtId> statements;
   std::string_view remark;  // Function::remark
 };
+
+// Adds a helper function to the program; `define` writes its body.
+using Define = std::function<void(HelperBody&)>;
+ir::FunctionId AddHelper(ir::Program& program, std::string_view name,
+                         std::span<const Parameter> parameters, ir::TypeId result,
+                         const Define& define);
 
 }  // namespace clipc::legalize

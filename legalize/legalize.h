@@ -116,6 +116,13 @@ void LowerComponents(Legalizer& legalizer);
 //   saturate(x)  =>  saturate(x) with min(max(0, x), 1)
 void LowerFunctions(Legalizer& legalizer);
 
+// Makes buffers of words out of structured buffers whose elements lie tighter than std430 can say.
+// A load or a store is a call of a function of its buffer (Function::is_accessor).
+//
+//   normals[k].x     =>  normals_at(k).x with float3(asfloat(normals[3 * i]), ..)
+//   normals[k].z = x  =>  normals_store2_at(k, x) with normals[3 * i + 2] = asuint(x)
+void LowerStructuredBuffers(Legalizer& legalizer);
+
 // Makes structured buffers of words out of byte address buffers. A load or a store is a call of a
 // function of its buffer (Function::is_accessor).
 //

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "legalize/legalizer.h"
 
-#include <utility>
 #include <variant>
 
 #include "base/operators.h"
@@ -163,21 +162,8 @@ FunctionId Legalizer::Helper(std::string_view name, std::span<const Parameter> p
     key.append(reinterpret_cast<const char*>(&type), sizeof type);
   }
   FunctionId& helper = helpers_[key];
-  if (!helper) helper = AddHelper(name, parameters, result, define);
+  if (!helper) helper = AddHelper(program, name, parameters, result, define);
   return helper;
-}
-
-FunctionId Legalizer::AddHelper(std::string_view name, std::span<const Parameter> parameters,
-                                TypeId result, const Define& define) {
-  HelperBody body(program, parameters);
-  define(body);
-  return program.functions.Add({.name = std::string(name),
-                                .return_type = result,
-                                .parameters = std::move(body.parameters),
-                                .body = body.b.BlockOf(body.statements),
-                                .span = {},
-                                .is_helper = true,
-                                .remark = body.remark});
 }
 
 void Legalizer::BecomeCall(ExprId expr, std::string_view name,

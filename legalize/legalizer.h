@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -65,12 +64,8 @@ class Legalizer {
 
   // The helper function `name` for these parameters; `define` writes the body when there is no such
   // function yet.
-  using Define = std::function<void(HelperBody&)>;
   ir::FunctionId Helper(std::string_view name, std::span<const Parameter> parameters,
                         ir::TypeId result, const Define& define);
-  // A new helper function.
-  ir::FunctionId AddHelper(std::string_view name, std::span<const Parameter> parameters,
-                           ir::TypeId result, const Define& define);
   // Makes `expr` a call of the helper function `name`.
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const Parameter> parameters,
                   std::span<const ir::ExprId> arguments, const Define& define);

@@ -169,7 +169,7 @@ class BlockWriter {
   void PartInRows(const BlockMember& part) {
     const std::string name = PartName(context_[part.var].name + "_rows");
     text_ += fmt::format("{} {}[{}];\n", part.float_rows ? "vec4" : "uvec4", name, part.rows);
-    const Memory memory{PathOf(name), true, part.float_rows};
+    const Memory memory{PathOf(name), part.float_rows};
     for (const ByHand& member : layout_.by_hand) {
       if (&layout_.members[member.part] != &part) continue;
       info_.members.push_back(
@@ -204,7 +204,7 @@ class BlockWriter {
     info_.rows = context_.names.rows[info_.cbuffer.index];
     text_ += fmt::format("    {} {}[{}];\n}}", layout_.float_rows ? "vec4" : "uvec4", info_.rows,
                          std::max(cbuffer_.size / kRow, 1u));
-    Memory memory{info_.rows, true, layout_.float_rows};
+    Memory memory{info_.rows, layout_.float_rows};
     const std::string dimensions = cbuffer_.kind == CbufferKind::kConstantBuffer
                                        ? Dimensions(context_, cbuffer_.members[0].var)
                                        : "";
@@ -226,7 +226,7 @@ class BlockWriter {
   void RowUniform() {
     info_.rows = context_.names.rows[info_.cbuffer.index];
     info_.name.clear();
-    const Memory memory{info_.rows, true, true};
+    const Memory memory{info_.rows, true};
     std::string uniforms;
     std::uint32_t end = 0;
     for (const CbufferMember& member : cbuffer_.members) {

@@ -12,6 +12,10 @@ std::string Fresh(WriterContext& context, std::string_view wanted) {
   return name;
 }
 
+bool HasHelper(const WriterContext& context, std::string_view name, std::string_view key) {
+  return context.helper_keys.contains(Concat(name, "|", key));
+}
+
 std::string Helper(WriterContext& context, std::string_view name, const std::string& key,
                    const DefineHelper& define) {
   const auto [found, is_new] = context.helper_names.try_emplace(std::string(name));

@@ -19,4 +19,7 @@ using DefineHelper = std::function<std::string(const std::string& function)>;
 std::string Helper(WriterContext& context, std::string_view name, const std::string& key,
                    const DefineHelper& define);
 
+// Whether a helper of that name and key is defined.
+bool HasHelper(const WriterContext& context, std::string_view name, std::string_view key);
+
 }  // namespace clipc::glsl

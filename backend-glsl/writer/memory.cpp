@@ -46,19 +46,12 @@ class Loader {
     return address;
   }
 
-  // `count` words that lie side by side; in rows, within one row.
+  // `count` words that lie side by side within one row.
   std::string Words(const Address& address, std::uint32_t count) {
     const std::uint32_t word = address.offset / kWord;
-    if (memory_.is_rows) {
-      const std::string row = Sum(address.dynamic, word / 4);
-      const std::string_view components = std::string_view("xyzw").substr(word % 4, count);
-      return Concat(memory_.array, "[", row, "]", count < 4 ? "." : "",
-                    count < 4 ? components : "");
-    }
-    const std::string list = ListOf(count, [&](std::uint32_t i) {
-      return Concat(memory_.array, "[", Sum(address.dynamic, word + i), "]");
-    });
-    return count == 1 ? list : fmt::format("uvec{}({})", count, list);
+    const std::string row = Sum(address.dynamic, word / 4);
+    const std::string_view components = std::string_view("xyzw").substr(word % 4, count);
+    return Concat(memory_.array, "[", row, "]", count < 4 ? "." : "", count < 4 ? components : "");
   }
 
   std::string FromWords(Scalar kind, std::uint32_t components, const std::string& words) {
@@ -99,7 +92,7 @@ class Loader {
     const std::uint32_t length = row_major ? type.columns : type.rows;
     const std::uint32_t component = ByteSize(type.scalar);
     const std::uint32_t tight = length * component;
-    const std::uint64_t stride = memory_.is_rows ? RoundUp(tight, kRow) : tight;
+    const std::uint64_t stride = RoundUp(tight, kRow);
     if (!shape.HasRows() && registers == 1) return Vector(type.scalar, length, address);
 
     const auto all = [&] {
@@ -125,8 +118,7 @@ class Loader {
   std::string Array(TypeId id, bool row_major, const Address& address) {
     const Type& type = context_[id];
     const std::string name = TypeName(context_, id);
-    const std::uint32_t stride = memory_.is_rows ? ArrayStride(context_.types, id, row_major)
-                                                 : Structured(context_.types, type.element).size;
+    const std::uint32_t stride = ArrayStride(context_.types, id, row_major);
     const auto element = [&](const Address& place) {
       return ElementText(context_, type.element, {Load(type.element, row_major, place)});
     };
@@ -136,20 +128,19 @@ class Loader {
       };
       return Called(name, {ListOf(type.count, at)}).text;
     }
-    const std::uint32_t unit = memory_.is_rows ? kRow : kWord;
-    const std::uint32_t rest = address.offset % unit;
+    const std::uint32_t rest = address.offset % kRow;
     const std::string helper =
         Helper(context_, "load_" + memory_.array,
                Concat(name, std::to_string(rest), row_major ? "r" : "c"),
                [&](const std::string& function) {
                  const std::string at = Fresh(context_, "at");
                  const auto value = [&](const std::string& index) {
-                   return element({fmt::format("{} + {} * {}", at, stride / unit, index), rest});
+                   return element({fmt::format("{} + {} * {}", at, stride / kRow, index), rest});
                  };
                  return fmt::format("{} {}(int {}) {{\n{}}}\n", name, function, at,
                                     FilledArray(context_, id, value));
                });
-    return Called(helper, {Sum(address.dynamic, address.offset / unit)}).text;
+    return Called(helper, {Sum(address.dynamic, address.offset / kRow)}).text;
   }
 
   std::string Structure(TypeId id, const Address& address) {
@@ -158,15 +149,8 @@ class Loader {
     const auto& fields = types.StructOf(id).fields;
     std::uint32_t end = 0;
     const std::string list = ListOf(fields, [&](const Field& field) {
-      std::uint32_t offset = 0;
-      if (memory_.is_rows) {
-        offset = FieldPlace(types, field, end);
-        end = offset + PackedExtent(types, field.type, field.row_major).size;
-      } else {
-        const StructuredExtent extent = Structured(types, field.type);
-        offset = static_cast<std::uint32_t>(RoundUp(end, extent.alignment));
-        end = offset + extent.size;
-      }
+      const std::uint32_t offset = FieldPlace(types, field, end);
+      end = offset + PackedExtent(types, field.type, field.row_major).size;
       return Load(field.type, field.row_major, Plus(address, offset));
     });
     return Called(name, {fields.empty() ? "0.0" : list}).text;

@@ -6,18 +6,16 @@
 
 #include "backend-glsl/writer/context.h"
 
-// Reads of values from arrays of words: constant buffers in rows, structured buffers in single
-// words.
+// Reads of values from constant buffers in rows of four words.
 namespace clipc::glsl {
 
 struct Memory {
-  std::string array;      // "Light_rows", "vertices_words"
-  bool is_rows = true;    // rows of four words; else single words
+  std::string array;      // "Light_rows"
   bool is_float = false;  // the words are floats; else uints
 };
 // The place of a value in a Memory.
 struct Address {
-  std::string dynamic;       // added to the constant part, in the array's units; may be empty
+  std::string dynamic;       // added to the constant part, in rows; may be empty
   std::uint32_t offset = 0;  // bytes
 };
 

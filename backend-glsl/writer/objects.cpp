@@ -14,6 +14,7 @@
 #include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/types.h"
 #include "base/invariant.h"
+#include "ir/std_layout.h"
 
 namespace clipc::glsl {
 
@@ -151,7 +152,7 @@ class ObjectWriter {
     const std::string place =
         Bind(context_, info, resource.reg, buffers_, 1, context_.LaidObject(resource.var, {}));
     const auto extent = Std430(context_.types, type.element, var.row_major);
-    const std::string element = extent ? TypeName(context_, type.element) : "uint";
+    const std::string element = TypeName(context_, type.element);
     const bool is_turned = extent && extent->matrices == MatrixLayout::kRowMajor;
     const std::string dimensions = Dimensions(context_, resource.var);
     text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",

@@ -286,7 +286,7 @@ std::string WriteFunctions(Code& code, std::span<const LateGlobal> late) {
 }
 
 // Functions whose parameter types differ in HLSL only, as half and float do, are one function here:
-// the first of them.
+// the first of them. Accessors of one name and such parameters are as many functions.
 const std::string& HelperFunction(Code& code, FunctionId id) {
   std::string& known = code.names.functions[id.index];
   if (!known.empty()) return known;
@@ -299,13 +299,14 @@ const std::string& HelperFunction(Code& code, FunctionId id) {
     code.indent = indent;
     return text;
   };
-  if (is_accessor) {
+  std::string key = ParameterTypes(code, id);
+  if (is_accessor && HasHelper(code, code[id].name, key)) {
     std::string name = code.namer.Global(code[id].name, "helper");
     const std::string definition = define(name);
     Append(code.helpers, definition, "\n");
     return known = std::move(name);
   }
-  std::string name = Helper(code, code[id].name, ParameterTypes(code, id), define);
+  std::string name = Helper(code, code[id].name, key, define);
   return known = std::move(name);
 }
 

@@ -115,7 +115,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return Camera(cameras[nonuniformEXT(i_2)].view, cameras[nonuniformEXT(i_2)].plane);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: Loose loose_any_at(int which, int i_2) {
+// CHECK-NEXT: Loose loose_any_at(uint which, int i_2) {
 // CHECK-NEXT:     return Loose(uintBitsToFloat(uvec3(loose[nonuniformEXT(which)].elements[7 * i_2], loose[nonuniformEXT(which)].elements[7 * i_2 + 1], loose[nonuniformEXT(which)].elements[7 * i_2 + 2])), uintBitsToFloat(loose[nonuniformEXT(which)].elements[7 * i_2 + 3]), uintBitsToFloat(uvec3(loose[nonuniformEXT(which)].elements[7 * i_2 + 4], loose[nonuniformEXT(which)].elements[7 * i_2 + 5], loose[nonuniformEXT(which)].elements[7 * i_2 + 6])));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
@@ -152,7 +152,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     Camera camera = cameras_any_value(int(i));
 // CHECK-NEXT:     gl_Position = Read(in_POSITION0.xy, n) + textureLod(sampler2D(maps[2], states[nonuniformEXT(n)]), in_POSITION0.xy, 0.0) + Read(in_POSITION0.xy);
 // CHECK-NEXT:     gl_Position += vec4(texelFetch(numbers[nonuniformEXT(i)], ivec2(0), 0)) + lists[nonuniformEXT(n)].elements[i] + lists[nonuniformEXT((n + 1u) & 3u)].elements[i].x * lists[1].elements[2];
-// CHECK-NEXT:     gl_Position += loose_any_at(int(n), int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(n, i * 16u) % 64u) + float(bytes_load(2, 4u) % 64u);
+// CHECK-NEXT:     gl_Position += loose_any_at(n, int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(n, i * 16u) % 64u) + float(bytes_load(2, 4u) % 64u);
 // CHECK-NEXT:     uint count;
 // CHECK-NEXT:     count = uint(lists[nonuniformEXT(n)].elements.length());
 // CHECK-NEXT:     gl_Position += texelFetch(typed[nonuniformEXT(n)], int(i)) + cameras[nonuniformEXT(n)].view * in_POSITION0 + camera.plane + sized[nonuniformEXT(n)].elements[2] + float(count);

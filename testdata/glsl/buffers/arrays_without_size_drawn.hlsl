@@ -45,7 +45,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: Loose loose_any_at(int which, int i_2) {
+// CHECK-NEXT: Loose loose_any_at(uint which, int i_2) {
 // CHECK-NEXT:     return Loose(uintBitsToFloat(uvec3(loose[nonuniformEXT(which)].elements[7 * i_2], loose[nonuniformEXT(which)].elements[7 * i_2 + 1], loose[nonuniformEXT(which)].elements[7 * i_2 + 2])), uintBitsToFloat(loose[nonuniformEXT(which)].elements[7 * i_2 + 3]), uintBitsToFloat(uvec3(loose[nonuniformEXT(which)].elements[7 * i_2 + 4], loose[nonuniformEXT(which)].elements[7 * i_2 + 5], loose[nonuniformEXT(which)].elements[7 * i_2 + 6])));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
@@ -71,5 +71,5 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     i &= 3u;
 // CHECK-NEXT:     uint n = i;
 // CHECK-NEXT:     gl_Position = Read(in_POSITION0.xy, i, n) + textureLod(sampler2D(maps[0], state), in_POSITION0.xy, 0.0) + Read_2(in_POSITION0.xy, i, n);
-// CHECK-NEXT:     gl_Position += loose_any_at(int(n), int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(n, i * 16u) % 64u);
+// CHECK-NEXT:     gl_Position += loose_any_at(n, int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(n, i * 16u) % 64u);
 // CHECK-NEXT: }
