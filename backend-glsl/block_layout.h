@@ -53,6 +53,9 @@ struct BlockMember {
   // `uvec4`. `var` is the first of the members in them, and `offset` that of the rows.
   std::uint32_t rows = 0;
   bool float_rows = true;
+  // kRows: the variable in the program that they are; kWords: the first component, which the
+  // others follow (packed_blocks.h).
+  ir::VarId memory = {};
 };
 // A member of a buffer that is read by hand.
 struct ByHand {
@@ -72,6 +75,7 @@ struct BlockLayout {
   bool fields_as_members = false;    // `buffer.field`: a ConstantBuffer<T> with an instance name
   std::vector<BlockMember> members;  // in order of offset (kUniforms: of declaration)
   std::vector<ByHand> by_hand;       // kStd140: in order of offset
+  ir::VarId memory = {};  // kRows: the variable that the rows are; of an array of buffers, these
 
   bool IsByHand(ir::VarId var) const {
     return std::ranges::find(by_hand, var, &ByHand::var) != by_hand.end();

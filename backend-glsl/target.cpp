@@ -260,6 +260,7 @@ legalize::Needs Target::FindNeeds() const {
       .square_matrices = lacks(Feature::kFullMatrices),
       .constant_loops = lacks(Feature::kFreeLoops),
       .constant_indices = lacks(Feature::kFreeIndices),
+      .array_fields = lacks(Feature::kArrayValues),
       .float_choices = lacks(Feature::kBoolMix),
       .integer_choices = lacks(Feature::kIntegerMix),
       .struct_choices = lacks(Feature::kStructChoices),

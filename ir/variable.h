@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/span.h"
@@ -53,7 +52,8 @@ struct Function {
   // variables; and a buffer, if it is an accessor.
   bool is_helper = false, is_accessor = false;
   bool precise = false;  // its result is precise; SpreadPrecise makes variables precise instead
-  std::string_view remark = {};  // for readers of a helper function, after its last statement
+  // For readers of a helper function, after its last statement; of an accessor, after its head.
+  std::string remark = {};
 };
 
 }  // namespace clipc::ir

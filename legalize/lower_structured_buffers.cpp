@@ -96,7 +96,7 @@ class StructuredBufferLowering {
     return {};
   }
   std::uint32_t WordsOf(VarId buffer) const {
-    return Structured(types_, ElementOf(buffer)).size / 4;
+    return Structured(types_, ElementOf(buffer)).size / kWordBytes;
   }
   std::uint32_t ComponentsOf(TypeId type) const {
     return static_cast<std::uint32_t>(KindsOf(types_, type).size());
@@ -118,7 +118,7 @@ class StructuredBufferLowering {
     const TypeId element = ElementOf(buffer);
     access.Become(loads_[{buffer, access.is_marked()}], access.Name() + "_at", element,
                   [&](HelperBody& body) {
-                    WordMemory memory{.name = access.Name(), .parameters = outer, .at = {}};
+                    WordMemory memory{.name = access.Name(), .parameters = outer};
                     memory.at = [&](HelperBody& in, ExprId number) {
                       return access.Load(in, number);
                     };

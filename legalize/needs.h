@@ -16,6 +16,7 @@ struct Needs {
   bool square_matrices = false;   // others are arrays of their rows; nothing is transposed
   bool constant_loops = false;    // loops count to a constant: appendix A of GLSL ES 1.00
   bool constant_indices = false;  // of all but uniforms: the same appendix
+  bool array_fields = false;      // arrays that are values are structs of a field for each element
   // ---- choices
   bool float_choices = false;    // vectors of floats are chosen component by component
   bool integer_choices = false;  // those of integers and of bool

@@ -15,11 +15,33 @@ using namespace ir;
 
 namespace {
 
-constexpr std::uint32_t kWordSize = 4, kRowSize = 16;  // bytes
 // Arrays of this many elements and more are filled by a loop, shorter ones by a constructor.
 constexpr std::uint32_t kLongArray = 17;
 
+// Ends the function with an array that a loop fills with element(index).
+void FillArray(HelperBody& body, TypeId array,
+               const std::function<ExprId(const Local& index)>& element) {
+  Formula f(body);
+  const VarId result = body.b.Local("result", array);
+  body.Add(body.b.Stmt(Declare{result, {}}));
+  f.CountUp(static_cast<int>(body.program.types[array].count), 1, [&](const Local& i) {
+    const ExprId target = body.b.At(body.b.Ref(result), body.b.Ref(i.var));
+    body.Do(body.b.AssignTo(target, element(i)));
+  });
+  body.Return(body.b.Ref(result));
+}
+
 }  // namespace
+
+void ReturnArray(HelperBody& body, TypeId array, const Needs& needs,
+                 const std::function<ExprId(ExprId index)>& element) {
+  if (!needs.array_fields)
+    return FillArray(body, array, [&](const Local& i) { return element(body.b.Ref(i.var)); });
+  std::vector<ExprId> elements;
+  for (std::uint32_t i = 0; i < body.program.types[array].count; ++i)
+    elements.push_back(element(body.b.Int(static_cast<std::int32_t>(i))));
+  body.Return(body.b.ConstructOf(array, elements));
+}
 
 ExprId NumberAt(HelperBody& body, const WordPlace& place, std::uint32_t constant) {
   ExprId sum;
@@ -45,8 +67,8 @@ ExprId ValueReader::Read(HelperBody& body, TypeId id, bool row_major, const Word
     }
     case TypeKind::kMatrix: return Matrix(body, id, row_major, place);
     case TypeKind::kArray:
-      return type.count < kLongArray ? Array(body, id, row_major, place)
-                                     : LongArray(body, id, row_major, place);
+      return type.count < kLongArray || needs_.array_fields ? Array(body, id, row_major, place)
+                                                            : LongArray(body, id, row_major, place);
     case TypeKind::kStruct: return Structure(body, id, place);
     default: CLIPC_CHECK(!"a type that a buffer can hold");
   }
@@ -55,7 +77,7 @@ ExprId ValueReader::Read(HelperBody& body, TypeId id, bool row_major, const Word
 
 // `count` words that lie side by side; in rows, within one row.
 ExprId ValueReader::Words(HelperBody& body, const WordPlace& place, std::uint32_t count) {
-  const std::uint32_t word = place.offset / kWordSize;
+  const std::uint32_t word = place.offset / kWordBytes;
   if (memory_.is_rows) {
     const ExprId row = memory_.at(body, NumberAt(body, place, word / 4));
     return count < 4 ? body.b.SwizzledRun(row, word % 4, count) : row;
@@ -79,7 +101,7 @@ ExprId ValueReader::FromWords(HelperBody& body, Scalar kind, ExprId words) {
 
 // A component of 64 bits, of which the low word comes first.
 ExprId ValueReader::Wide(HelperBody& body, Scalar kind, const WordPlace& place) {
-  const ExprId low = Words(body, place, 1), high = Words(body, place.Plus(kWordSize), 1);
+  const ExprId low = Words(body, place, 1), high = Words(body, place.Plus(kWordBytes), 1);
   if (kind == Scalar::kDouble)
     return body.b.IntrinsicOf(Intrinsic::kAsDouble, program_.types.Make(kind), {low, high});
   const TypeId whole = program_.types.Make(Scalar::kUint64);
@@ -107,7 +129,7 @@ ExprId ValueReader::Matrix(HelperBody& body, TypeId id, bool row_major, const Wo
   const std::uint32_t length = row_major ? type.columns : type.rows;
   const std::uint32_t component = ByteSize(type.scalar);
   const std::uint32_t tight = length * component;
-  const std::uint64_t stride = memory_.is_rows ? RoundUp(tight, kRowSize) : tight;
+  const std::uint64_t stride = memory_.is_rows ? RoundUp(tight, kRowBytes) : tight;
   std::vector<ExprId> parts;
   if (!shape.HasRows() || row_major) {
     for (std::uint32_t i = 0; i < registers; ++i)
@@ -147,7 +169,7 @@ ExprId ValueReader::Array(HelperBody& body, TypeId id, bool row_major, const Wor
 }
 
 ExprId ValueReader::LongArray(HelperBody& body, TypeId id, bool row_major, const WordPlace& place) {
-  const std::uint32_t unit = memory_.is_rows ? kRowSize : kWordSize;
+  const std::uint32_t unit = memory_.is_rows ? kRowBytes : kWordBytes;
   const std::uint32_t rest = place.offset % unit;
   FunctionId function = fillers_[{id, row_major, rest}];
   if (!function) {
@@ -155,16 +177,11 @@ ExprId ValueReader::LongArray(HelperBody& body, TypeId id, bool row_major, const
     std::vector<Parameter> parameters = memory_.parameters;
     parameters.push_back({"at", program_.types.Make(Scalar::kInt)});
     function = AddHelper(program_, "load_" + memory_.name, parameters, id, [&](HelperBody& inner) {
-      Formula f(inner);
-      const Local result{&inner, inner.b.Local("result", id)};
-      inner.Add(inner.b.Stmt(Declare{result.var, {}}));
-      f.CountUp(static_cast<int>(type.count), 1, [&](const Local& i) {
-        const WordPlace element{
-            {{1, inner.parameters.back()}, {StrideOf(id, row_major) / unit, i.var}}, rest};
-        inner.Do(inner.b.AssignTo(inner.b.At(inner.b.Ref(result.var), inner.b.Ref(i.var)),
-                                  Read(inner, type.element, row_major, element)));
+      const VarId at = inner.parameters.back();
+      FillArray(inner, id, [&](const Local& i) {
+        const WordPlace element{{{1, at}, {StrideOf(id, row_major) / unit, i.var}}, rest};
+        return Read(inner, type.element, row_major, element);
       });
-      inner.Return(inner.b.Ref(result.var));
     });
     program_.functions[function].is_accessor = true;
     fillers_[{id, row_major, rest}] = function;

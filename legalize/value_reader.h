@@ -14,14 +14,16 @@
 
 namespace clipc::legalize {
 
+inline constexpr std::uint32_t kWordBytes = 4, kRowBytes = 16;
+
 // Memory that a shader sees as an array of uint, or of rows of four uint or float.
 struct WordMemory {
   bool is_rows = false;
   bool is_float = false;  // the rows are of floats
-  std::string name;       // at the end of names of functions that read it
+  std::string name = {};  // at the end of names of functions that read it
   // The parameters that each function that reads it has first, and the word or row of that number.
   std::vector<Parameter> parameters = {};
-  std::function<ir::ExprId(HelperBody& body, ir::ExprId number)> at;
+  std::function<ir::ExprId(HelperBody& body, ir::ExprId number)> at = {};
 };
 
 // The place of a value in such memory: `offset` bytes behind the sum of each index times its stride
@@ -43,6 +45,11 @@ struct WordPlace {
 
 // The number of the word or row that lies `constant` of them behind the place's steps.
 ir::ExprId NumberAt(HelperBody& body, const WordPlace& place, std::uint32_t constant);
+
+// Ends the function with the array of element(index) for each index: in a loop, or where arrays
+// have fields, in a constructor.
+void ReturnArray(HelperBody& body, ir::TypeId array, const Needs& needs,
+                 const std::function<ir::ExprId(ir::ExprId index)>& element);
 
 // A reader of values: it puts a value of any type together from the words or rows that it lies in.
 // Rows are laid out as cbuffers are (ir/packing.h), words as structured buffers (ir/std_layout.h).

@@ -8,8 +8,7 @@
 
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/bindings.h"
-#include "backend-glsl/writer/helper.h"
-#include "backend-glsl/writer/memory.h"
+#include "backend-glsl/writer/stmt.h"
 #include "backend-glsl/writer/types.h"
 #include "ir/packing.h"
 
@@ -21,15 +20,15 @@ namespace {
 
 class BlockWriter {
  public:
-  BlockWriter(WriterContext& context, CbufferId id, Bindings& bindings, UniformBlocks& blocks)
-      : context_(context),
+  BlockWriter(Code& code, CbufferId id, Bindings& bindings, UniformBlocks& blocks)
+      : code_(code),
         bindings_(bindings),
-        cbuffer_(context[id]),
-        layout_(context.layouts[id.index]),
+        cbuffer_(code[id]),
+        layout_(code.layouts[id.index]),
         info_(blocks.info.emplace_back()),
         text_(blocks.text) {
     info_.cbuffer = id;
-    info_.is_shared = context.IsShared(id);
+    info_.is_shared = code.IsShared(id);
     info_.form = layout_.form;
     register_ = RegisterText(cbuffer_.reg);
     if (cbuffer_.reg.space != 0) Append(register_, ", space", std::to_string(cbuffer_.reg.space));
@@ -37,18 +36,18 @@ class BlockWriter {
 
   void Write() {
     if (layout_.form == BlockForm::kUniforms) return PlainUniforms();
-    info_.name = context_.names.blocks[info_.cbuffer.index];
-    if (cbuffer_.count == 0) context_.Require("GL_EXT_nonuniform_qualifier");
+    info_.name = code_.names.blocks[info_.cbuffer.index];
+    if (cbuffer_.count == 0) code_.Require("GL_EXT_nonuniform_qualifier");
     const bool is_rows = layout_.form == BlockForm::kRows;
-    if (is_rows && !context_.Has(Feature::kUniformBlocks)) return RowUniform();
+    if (is_rows && !code_.Has(Feature::kUniformBlocks)) return RowUniform();
     const bool turned = layout_.matrices == MatrixLayout::kRowMajor && !is_rows;
-    const bool is_pushed = cbuffer_.is_push_constant && context_.target.IsVulkan();
+    const bool is_pushed = cbuffer_.is_push_constant && code_.target.IsVulkan();
     info_.is_push_constant = is_pushed;
     const std::string place = is_pushed ? "push_constant"
                               : cbuffer_.declared
-                                  ? Bind(context_, info_, *cbuffer_.declared)
-                                  : Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count,
-                                         context_.LaidBlock(info_.cbuffer));
+                                  ? Bind(code_, info_, *cbuffer_.declared)
+                                  : Bind(code_, info_, cbuffer_.reg, bindings_, cbuffer_.count,
+                                         code_.LaidBlock(info_.cbuffer));
     Append(text_, LayoutText({"std140", place, turned ? "row_major" : ""}), "uniform ", info_.name,
            is_pushed ? " {\n" : Concat(" {  // ", register_, "\n"));
     is_rows ? Rows() : Members();
@@ -58,7 +57,7 @@ class BlockWriter {
   void PlainUniforms() {
     Append(text_, "// ", cbuffer_.name, ", ", register_, "\n");
     for (const BlockMember& member : layout_.members) {
-      if (context_.reached.Has(member.var)) PlainUniform(text_, member.var);
+      if (code_.reached.Has(member.var)) PlainUniform(text_, member.var);
     }
     text_ += "\n";
   }
@@ -67,7 +66,7 @@ class BlockWriter {
   // by default; empty for other members.
   std::string_view PrecisionOf(VarId member, int field = -1) const {
     const bool is_struct = cbuffer_.kind == CbufferKind::kConstantBuffer && field < 0;
-    if (!cbuffer_.declared || !context_.target.IsEs() || is_struct) return "";
+    if (!cbuffer_.declared || !code_.target.IsEs() || is_struct) return "";
     const auto at = std::ranges::find(cbuffer_.members, member, &CbufferMember::var);
     const auto number = static_cast<std::size_t>(field < 0 ? at - cbuffer_.members.begin() : field);
     const auto& members = cbuffer_.declared->members;
@@ -76,10 +75,9 @@ class BlockWriter {
   }
 
   void PlainUniform(std::string& text, VarId member) {
-    const std::string& name = context_.NameOf(member);
-    const Var& var = context_[member];
-    Append(text, "uniform ", PrecisionOf(member), UniformDeclaration(context_, var.type, name),
-           ";\n");
+    const std::string& name = code_.NameOf(member);
+    const Var& var = code_[member];
+    Append(text, "uniform ", PrecisionOf(member), UniformDeclaration(code_, var.type, name), ";\n");
     // Rows of HLSL are columns of GLSL, so a matrix that is row-major in HLSL needs no transposing.
     info_.members.push_back({member, -1, name, true, !var.row_major});
   }
@@ -90,29 +88,27 @@ class BlockWriter {
     for (const ByHand& member : layout_.by_hand) {
       const BlockMember& part = layout_.members[member.part];
       // A struct without fields takes no room in any part.
-      if (part.form != PartForm::kRows && part.var != member.var)
-        Accessor(member.var, member.offset, member.offset, {}, false);
+      if (part.form != PartForm::kRows && part.var != member.var) Reader(member.var);
     }
     text_ += "}";
     if (layout_.has_instance) {
       const VarId var = layout_.members.front().var;
       const bool is_variable = layout_.fields_as_members;
-      info_.instance =
-          is_variable ? context_.NameOf(var) : context_.names.instances[info_.cbuffer.index];
-      Append(text_, " ", info_.instance, is_variable ? Dimensions(context_, var) : "");
+      info_.instance = is_variable ? code_.NameOf(var) : code_.names.instances[info_.cbuffer.index];
+      Append(text_, " ", info_.instance, is_variable ? Dimensions(code_, var) : "");
     }
     text_ += ";\n\n";
   }
 
   const std::string& NameOf(const BlockMember& member) const {
-    if (member.field < 0) return context_.NameOf(member.var);
-    const Type& type = context_[context_.types.Innermost(context_[member.var].type)];
-    return context_.names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
+    if (member.field < 0) return code_.NameOf(member.var);
+    const Type& type = code_[code_.types.Innermost(code_[member.var].type)];
+    return code_.names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
   }
 
   // A name that nothing else in the block has, for what is not a member in HLSL.
   std::string PartName(std::string name) {
-    if (!layout_.has_instance) return context_.namer.Global(name);
+    if (!layout_.has_instance) return code_.namer.Global(name);
     if (part_names_.empty()) {
       for (const BlockMember& member : layout_.members) {
         if (member.form == PartForm::kWhole) part_names_.insert(NameOf(member));
@@ -146,11 +142,11 @@ class BlockWriter {
     if (member.form == PartForm::kWords) return PartInWords(member);
     const std::string& name = NameOf(member);
     AppendPart(text_, PrecisionOf(member.var, member.field));
-    if (context_.IsWrittenAsUint(member.var)) {
-      const Shape shape = ShapeOf(context_[member.type], context_.needs);
-      AppendDeclaration(context_, text_, shape.With(Scalar::kUint), name);
+    if (code_.IsWrittenAsUint(member.var)) {
+      const Shape shape = ShapeOf(code_[member.type], code_.needs);
+      AppendDeclaration(code_, text_, shape.With(Scalar::kUint), name);
     } else {
-      AppendDeclaration(context_, text_, member.type, name);
+      AppendDeclaration(code_, text_, member.type, name);
     }
     AppendPart(text_, ";\n");
     info_.members.push_back({member.var, member.field, HostName(name)});
@@ -159,88 +155,82 @@ class BlockWriter {
   std::string HostName(const std::string& name) const {
     return layout_.has_instance ? Concat(info_.name, ".", name) : name;
   }
-  // The text that reads what the block declares as `name`.
-  std::string PathOf(const std::string& name) const {
-    return layout_.has_instance ? Concat(context_.names.instances[info_.cbuffer.index], ".", name)
-                                : name;
-  }
-
   // Writes an array of rows, and the functions that read members out of it.
   void PartInRows(const BlockMember& part) {
-    const std::string name = PartName(context_[part.var].name + "_rows");
+    const std::string name = PartName(code_[part.var].name + "_rows");
     text_ += fmt::format("{} {}[{}];\n", part.float_rows ? "vec4" : "uvec4", name, part.rows);
-    const Memory memory{PathOf(name), part.float_rows};
+    code_.names.vars[part.memory.index] = name;
     for (const ByHand& member : layout_.by_hand) {
       if (&layout_.members[member.part] != &part) continue;
       info_.members.push_back(
-          {member.var, -1, HostName(name), false, false, context_.NameOf(member.var), part.offset});
-      Accessor(member.var, member.offset, part.offset, memory, false);
+          {member.var, -1, HostName(name), false, false, code_.NameOf(member.var), part.offset});
+      Reader(member.var);
     }
   }
 
   // Writes a scalar for each component of a vector, and the function that reads the vector.
   void PartInWords(const BlockMember& part) {
-    const Scalar kind = BaseOf(context_[part.type].scalar);
+    const Scalar kind = BaseOf(code_[part.type].scalar);
     const Shape scalar = ShapeOf(kind == Scalar::kBool ? Scalar::kUint : kind, 1, 1);
-    const char* indent = "";  // the first is after its layout
-    const std::string words = ListOf(context_[part.type].columns, [&](std::uint32_t i) {
+    for (std::uint32_t i = 0; i < code_[part.type].columns; ++i) {
       const std::string name =
-          PartName(Concat(context_[part.var].name, "_", std::string_view("xyzw").substr(i, 1)));
-      Append(text_, indent, TypeName(context_, scalar), " ", name, ";\n");
-      indent = "    ";
+          PartName(Concat(code_[part.var].name, "_", std::string_view("xyzw").substr(i, 1)));
+      // The first is after its layout.
+      Append(text_, i > 0 ? "    " : "", TypeName(code_, scalar), " ", name, ";\n");
+      code_.names.vars[part.memory.index + i] = name;
       if (i == 0) {
         info_.members.push_back(
-            {part.var, -1, HostName(name), false, false, context_.NameOf(part.var)});
+            {part.var, -1, HostName(name), false, false, code_.NameOf(part.var)});
       }
-      return PathOf(name);
-    });
-    const std::string value = Called(TypeName(context_, part.type), {words}).text;
-    Function(part.var, part.type, "", part.offset, value);
+    }
+    Reader(part.var);
   }
 
   // Writes a buffer that neither std140 nor offsets can lay out: rows of 16 bytes, and a function
   // for each member that is read.
   void Rows() {
-    info_.rows = context_.names.rows[info_.cbuffer.index];
+    info_.rows = code_.names.rows[info_.cbuffer.index];
     text_ += fmt::format("    {} {}[{}];\n}}", layout_.float_rows ? "vec4" : "uvec4", info_.rows,
                          std::max(cbuffer_.size / kRow, 1u));
-    Memory memory{info_.rows, layout_.float_rows};
+    std::string& memory = code_.names.vars[layout_.memory.index];
+    memory = info_.rows;
     const std::string dimensions = cbuffer_.kind == CbufferKind::kConstantBuffer
-                                       ? Dimensions(context_, cbuffer_.members[0].var)
+                                       ? Dimensions(code_, cbuffer_.members[0].var)
                                        : "";
     if (!dimensions.empty()) {
-      info_.instance = context_.namer.Global(cbuffer_.name + "_buffers");
+      info_.instance = code_.namer.Global(cbuffer_.name + "_buffers");
       Append(text_, " ", info_.instance, dimensions);
-      memory.array = fmt::format("{}[{}].{}", info_.instance, Fresh(context_, "i"), info_.rows);
+      memory = info_.instance;
+      const TypeId rows = code_.types.Innermost(code_[layout_.memory].type);
+      code_.names.fields[code_[rows].structure.index][0] = info_.rows;
     }
     text_ += ";\n\n";
     for (const CbufferMember& member : cbuffer_.members) {
-      if (context_.reached.Has(member.var))
-        Accessor(member.var, member.offset, 0, memory, !dimensions.empty());
-      info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
+      Reader(member.var);
+      info_.members.push_back({member.var, -1, code_.NameOf(member.var)});
     }
   }
 
   // Writes a buffer where the target has no blocks: an array of rows, up to the last one that is
   // read, to which the host gives the bytes of the buffer.
   void RowUniform() {
-    info_.rows = context_.names.rows[info_.cbuffer.index];
+    info_.rows = code_.names.rows[info_.cbuffer.index];
     info_.name.clear();
-    const Memory memory{info_.rows, true};
+    code_.names.vars[layout_.memory.index] = info_.rows;
     std::string uniforms;
     std::uint32_t end = 0;
     for (const CbufferMember& member : cbuffer_.members) {
-      const bool is_by_hand = context_.IsByHand(member.var);
+      const bool is_by_hand = OnlyFloats(code_.types, code_[member.var].type);
       // The two stages of a pair declare the same rows.
-      if (is_by_hand && context_.IsReadInProgram(member.var))
+      if (is_by_hand && code_.IsReadInProgram(member.var))
         end = std::max(end, member.offset + member.size);
-      if (!context_.reached.Has(member.var)) continue;
+      if (!code_.reached.Has(member.var)) continue;
       if (!is_by_hand) {
         PlainUniform(uniforms, member.var);
         continue;
       }
-      Accessor(member.var, member.offset, 0, memory, false);
-      info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
+      Reader(member.var);
+      info_.members.push_back({member.var, -1, code_.NameOf(member.var)});
     }
     if (end > 0) {
       text_ += fmt::format("uniform vec4 {}[{}];  // {}\n", info_.rows, (end + kRow - 1) / kRow,
@@ -252,41 +242,13 @@ class BlockWriter {
     Append(text_, uniforms, "\n");
   }
 
-  // Writes the function that reads the member at this offset, or one element of an array, from rows
-  // that begin at `begin`. It is a macro where the target accepts only constants and the indices of
-  // loops as indices, which a parameter is not.
-  void Accessor(VarId member, std::uint32_t offset, std::uint32_t begin, const Memory& memory,
-                bool is_buffer_array) {
-    const Var& var = context_[member];
-    const Type& type = context_[var.type];
-    const bool is_array = type.kind == TypeKind::kArray;
-    const TypeId result = is_array ? type.element : var.type;
-    Address address{"", offset - begin};
-    const bool is_macro = is_array && InfoOf(context_.program.stage).draws_pixels &&
-                          !context_.Has(Feature::kFreeIndices);
-    const std::string index = Fresh(context_, "i");
-    if (is_array && !is_buffer_array) {
-      address.dynamic = Scaled(ArrayStride(context_.types, var.type, var.row_major) / kRow,
-                               is_macro ? Concat("(", index, ")") : index);
-    }
-    const std::string value = Load(context_, memory, result, var.row_major, address);
-    if (is_macro && context_.reached.Has(member)) {
-      context_.helpers += fmt::format("// offset {}\n#define {}({}) ({})\n\n", offset,
-                                      context_.NameOf(member), index, value);
-      return;
-    }
-    Function(member, result, is_array ? "int " + index : "", offset, value);
+  // Writes the function that reads the member, unless only the other stage of a pair reads it.
+  void Reader(VarId member) {
+    if (const FunctionId reader = code_.readers[member.index])
+      WriteReader(code_, reader, code_.NameOf(member));
   }
 
-  void Function(VarId member, TypeId result, const std::string& parameter, std::uint32_t offset,
-                const std::string& value) {
-    if (!context_.reached.Has(member)) return;  // the other stage of a pair reads it
-    context_.helpers +=
-        fmt::format("{} {}({}) {{  // offset {}\n    return {};\n}}\n\n",
-                    TypeName(context_, result), context_.NameOf(member), parameter, offset, value);
-  }
-
-  WriterContext& context_;
+  Code& code_;
   Bindings& bindings_;
   const Cbuffer& cbuffer_;
   const BlockLayout& layout_;
@@ -298,20 +260,20 @@ class BlockWriter {
 
 }  // namespace
 
-UniformBlocks WriteBlocks(WriterContext& context) {
+UniformBlocks WriteBlocks(Code& code) {
   UniformBlocks blocks;
   blocks.text.reserve(1024);
-  blocks.info.reserve(context.program.cbuffers.size());
+  blocks.info.reserve(code.program.cbuffers.size());
   Bindings bindings;
-  const OtherStage* other = context.other;
+  const OtherStage* other = code.other;
   if (other && other->laid) {
     for (const GlslInfo::UniformBlock& block : other->laid->blocks) bindings.Take(block);
   }
-  for (const CbufferId id : context.program.cbuffers.ids()) {
-    if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);
+  for (const CbufferId id : code.program.cbuffers.ids()) {
+    if (code.reached.Has(id)) bindings.Reserve(code[id].reg, code[id].count);
   }
-  for (const CbufferId id : context.program.cbuffers.ids()) {
-    if (context.reached.Has(id)) BlockWriter(context, id, bindings, blocks).Write();
+  for (const CbufferId id : code.program.cbuffers.ids()) {
+    if (code.reached.Has(id)) BlockWriter(code, id, bindings, blocks).Write();
   }
   return blocks;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "backend-glsl/writer/context.h"
+#include "backend-glsl/writer/code.h"
 
 namespace clipc::glsl {
 
@@ -13,6 +13,6 @@ struct UniformBlocks {
   std::vector<GlslInfo::UniformBlock> info;  // of the reached ones, in order of declaration
 };
 // Declares all constant buffers that are reached, as uniform blocks or plain uniforms.
-UniformBlocks WriteBlocks(WriterContext& context);
+UniformBlocks WriteBlocks(Code& code);
 
 }  // namespace clipc::glsl

@@ -2,42 +2,24 @@
 #include "backend-glsl/writer/context.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "backend-glsl/requirements.h"
 
 namespace clipc::glsl {
 
-namespace {
-
-std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached& reached,
-                                      const Target& target, const WriteOptions& options,
-                                      const OtherStage* other) {
-  std::vector<BlockLayout> layouts(program.cbuffers.size());
-  // The two stages lay out a block that they share by what either of them reads.
-  std::vector<bool> is_read = reached.vars;
-  for (std::size_t i = 0; other && i < is_read.size(); ++i)
-    is_read[i] = is_read[i] || other->is_read[i];
-  for (const ir::CbufferId id : program.cbuffers.ids()) {
-    if (reached.Has(id))
-      layouts[id.index] =
-          LayOutBlock(program, program.cbuffers[id], target, options.blocks, is_read);
-  }
-  return layouts;
-}
-
-}  // namespace
-
-WriterContext::WriterContext(const ir::Program& program, const Target& target,
-                             const WriteOptions& options, const OtherStage* other)
-    : program(program),
+WriterContext::WriterContext(PackedStage& packed, const Target& target, const WriteOptions& options,
+                             const OtherStage* other)
+    : program(packed.program()),
       types(program.types),
       target(target),
       needs(target.Needs()),
       options(options),
       other(other),
-      reached(Reach(program)),
+      reached(std::move(packed.reached)),
       descriptors(program, reached, target, other),
-      layouts(LayOutBlocks(program, reached, target, options, other)),
+      layouts(std::move(packed.layouts)),
+      readers(std::move(packed.readers)),
       used_structs(types.structs().size()) {}
 
 bool WriterContext::IsWrittenAsUint(ir::VarId member) const {

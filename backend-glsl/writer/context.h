@@ -12,6 +12,7 @@
 #include "backend-glsl/descriptors.h"
 #include "backend-glsl/glsl_info.h"
 #include "backend-glsl/names.h"
+#include "backend-glsl/packed_stage.h"
 #include "backend-glsl/reach.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/write_options.h"
@@ -49,8 +50,9 @@ struct Names {
 // The state that all subjects of the writer share. A subject is a header of free functions over it,
 // or over Code (code.h), which adds the state of expressions and statements.
 struct WriterContext {
-  // `other` is null where the program has no other stage.
-  WriterContext(const ir::Program& program, const Target& target, const WriteOptions& options,
+  // `other` is null where the program has no other stage. `packed` outlives the context, and keeps
+  // its program only.
+  WriterContext(PackedStage& packed, const Target& target, const WriteOptions& options,
                 const OtherStage* other);
 
   const ir::Program& program;
@@ -62,6 +64,8 @@ struct WriterContext {
   const Reached reached;
   const Descriptors descriptors;           // of a Vulkan target
   const std::vector<BlockLayout> layouts;  // by CbufferId, of the reached ones
+  // By VarId: the functions that read members of blocks, or elements of such, by hand.
+  const std::vector<ir::FunctionId> readers;
   Names names;
   std::vector<TextureUse> texture_uses;  // of global objects; none for Vulkan
   bool has_order = false;                // an object is accessed in the order of the primitives
@@ -105,11 +109,7 @@ struct WriterContext {
     return layouts[program.vars[member].cbuffer.index];
   }
   // Whether a member is read by a function.
-  bool IsByHand(ir::VarId member) const {
-    const BlockLayout& layout = LayoutOf(member);
-    if (layout.form != BlockForm::kRows) return layout.IsByHand(member);
-    return Has(Feature::kUniformBlocks) || OnlyFloats(types, program.vars[member].type);
-  }
+  bool IsByHand(ir::VarId member) const { return bool(readers[member.index]); }
   // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
   bool IsWrittenAsUint(ir::VarId member) const;
   const std::string& NameOf(ir::VarId id) const { return names.vars[id.index]; }

@@ -70,7 +70,7 @@ std::string Header(const WriterContext& context) {
 
 StageWriter::StageWriter(const Program& program, const Target& target, const WriteOptions& options,
                          const OtherStage* other)
-    : code_(program, target, options, other) {
+    : packed_(program, target, options.blocks, other), code_(packed_, target, options, other) {
   code_.names = NameEverything(code_);
   code_.names.functions = NameFunctions(code_);
   code_.texture_uses = FindTextureUses(code_);

@@ -23,6 +23,7 @@ class StageWriter {
   std::string Finish(CommentOf comment_of);
 
  private:
+  PackedStage packed_;
   Code code_;
   GlslInfo info_;
   std::string blocks_, objects_, inputs_, outputs_;  // declarations

@@ -205,7 +205,9 @@ void WriteSignature(Code& code, FunctionId id, std::string_view name) {
                                           : "");
     AppendDeclaration(code, *code.out, code[parameter].type, code.NameOf(parameter));
   }
-  code.Put(") {\n");
+  code.Put(") {");
+  if (function.is_accessor && !function.remark.empty()) code.Put("  // ", function.remark);
+  code.Put("\n");
 }
 
 void WriteFunction(Code& code, FunctionId id, std::string_view name) {
@@ -213,7 +215,7 @@ void WriteFunction(Code& code, FunctionId id, std::string_view name) {
   WriteSignature(code, id, name);
   ++code.indent;
   WriteStmts(code, BodyOf(code.program, id));
-  if (const std::string_view remark = code[id].remark; !remark.empty()) {
+  if (const std::string_view remark = code[id].remark; !remark.empty() && !code[id].is_accessor) {
     code.out->pop_back();
     code.Put("  // ", remark, "\n");
   }
@@ -283,6 +285,27 @@ std::string WriteFunctions(Code& code, std::span<const LateGlobal> late) {
     }
   }
   return text;
+}
+
+void WriteReader(Code& code, FunctionId id, const std::string& name) {
+  const Function& function = code[id];
+  code.names.functions[id.index] = name;
+  const bool is_macro = !function.parameters.empty() && InfoOf(code.program.stage).draws_pixels &&
+                        !code.Has(Feature::kFreeIndices);
+  const std::string text = code.Apart([&] {
+    if (!is_macro) return WriteFunction(code, id, name);
+    code.namer.OpenScope();
+    const VarId index = function.parameters[0];
+    code.NameLocal(index, "i");
+    std::string& parameter = code.names.vars[index.index];
+    code.Line("// ", function.remark);
+    code.Put("#define ", name, "(", parameter, ") (");
+    parameter = Concat("(", parameter, ")");
+    WriteExpr(code, code.As<Return>(BodyOf(code.program, id)[0])->value);
+    code.Put(")\n");
+    code.namer.CloseScope();
+  });
+  Append(code.helpers, text, "\n");
 }
 
 // Functions whose parameter types differ in HLSL only, as half and float do, are one function here:

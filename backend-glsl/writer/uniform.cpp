@@ -27,23 +27,20 @@ VarId InstanceOf(const Code& code, ExprId expr) {
   return is_uniform && code.LayoutOf(ref->var).fields_as_members ? ref->var : VarId{};
 }
 
-// Writes the path of a member: "frame.world", or "world" of a block without an instance name; the
-// function that reads a member by hand.
+// Writes the path of a member: "frame.world", or "world" of a block without an instance name.
 void WritePath(Code& code, VarId member) {
   const std::string& instance = code.names.instances[code[member].cbuffer.index];
-  if (!instance.empty() && !code.IsByHand(member)) code.Put(instance, ".");
+  if (!instance.empty()) code.Put(instance, ".");
   code.Put(code.NameOf(member));
 }
 
 // The name of the function that returns the whole of an array that no variable holds.
 std::string WholeArray(Code& code, VarId member) {
   const std::string name = code.Apart([&] { WritePath(code, member); });
-  const bool is_by_hand = code.IsByHand(member);
   const TypeId type = code[member].type;
   return Helper(code, name + "_all", "", [&](const std::string& function) {
     const auto element = [&](const std::string& index) {
-      return ElementText(code, code[type].element,
-                         is_by_hand ? Called(name, {index}) : Text{Concat(name, "[", index, "]")});
+      return ElementText(code, code[type].element, {Concat(name, "[", index, "]")});
     };
     const std::string type_name = TypeName(code, type);
     return fmt::format("{} {}() {{\n{}}}\n", type_name, function, FilledArray(code, type, element));
@@ -59,21 +56,16 @@ Binding WriteUniform(Code& code, VarId member) {
     code.Put(TypeName(code, code[member].type), "(");
     WritePath(code, member);
     code.Put(")");
-  } else if (is_array && (code.IsByHand(member) || HasFields(code, type))) {
+  } else if (is_array && HasFields(code, type)) {
     code.Put(WholeArray(code, member), "()");
   } else {
     WritePath(code, member);
-    if (code.IsByHand(member)) code.Put("()");
   }
   return Binding::kPostfix;
 }
 
 Binding WriteUniformElement(Code& code, VarId member, ExprId index) {
   WritePath(code, member);
-  if (code.IsByHand(member)) {
-    code.Put("(", IntIndex(code, index), ")");
-    return Binding::kPostfix;
-  }
   code.Put("[");
   WriteIndex(code, index);
   code.Put(IsWrapped(code, code.TypeOf(member).element) ? "].e" : "]");

@@ -63,7 +63,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 first;
 // CHECK-NEXT: } large;
 // CHECK: bvec3 flags() {  // offset 4
-// CHECK-NEXT:     return bvec3(read.flags_x_2, read.flags_y, read.flags_z);
+// CHECK-NEXT:     return bvec3(uvec3(read.flags_x_2, read.flags_y, read.flags_z));
 // CHECK: ivec2 pair() {  // offset 20
 // CHECK-NEXT:     return ivec2(read.pair_x, read.pair_y);
 
@@ -79,7 +79,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // PLAIN-NEXT:     bool flag;
 // PLAIN-NEXT:     uint flags_x_2;
 // PLAIN: bvec3 flags() {  // offset 4
-// PLAIN-NEXT:     return bvec3(flags_x_2, flags_y, flags_z);
+// PLAIN-NEXT:     return bvec3(uvec3(flags_x_2, flags_y, flags_z));
 
 // REFLECT: "name": "pad",
 // REFLECT-NEXT: "type": "float3",

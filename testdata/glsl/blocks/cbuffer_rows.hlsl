@@ -122,7 +122,9 @@ float4 main(float4 p : POSITION, uint n : INDEX) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: float[3] weights_all() {
 // CHECK-NEXT:     float result[3];
-// CHECK-NEXT:     for (int i = 0; i < 3; ++i) result[i] = weights(i);
+// CHECK-NEXT:     for (int i = 0; i < 3; ++i) {
+// CHECK-NEXT:         result[i] = weights(i);
+// CHECK-NEXT:     }
 // CHECK-NEXT:     return result;
 // CHECK-NEXT: }
 // CHECK-EMPTY:

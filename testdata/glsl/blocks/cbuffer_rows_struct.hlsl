@@ -38,14 +38,16 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
-// CHECK-NEXT: float[20] load_buffer_outers_rows(int at) {
+// CHECK-NEXT: float[20] load_outers_rows(int at) {
 // CHECK-NEXT:     float result[20];
-// CHECK-NEXT:     for (int i = 0; i < 20; ++i) result[i] = buffer_.outers_rows[at + 1 * i].x;
+// CHECK-NEXT:     for (int i_2 = 0; i_2 < 20; ++i_2) {
+// CHECK-NEXT:         result[i_2] = buffer_.outers_rows[at + i_2].x;
+// CHECK-NEXT:     }
 // CHECK-NEXT:     return result;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: Outer outers(int i) {  // offset 0
-// CHECK-NEXT:     return Outer(Inner[2](Inner(buffer_.outers_rows[28 * i].x, buffer_.outers_rows[28 * i].yzw), Inner(buffer_.outers_rows[28 * i + 1].x, buffer_.outers_rows[28 * i + 1].yzw)), load_buffer_outers_rows(28 * i + 2), float[2][3](float[3](buffer_.outers_rows[28 * i + 22].x, buffer_.outers_rows[28 * i + 23].x, buffer_.outers_rows[28 * i + 24].x), float[3](buffer_.outers_rows[28 * i + 25].x, buffer_.outers_rows[28 * i + 26].x, buffer_.outers_rows[28 * i + 27].x)));
+// CHECK-NEXT:     return Outer(Inner[2](Inner(buffer_.outers_rows[28 * i].x, buffer_.outers_rows[28 * i].yzw), Inner(buffer_.outers_rows[28 * i + 1].x, buffer_.outers_rows[28 * i + 1].yzw)), load_outers_rows(28 * i + 2), float[2][3](float[3](buffer_.outers_rows[28 * i + 22].x, buffer_.outers_rows[28 * i + 23].x, buffer_.outers_rows[28 * i + 24].x), float[3](buffer_.outers_rows[28 * i + 25].x, buffer_.outers_rows[28 * i + 26].x, buffer_.outers_rows[28 * i + 27].x)));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
