@@ -223,6 +223,7 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
           Combine(BinaryOp::kAdd, shape, Combine(BinaryOp::kMul, shape, t, two), three);
       return Combine(BinaryOp::kMul, shape, Combine(BinaryOp::kMul, shape, t, t), line);
     }
+    case kNonUniform: return Marked(Emit(spv::Op::OpCopyObject, type, {values[0]}), true);
     case kIsNan: return Emit(spv::Op::OpIsNan, type, {values[0]});
     case kIsInf: return Emit(spv::Op::OpIsInf, type, {values[0]});
     case kAsFloat:

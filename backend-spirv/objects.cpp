@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Textures and samplers. An image and its sampler are two variables, but for Direct3D 9's samplers.
+// Textures, samplers and buffers. An image and its sampler are two variables, but for Direct3D 9's
+// samplers.
 #include <algorithm>
 
+#include "backend-spirv/image_format.h"
 #include "backend-spirv/texture_read.h"
 
 namespace clipc::spirv {
@@ -19,85 +21,164 @@ spv::Dim DimensionOf(const ObjectInfo& info) {
 
 }  // namespace
 
-Ref Writer::ImageType(const Type& object) {
-  const ObjectInfo& info = InfoOf(object.object);
-  const Scalar scalar =
-      object.element ? BaseOf(program_.types[object.element].scalar) : Scalar::kFloat;
-  const spv::Dim dimension = DimensionOf(info);
-  if (dimension == spv::Dim::Dim1D) module_.Require(spv::Capability::Sampled1D);
-  if (dimension == spv::Dim::Buffer) module_.Require(spv::Capability::SampledBuffer);
-  if (info.is_cube && info.is_array) module_.Require(spv::Capability::SampledCubeArray);
-  constexpr std::uint32_t kMayCompare = 2, kIsSampled = 1;
-  return module_.Type(spv::Op::OpTypeImage,
-                      {types_.Of(scalar), NumberOf(dimension), kMayCompare, info.is_array,
-                       info.is_multisampled, kIsSampled, NumberOf(spv::ImageFormat::Unknown)});
+// Four components as the texels of a texture or a typed buffer have them: other kinds than integers
+// are floats.
+Shape Writer::FourTexels(const Type& object) const {
+  const Scalar of = object.element ? BaseOf(program_.types[object.element].scalar) : Scalar::kFloat;
+  const bool is_whole = of == Scalar::kInt || of == Scalar::kUint;
+  return ShapeOf(is_whole ? of : Scalar::kFloat, 1, 4);
 }
 
-Ref Writer::ObjectType(TypeId id) {
+// The type of an image, of the format where it is written, else as a texture.
+Ref Writer::ImageType(const Type& object, std::string_view format) {
+  const ObjectInfo& info = InfoOf(object.object);
+  const spv::Dim dimension = DimensionOf(info);
+  const bool is_image = info.is_writable;
+  using enum spv::Capability;
+  if (dimension == spv::Dim::Dim1D) module_.Require(is_image ? Image1D : Sampled1D);
+  if (dimension == spv::Dim::Buffer) module_.Require(is_image ? ImageBuffer : SampledBuffer);
+  if (info.is_cube && info.is_array) module_.Require(is_image ? ImageCubeArray : SampledCubeArray);
+  const spv::ImageFormat of = FormatOf(format);
+  if (is_image && !IsBasic(of)) module_.Require(StorageImageExtendedFormats);
+  constexpr std::uint32_t kNeverCompares = 0, kMayCompare = 2, kIsSampled = 1, kIsStorage = 2;
+  return module_.Type(spv::Op::OpTypeImage,
+                      {types_.Of(FourTexels(object).scalar), NumberOf(dimension),
+                       is_image ? kNeverCompares : kMayCompare, info.is_array, info.is_multisampled,
+                       is_image ? kIsStorage : kIsSampled, NumberOf(of)});
+}
+
+// The type of an object, or the block of a structured buffer.
+Ref Writer::ObjectType(TypeId id, const Interface::Object& place) {
   const Type& type = program_.types[id];
   const ObjectInfo& info = InfoOf(type.object);
-  if (info.category == ObjectCategory::kSampler) return module_.Type(spv::Op::OpTypeSampler, {});
-  const bool is_read =
-      (info.category == ObjectCategory::kTexture || info.category == ObjectCategory::kTypedBuffer ||
-       IsCombinedSampler(type.object)) &&
-      !info.is_writable;
-  if (!is_read) return Lack("an object that is not a texture");
-  if (!IsCombinedSampler(type.object)) return ImageType(type);
-  if (info.compares) return Lack("a sampler of Direct3D 9 that compares");
-  return module_.Type(spv::Op::OpTypeSampledImage, {ImageType(type)});
+  switch (info.category) {
+    case ObjectCategory::kSampler: return module_.Type(spv::Op::OpTypeSampler, {});
+    case ObjectCategory::kTexture:
+    case ObjectCategory::kTypedBuffer: return ImageType(type, place.format);
+    case ObjectCategory::kCombinedSampler:
+      if (info.compares) return Lack("a sampler of Direct3D 9 that compares");
+      return module_.Type(spv::Op::OpTypeSampledImage, {ImageType(type)});
+    case ObjectCategory::kStructuredBuffer: return BufferBlock(type, place);
+    default: return Lack("an object of another kind");
+  }
 }
 
-Ref Writer::ObjectVariable(VarId id) {
-  Ref& variable = objects_[id.index];
-  if (variable != 0) return variable;
-  const TypeId type = (*this)[id].type;
+const Interface::Object* Writer::PlaceOfObject(VarId id) const {
   const auto place = std::ranges::find(interface_.objects, id, &Interface::Object::var);
-  if (place == interface_.objects.end()) return Lack("an object without a place");
-  Ref of = ObjectType(program_.types.Innermost(type));
+  return place == interface_.objects.end() ? nullptr : &*place;
+}
+
+const Writer::DeclaredObject& Writer::DeclaredOf(VarId id) {
+  DeclaredObject& declared = objects_[id.index];
+  if (declared.variable != 0) return declared;
+  const Var& var = (*this)[id];
+  const Interface::Object* place = PlaceOfObject(id);
+  if (!place) {
+    declared.variable = Lack("an object without a place");
+    return declared;
+  }
+  const Type& object = program_.types[program_.types.Innermost(var.type)];
+  if (IsOrdered(object.object)) Lack("an object that pixels access in order");
+  declared.type = ObjectType(program_.types.Innermost(var.type), *place);
+  declared.storage = !IsStorageBuffer(object.object) ? spv::StorageClass::UniformConstant
+                     : HasStorageClass()             ? spv::StorageClass::StorageBuffer
+                                                     : spv::StorageClass::Uniform;
+  Ref of = declared.type;
   std::vector<std::uint32_t> counts;
-  for (const Type* part = &program_.types[type]; part->kind == TypeKind::kArray;
+  for (const Type* part = &program_.types[var.type]; part->kind == TypeKind::kArray;
        part = &program_.types[part->element])
     counts.insert(counts.begin(), part->count);
   for (const std::uint32_t count : counts) {
-    if (count == 0) return Lack("an array without a size");
-    of = module_.Type(spv::Op::OpTypeArray, {of, types_.Uint(count)});
+    if (count > 0) {
+      of = module_.Type(spv::Op::OpTypeArray, {of, types_.Uint(count)});
+      continue;
+    }
+    module_.Require(spv::Capability::RuntimeDescriptorArray);
+    RequireDescriptorIndexing();
+    of = module_.Type(spv::Op::OpTypeRuntimeArray, {of});
   }
-  constexpr auto kStorage = spv::StorageClass::UniformConstant;
-  variable = module_.Variable(types_.Pointer(kStorage, of), kStorage);
-  module_.Name(variable, place->name);
-  module_.Decorate(variable, spv::Decoration::DescriptorSet, {place->set});
-  module_.Decorate(variable, spv::Decoration::Binding, {place->binding});
-  if (module_.minor_version() >= 4) shared_.push_back(variable);
-  return variable;
+  declared.variable = module_.Variable(types_.Pointer(declared.storage, of), declared.storage);
+  module_.Name(declared.variable, place->name);
+  module_.Decorate(declared.variable, spv::Decoration::DescriptorSet, {place->set});
+  module_.Decorate(declared.variable, spv::Decoration::Binding, {place->binding});
+  if (var.coherent && IsImage(object.object))
+    module_.Decorate(declared.variable, spv::Decoration::Coherent);
+  if (module_.minor_version() >= 4) shared_.push_back(declared.variable);
+  return declared;
+}
+
+void Writer::RequireDescriptorIndexing() {
+  if (module_.minor_version() < 5) module_.Require("SPV_EXT_descriptor_indexing");
+}
+
+// The indices of a path to an element of an array of objects.
+std::vector<Ref> Writer::IndicesOf(ExprId path) {
+  std::vector<Ref> indices;
+  for (const Index* index = As<Index>(path); index; index = As<Index>(index->base))
+    indices.insert(indices.begin(), Value(index->index));
+  return indices;
+}
+
+// Whether the object differs between invocations, as NonUniformResourceIndex says.
+bool Writer::IsNonUniform(ExprId path) const {
+  for (const Index* index = As<Index>(path); index; index = As<Index>(index->base)) {
+    const auto* mark = As<IntrinsicCall>(index->index);
+    if (mark && mark->op == Intrinsic::kNonUniform) return true;
+  }
+  return false;
+}
+
+Ref Writer::Marked(Ref value, bool is_non_uniform) {
+  if (is_non_uniform) module_.Decorate(value, spv::Decoration::NonUniform);
+  return value;
+}
+
+void Writer::RequireNonUniform(const Type& object) {
+  const ObjectInfo& info = InfoOf(object.object);
+  const bool is_buffer = info.category == ObjectCategory::kTypedBuffer;
+  using enum spv::Capability;
+  RequireDescriptorIndexing();
+  module_.Require(ShaderNonUniform);
+  module_.Require(IsStorageBuffer(object.object)  ? StorageBufferArrayNonUniformIndexing
+                  : info.is_writable && is_buffer ? StorageTexelBufferArrayNonUniformIndexing
+                  : info.is_writable              ? StorageImageArrayNonUniformIndexing
+                  : is_buffer                     ? UniformTexelBufferArrayNonUniformIndexing
+                                                  : SampledImageArrayNonUniformIndexing);
+}
+
+// The pointer to the object that a path names.
+Ref Writer::ObjectPointer(ExprId path) {
+  const std::vector<Ref> indices = IndicesOf(path);
+  const DeclaredObject& declared = DeclaredOf(RootOf(program_, path));
+  if (indices.empty()) return declared.variable;
+  Words operands{declared.variable};
+  operands.insert(operands.end(), indices.begin(), indices.end());
+  const bool is_non_uniform = IsNonUniform(path);
+  if (is_non_uniform) RequireNonUniform(TypeAt(path));
+  return Marked(
+      Emit(spv::Op::OpAccessChain, types_.Pointer(declared.storage, declared.type), operands),
+      is_non_uniform);
 }
 
 // Loads the object that a path names.
 Ref Writer::Object(ExprId path) {
-  std::vector<Ref> indices;
-  for (ExprId part = path; const auto* index = As<Index>(part); part = index->base) {
-    if (!As<Literal>(index->index)) return Lack("an array of objects with a varying index");
-    indices.insert(indices.begin(), Value(index->index));
-  }
-  const Ref type = ObjectType((*this)[path].type);
-  Ref pointer = ObjectVariable(RootOf(program_, path));
-  if (!indices.empty()) {
-    Words operands{pointer};
-    operands.insert(operands.end(), indices.begin(), indices.end());
-    const Ref to = types_.Pointer(spv::StorageClass::UniformConstant, type);
-    pointer = Emit(spv::Op::OpAccessChain, to, operands);
-  }
-  return Emit(spv::Op::OpLoad, type, {pointer});
+  const Ref pointer = ObjectPointer(path);
+  const Ref type = DeclaredOf(RootOf(program_, path)).type;
+  return Marked(Emit(spv::Op::OpLoad, type, {pointer}), IsNonUniform(path));
 }
 
 Ref Writer::ObjectCall(TypeId result, const clipc::ir::ObjectCall& node) {
   if (node.has_clamp || node.has_texel) return Lack("a read of tiled resources");
   const ExprId object = OperandOf(program_, node, OperandKind::kObject);
-  const ObjectCategory category = InfoOf(TypeAt(object).object).category;
-  if (InfoOf(TypeAt(object).object).is_writable) return Lack("a writable object");
-  if (category != ObjectCategory::kTexture && category != ObjectCategory::kCombinedSampler &&
-      category != ObjectCategory::kTypedBuffer)
-    return Lack("an object that is not a texture");
-  return TextureRead(*this, result, node).Write();
+  const ObjectInfo& info = InfoOf(TypeAt(object).object);
+  switch (info.category) {
+    case ObjectCategory::kTexture:
+    case ObjectCategory::kTypedBuffer:
+      return info.is_writable ? ImageCall(result, node) : TextureRead(*this, result, node).Write();
+    case ObjectCategory::kCombinedSampler: return TextureRead(*this, result, node).Write();
+    case ObjectCategory::kStructuredBuffer: return BufferCall(result, node);
+    default: return Lack("an object of another kind");
+  }
 }
 
 }  // namespace clipc::spirv

@@ -13,6 +13,13 @@ namespace {
 // The number of elements from which on a whole array is not read out of a constant buffer.
 constexpr std::uint32_t kLongArray = 1024;
 
+// The read of an element of a structured buffer that the path starts at; null if it does not.
+const ObjectCall* ElementOf(const Program& program, ExprId path) {
+  while (const ExprId whole = WholeOf(program, path)) path = whole;
+  const auto* call = As<ObjectCall>(program, path);
+  return call && call->op == ObjectOp::kStructuredLoad ? call : nullptr;
+}
+
 }  // namespace
 
 // Notes what an expression says of variables and functions.
@@ -58,10 +65,11 @@ void Writer::FindMemory(FunctionId id) {
   });
 }
 
+// Whether the path starts at a variable in memory or at an element of a structured buffer.
 bool Writer::HasPlace(ExprId path) const {
   const VarId root = RootOf(program_, path);
-  if (!root || values_[root.index] != 0) return false;
-  if (builtin_inputs_.contains(root.index)) return false;
+  if (!root && !ElementOf(program_, path)) return false;
+  if (root && (values_[root.index] != 0 || builtin_inputs_.contains(root.index))) return false;
   // A component of components has no place.
   for (ExprId part = WholeOf(program_, path); part; part = WholeOf(program_, part)) {
     if (const auto* swizzle = As<Swizzle>(part); swizzle && swizzle->count > 1) return false;
@@ -78,8 +86,11 @@ bool Writer::IsOnlyElement(const Index& node) const {
 Place Writer::PlaceOfVariable(VarId id) {
   const Var& var = (*this)[id];
   if (var.storage == Storage::kUniform) {
-    Place place{
-        BlockVariable(var.cbuffer), spv::StorageClass::Uniform, {}, var.type, true, var.row_major};
+    Place place{.base = BlockVariable(var.cbuffer),
+                .storage = spv::StorageClass::Uniform,
+                .type = var.type,
+                .layout = Layout::kConstants,
+                .row_major = var.row_major};
     const Cbuffer& cbuffer = program_.cbuffers[var.cbuffer];
     if (cbuffer.is_push_constant) place.storage = spv::StorageClass::PushConstant;
     if (cbuffer.kind == CbufferKind::kConstantBuffer) return place;
@@ -98,9 +109,10 @@ Place Writer::PlaceOfVariable(VarId id) {
 
 Place Writer::PlaceOf(ExprId path) {
   if (const auto* ref = As<VarRef>(path)) return PlaceOfVariable(ref->var);
+  if (const auto* element = As<clipc::ir::ObjectCall>(path)) return ElementPlace(*element);
   if (const auto* field = As<FieldRef>(path)) {
     Place place = PlaceOf(field->base);
-    if (place.in_block)
+    if (place.layout != Layout::kValue)
       place.row_major = program_.types.StructOf(place.type).fields[field->field].row_major;
     place.indices.push_back(types_.Int(static_cast<std::int32_t>(field->field)));
     place.type = (*this)[path].type;
@@ -136,52 +148,49 @@ Place Writer::PlaceOf(ExprId path) {
 Ref Writer::PointerTo(const Place& place) {
   if (place.indices.empty()) return place.base;
   const TypeId type = place.count > 0 ? place.vector : place.type;
-  const Ref pointee = place.in_block ? types_.InBlock(type, place.row_major) : types_.Of(type);
+  const Ref pointee = types_.InMemory(type, place.row_major, place.layout);
   Words operands{place.base};
   operands.insert(operands.end(), place.indices.begin(), place.indices.end());
-  return Emit(spv::Op::OpAccessChain, types_.Pointer(place.storage, pointee), operands);
+  return Marked(Emit(spv::Op::OpAccessChain, types_.Pointer(place.storage, pointee), operands),
+                place.is_non_uniform);
 }
 
-Ref Writer::FromBlock(Ref value, TypeId id, bool row_major) {
-  if (!types_.DiffersInBlock(id)) return value;
+// The value of a type that one layout has as the type that another has.
+Ref Writer::Recast(Ref value, TypeId id, bool row_major, Layout from, Layout to) {
+  if (from == to || !types_.DiffersInMemory(id)) return value;
   const Type& type = program_.types[id];
-  if (type.IsNumeric()) {
-    const Shape shape = ShapeOf(type);
-    const auto row = [&](Ref of, const Shape& part) {
-      if (part.scalar != Scalar::kBool) return of;
-      return Emit(spv::Op::OpINotEqual, types_.Of(part),
-                  {of, types_.Splat(part.With(Scalar::kUint), 0)});
-    };
-    if (!shape.HasRows()) return row(value, shape);
-    const Shape memory = shape.scalar == Scalar::kBool ? shape.With(Scalar::kUint) : shape;
-    std::vector<Ref> rows;
-    for (std::uint32_t i = 0; i < shape.rows; ++i)
-      rows.push_back(row(Part(types_.Of(memory.Row()), value, i), shape.Row()));
-    return Compose(types_.Of(shape), rows);
-  }
   std::vector<Ref> parts;
-  if (type.kind == TypeKind::kArray) {
-    if (type.count > kLongArray) return Lack("a long array of a constant buffer as a value");
-    const Ref element = types_.InBlock(type.element, row_major);
+  if (type.IsNumeric()) {
+    const auto shape_in = [&](Layout layout) {
+      return layout == Layout::kValue ? ShapeOf(type) : Types::InMemory(ShapeOf(type));
+    };
+    const Shape shape = shape_in(from);
+    const Scalar scalar = shape_in(to).scalar;
+    if (!shape.HasRows()) return Converted(value, shape, scalar);
+    for (std::uint32_t i = 0; i < shape.rows; ++i)
+      parts.push_back(Converted(Part(types_.Of(shape.Row()), value, i), shape.Row(), scalar));
+  } else if (type.kind == TypeKind::kArray) {
+    if (type.count > kLongArray) return Lack("a long array of a buffer as a value");
+    const Ref element = types_.InMemory(type.element, row_major, from);
     for (std::uint32_t i = 0; i < type.count; ++i)
-      parts.push_back(FromBlock(Part(element, value, i), type.element, row_major));
+      parts.push_back(Recast(Part(element, value, i), type.element, row_major, from, to));
   } else {
     std::uint32_t number = 0;
     for (const Field& field : program_.types[type.structure].fields) {
-      const Ref part = Part(types_.InBlock(field.type, field.row_major), value, number++);
-      parts.push_back(FromBlock(part, field.type, field.row_major));
+      const Ref part = Part(types_.InMemory(field.type, field.row_major, from), value, number++);
+      parts.push_back(Recast(part, field.type, field.row_major, from, to));
     }
   }
-  return Compose(types_.Of(id), parts);
+  return Compose(types_.InMemory(id, row_major, to), parts);
 }
 
 Ref Writer::Load(const Place& place) {
   const TypeId type = place.count > 0 ? place.vector : place.type;
-  if (place.in_block && place.indices.empty()) return LoadBlock(place);
-  const Ref loaded_type = place.in_block ? types_.InBlock(type, place.row_major) : types_.Of(type);
+  if (place.layout == Layout::kConstants && place.indices.empty()) return LoadBlock(place);
   const Ref pointer = PointerTo(place);
-  Ref value = Emit(spv::Op::OpLoad, loaded_type, {pointer});
-  if (place.in_block) value = FromBlock(value, type, place.row_major);
+  Ref value =
+      Emit(spv::Op::OpLoad, types_.InMemory(type, place.row_major, place.layout), {pointer});
+  value = Recast(value, type, place.row_major, place.layout, Layout::kValue);
   if (place.count == 0) return value;
   return Components(value, ShapeOf(program_.types[type]),
                     std::span(place.components).first(place.count));

@@ -22,8 +22,7 @@ TextureRead::TextureRead(Writer& writer, TypeId result, const ir::ObjectCall& no
       node_(node),
       type_(writer.TypeAt(OperandOf(writer.program_, node, OperandKind::kObject))),
       info_(InfoOf(type_.object)),
-      four_(ShapeOf(type_.element ? writer.program_.types[type_.element].scalar : Scalar::kFloat, 1,
-                    4)) {}
+      four_(writer.FourTexels(type_)) {}
 
 Ref TextureRead::Write() {
   image_ = writer_.Object(At(OperandKind::kObject));
@@ -47,9 +46,11 @@ Ref TextureRead::Narrow(Ref texel) {
 
 Ref TextureRead::Sampled() {
   if (IsCombinedSampler(type_.object)) return image_;
-  const Ref sampler = writer_.Object(At(OperandKind::kSampler));
+  const ExprId texture = At(OperandKind::kObject), sampler_path = At(OperandKind::kSampler);
+  const Ref sampler = writer_.Object(sampler_path);
   const Ref type = writer_.module_.Type(spv::Op::OpTypeSampledImage, {writer_.ImageType(type_)});
-  return writer_.Emit(spv::Op::OpSampledImage, type, {image_, sampler});
+  return writer_.Marked(writer_.Emit(spv::Op::OpSampledImage, type, {image_, sampler}),
+                        writer_.IsNonUniform(texture) || writer_.IsNonUniform(sampler_path));
 }
 
 bool TextureRead::AddLevel(ImageOperands& to) {

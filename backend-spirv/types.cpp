@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-spirv/types.h"
 
+#include <array>
 #include <bit>
 #include <string>
 #include <vector>
@@ -12,6 +13,29 @@
 namespace clipc::spirv {
 
 using namespace ir;
+
+namespace {
+
+// The bytes from one row (column) of a matrix in memory to the next.
+std::uint32_t RegisterStride(const Type& matrix, bool row_major, Layout layout) {
+  const std::uint32_t length = row_major ? matrix.columns : matrix.rows;
+  const std::uint32_t bytes = ByteSize(matrix.scalar) * length;
+  return layout == Layout::kElements ? bytes : static_cast<std::uint32_t>(RoundUp(bytes, kRow));
+}
+
+struct FieldExtent {
+  std::uint32_t offset, size;  // bytes
+};
+// The place of a field when the fields before it end at `end`.
+FieldExtent ExtentOf(const TypeTable& types, const Field& field, std::uint32_t end, Layout layout) {
+  if (layout == Layout::kConstants) {
+    return {FieldPlace(types, field, end), PackedExtent(types, field.type, field.row_major).size};
+  }
+  const StructuredExtent extent = Structured(types, field.type);
+  return {static_cast<std::uint32_t>(RoundUp(end, extent.alignment)), extent.size};
+}
+
+}  // namespace
 
 Shape Shape::With(Scalar of) const {
   Shape shape = *this;
@@ -98,87 +122,105 @@ Ref Types::Pointer(spv::StorageClass storage, Ref to) {
   return module_.Type(spv::Op::OpTypePointer, {static_cast<std::uint32_t>(storage), to});
 }
 
-bool Types::DiffersInBlock(TypeId id) const {
+bool Types::DiffersInMemory(TypeId id) const {
   const Type& type = program_.types[id];
   if (!type.IsNumeric()) return true;
   return BaseOf(type.scalar) == Scalar::kBool || ShapeOf(type).kind == Shape::kRows;
 }
 
-Ref Types::InBlock(TypeId id, bool row_major) {
+Ref Types::ArrayInMemory(Ref element, std::uint32_t count, std::uint32_t stride) {
+  auto [found, is_new] = arrays_.try_emplace({element, count, stride}, 0);
+  if (is_new) {
+    if (count == 0)
+      found->second = module_.OwnType(spv::Op::OpTypeRuntimeArray, std::span(&element, 1));
+    else
+      found->second = module_.OwnType(spv::Op::OpTypeArray, std::array{element, Uint(count)});
+    module_.Decorate(found->second, spv::Decoration::ArrayStride, {stride});
+  }
+  return found->second;
+}
+
+Ref Types::InMemory(TypeId id, bool row_major, Layout layout) {
+  if (layout == Layout::kValue) return Of(id);
   const Type& type = program_.types[id];
-  const auto array = [&](Ref element, std::uint32_t count, std::uint32_t stride) {
-    auto [found, is_new] = arrays_.try_emplace({element, count, stride}, 0);
-    if (is_new) {
-      const std::uint32_t operands[] = {element, Uint(count)};
-      found->second = module_.OwnType(spv::Op::OpTypeArray, operands);
-      module_.Decorate(found->second, spv::Decoration::ArrayStride, {stride});
-    }
-    return found->second;
-  };
   if (type.IsNumeric()) {
-    Shape shape = ShapeOf(type);
-    if (shape.scalar == Scalar::kBool) shape.scalar = Scalar::kUint;
-    if (shape.kind == Shape::kRows) return array(Of(shape.Row()), shape.rows, kRow);
+    const Shape shape = InMemory(ShapeOf(type));
+    if (shape.kind == Shape::kRows)
+      return ArrayInMemory(Of(shape.Row()), shape.rows, RegisterStride(type, true, layout));
     return Of(shape);
   }
   if (type.kind == TypeKind::kArray) {
-    const Ref element = InBlock(type.element, row_major);
-    return array(element, type.count, ArrayStride(program_.types, id, row_major));
+    const Ref element = InMemory(type.element, row_major, layout);
+    const std::uint32_t stride = layout == Layout::kElements
+                                     ? Structured(program_.types, type.element).size
+                                     : ArrayStride(program_.types, id, row_major);
+    return ArrayInMemory(element, type.count, stride);
   }
-  return StructInBlock(type.structure);
+  return StructInMemory(type.structure, layout);
 }
 
-Ref Types::StructInBlock(StructId id) {
-  const auto found = block_structs_.find(id.index);
-  if (found != block_structs_.end()) return found->second;
-  const Ref made = NewStructInBlock(id);
-  block_structs_.emplace(id.index, made);
+Ref Types::StructInMemory(StructId id, Layout layout) {
+  const auto found = structs_in_memory_.find({id.index, layout});
+  if (found != structs_in_memory_.end()) return found->second;
+  const Ref made = NewStructInMemory(id, layout);
+  structs_in_memory_.emplace(std::pair(id.index, layout), made);
   return made;
 }
 
-Ref Types::NewStructInBlock(StructId id) {
+Ref Types::NewStructInMemory(StructId id, Layout layout) {
   const Struct& structure = program_.types[id];
   Words members;
   for (const Field& field : structure.fields)
-    members.push_back(InBlock(field.type, field.row_major));
+    members.push_back(InMemory(field.type, field.row_major, layout));
   const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
   module_.Name(made, structure.name);
   std::uint32_t end = 0;
   for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
     const Field& field = structure.fields[i];
-    const std::uint32_t offset = FieldPlace(program_.types, field, end);
-    end = offset + PackedExtent(program_.types, field.type, field.row_major).size;
+    const auto [offset, size] = ExtentOf(program_.types, field, end, layout);
+    end = offset + size;
     module_.NameMember(made, i, field.name);
     module_.DecorateMember(made, i, spv::Decoration::Offset, {offset});
-    DecorateMatrix(made, i, field.type, field.row_major);
+    DecorateMatrix(made, i, field.type, field.row_major, layout);
   }
   return made;
 }
 
 // HLSL's rows are SPIR-V's columns.
-void Types::DecorateMatrix(Ref structure, std::uint32_t member, TypeId id, bool row_major) {
+void Types::DecorateMatrix(Ref structure, std::uint32_t member, TypeId id, bool row_major,
+                           Layout layout) {
   const Type& type = program_.types[program_.types.Innermost(id)];
   if (!type.IsNumeric() || ShapeOf(type).kind != Shape::kMatrix) return;
-  const std::uint32_t length = row_major ? type.columns : type.rows;
-  const std::uint32_t stride =
-      static_cast<std::uint32_t>(RoundUp(std::uint64_t{ByteSize(type.scalar)} * length, kRow));
   module_.DecorateMember(structure, member,
                          row_major ? spv::Decoration::ColMajor : spv::Decoration::RowMajor);
-  module_.DecorateMember(structure, member, spv::Decoration::MatrixStride, {stride});
+  module_.DecorateMember(structure, member, spv::Decoration::MatrixStride,
+                         {RegisterStride(type, row_major, layout)});
+}
+
+Ref Types::Elements(TypeId element, bool row_major, std::string_view name, bool is_storage) {
+  const std::uint32_t size = Structured(program_.types, element).size;
+  const Ref list = ArrayInMemory(InMemory(element, row_major, Layout::kElements), 0, size);
+  const Ref made = module_.OwnType(spv::Op::OpTypeStruct, std::span(&list, 1));
+  module_.Name(made, std::string(name) + "_block");
+  module_.NameMember(made, 0, "elements");
+  module_.Decorate(made, is_storage ? spv::Decoration::Block : spv::Decoration::BufferBlock);
+  module_.DecorateMember(made, 0, spv::Decoration::Offset, {0});
+  DecorateMatrix(made, 0, element, row_major, Layout::kElements);
+  return made;
 }
 
 Ref Types::Block(const Cbuffer& cbuffer, std::span<const std::uint32_t> kept,
                  std::string_view name) {
   if (cbuffer.kind == CbufferKind::kConstantBuffer) {
     const TypeId type = program_.types.Innermost(program_.vars[cbuffer.members[0].var].type);
-    const Ref made = NewStructInBlock(program_.types[type].structure);
+    const Ref made = NewStructInMemory(program_.types[type].structure, Layout::kConstants);
     module_.Decorate(made, spv::Decoration::Block);
     return made;
   }
   Words members;
   for (const std::uint32_t member : kept) {
     const Var& var = program_.vars[cbuffer.members[member].var];
-    members.push_back(InBlock(var.type, var.row_major));
+    members.push_back(InMemory(var.type, var.row_major, Layout::kConstants));
   }
   const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
   module_.Name(made, name);
@@ -188,7 +230,7 @@ Ref Types::Block(const Cbuffer& cbuffer, std::span<const std::uint32_t> kept,
     const Var& var = program_.vars[member.var];
     module_.NameMember(made, i, var.name);
     module_.DecorateMember(made, i, spv::Decoration::Offset, {member.offset});
-    DecorateMatrix(made, i, var.type, var.row_major);
+    DecorateMatrix(made, i, var.type, var.row_major, Layout::kConstants);
   }
   return made;
 }

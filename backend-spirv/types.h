@@ -37,6 +37,10 @@ struct Shape {
 Shape ShapeOf(const ir::Type& type);
 Shape ShapeOf(ir::Scalar scalar, std::uint32_t rows, std::uint32_t columns);
 
+// Where a value lies: at Direct3D's places in a constant buffer, or in an element of a structured
+// buffer, where a bool is a uint; or as SPIR-V pleases.
+enum class Layout : std::uint8_t { kValue, kConstants, kElements };
+
 // The types and constants of a module, by those of the program.
 class Types {
  public:
@@ -50,13 +54,20 @@ class Types {
   Ref Vector(Ref component, std::uint32_t size);
   Ref Pointer(spv::StorageClass storage, Ref to);
 
-  // ---- types in a constant buffer, with their places in memory; a bool is a uint there
-  Ref InBlock(ir::TypeId type, bool row_major);
+  // ---- types in a buffer, with their places in memory; for Layout::kValue, those of values
+  Ref InMemory(ir::TypeId type, bool row_major, Layout layout);
   // The block with those members of a buffer, by their numbers, or with the fields of a
   // ConstantBuffer<T>.
   Ref Block(const ir::Cbuffer& cbuffer, std::span<const std::uint32_t> kept, std::string_view name);
-  // Whether the type has bools, arrays or structs in it, which are others in a block.
-  bool DiffersInBlock(ir::TypeId type) const;
+  // The block with the elements of a structured buffer, an array without a size. `is_storage`: it
+  // is a Block, else a BufferBlock.
+  Ref Elements(ir::TypeId element, bool row_major, std::string_view name, bool is_storage);
+  // Whether the type has bools, arrays or structs in it, which are others in a buffer.
+  bool DiffersInMemory(ir::TypeId type) const;
+  // What holds a component, or a vector or row of them, in a buffer: uints in place of bools.
+  static Shape InMemory(const Shape& shape) {
+    return shape.scalar == ir::Scalar::kBool ? shape.With(ir::Scalar::kUint) : shape;
+  }
 
   // ---- constants
   Ref Uint(std::uint32_t value);
@@ -77,16 +88,20 @@ class Types {
   static constexpr std::size_t kScalars = static_cast<std::size_t>(ir::Scalar::kUint64) + 1;
 
   Ref Make(const Shape& shape);
-  Ref StructInBlock(ir::StructId structure);
-  Ref NewStructInBlock(ir::StructId structure);
-  void DecorateMatrix(Ref structure, std::uint32_t member, ir::TypeId type, bool row_major);
+  Ref StructInMemory(ir::StructId structure, Layout layout);
+  Ref NewStructInMemory(ir::StructId structure, Layout layout);
+  // The array, or that without a size if `count` is 0; `stride` in bytes.
+  Ref ArrayInMemory(Ref element, std::uint32_t count, std::uint32_t stride);
+  void DecorateMatrix(Ref structure, std::uint32_t member, ir::TypeId type, bool row_major,
+                      Layout layout);
   Ref Composite(Ref type, std::span<const Ref> parts);
 
   const ir::Program& program_;
   Module& module_;
   // The types of shapes: by scalar, rows, components of a row, and kind. 0: not made yet.
   std::array<std::array<std::array<std::array<Ref, 4>, 4>, 4>, kScalars> shapes_{};
-  std::map<std::uint32_t, Ref> structs_, block_structs_;                 // by StructId
+  std::map<std::uint32_t, Ref> structs_;                                 // by StructId
+  std::map<std::pair<std::uint32_t, Layout>, Ref> structs_in_memory_;    // the same
   std::map<std::tuple<Ref, std::uint32_t, std::uint32_t>, Ref> arrays_;  // with their strides
 };
 

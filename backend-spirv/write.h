@@ -29,8 +29,11 @@ struct Interface {
     bool is_push_constant = false;
   };
   struct Object : Place {
-    ir::VarId var;  // a texture, a sampler, or both in one
+    ir::VarId var;  // a texture, a sampler, or both in one; a buffer
     std::string_view name;
+    std::string format = {};  // of an image that is written, in GLSL's spelling
+    // The elements of the structured buffer lie where no block of Vulkan has them.
+    bool is_packed = false;
   };
   std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs
   std::vector<Block> blocks;

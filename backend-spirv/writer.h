@@ -21,10 +21,11 @@ namespace clipc::spirv {
 struct Place {
   Ref base = 0;  // a pointer
   spv::StorageClass storage = spv::StorageClass::Function;
-  std::vector<Ref> indices;
-  ir::TypeId type;        // at the end of the path
-  bool in_block = false;  // it lies in a constant buffer, where a bool is a uint
+  std::vector<Ref> indices = {};
+  ir::TypeId type = {};  // at the end of the path
+  Layout layout = Layout::kValue;
   bool row_major = false;
+  bool is_non_uniform = false;  // which buffer it is in differs between invocations
   // The components that a last swizzle of several takes from a vector; then `vector` is its type.
   std::array<std::uint8_t, 4> components{};
   std::uint8_t count = 0;
@@ -57,7 +58,6 @@ class Writer {
   Ref ReadBuiltin(const ir::IoVar& input);
   void StartMain();
   Ref BlockVariable(ir::CbufferId id);
-  Ref ObjectVariable(ir::VarId id);
 
   // ---- places.cpp: paths in memory
   void FindMemory(ir::FunctionId id);
@@ -69,7 +69,7 @@ class Writer {
   Ref Load(const Place& place);
   Ref LoadBlock(const Place& place);
   void Store(const Place& place, Ref value);
-  Ref FromBlock(Ref value, ir::TypeId type, bool row_major);
+  Ref Recast(Ref value, ir::TypeId type, bool row_major, Layout from, Layout to);
   Place NewLocal(ir::TypeId type, std::string_view name = {});
   bool IsOnlyElement(const ir::Index& node) const;
 
@@ -130,11 +130,49 @@ class Writer {
   Ref Saturated(const Shape& shape, Ref value);
   Ref Derivative(ir::Intrinsic op, const Shape& shape, Ref value);
 
-  // ---- objects.cpp: textures
+  // ---- objects.cpp: textures, samplers and buffers
+  // A variable for an object, or for an array of them.
+  struct DeclaredObject {
+    Ref variable = 0;
+    Ref type = 0;  // of one object: of a buffer its block
+    spv::StorageClass storage = spv::StorageClass::UniformConstant;
+  };
   Ref ObjectCall(ir::TypeId type, const ir::ObjectCall& node);
+  const DeclaredObject& DeclaredOf(ir::VarId id);
+  const Interface::Object* PlaceOfObject(ir::VarId id) const;
   Ref Object(ir::ExprId path);
-  Ref ImageType(const ir::Type& object);
-  Ref ObjectType(ir::TypeId type);
+  Ref ObjectPointer(ir::ExprId path);
+  std::vector<Ref> IndicesOf(ir::ExprId path);
+  bool IsNonUniform(ir::ExprId path) const;
+  Ref Marked(Ref value, bool is_non_uniform);
+  void RequireNonUniform(const ir::Type& object);
+  Shape FourTexels(const ir::Type& object) const;
+  Ref ImageType(const ir::Type& object, std::string_view format = {});
+  Ref ObjectType(ir::TypeId type, const Interface::Object& place);
+  void RequireDescriptorIndexing();
+  // Whether SPIR-V has a storage class for buffers that are written (1.3).
+  bool HasStorageClass() const { return module_.minor_version() >= 3; }
+
+  // ---- images.cpp: textures and typed buffers that are written
+  Ref ImageCall(ir::TypeId type, const ir::ObjectCall& node);
+  Ref ImagePointer(const ir::ObjectCall& node);
+
+  // ---- buffers.cpp: structured buffers
+  // The part of an element that the steps of a store lead to.
+  struct StoredPart {
+    Place place;  // the element, or the field or element in it; its type is without a row's step
+    bool is_row = false;
+    Ref first = 0;            // of components: the number of the first one; 0: all of it
+    std::uint32_t known = 0;  // that number, where it is a literal
+  };
+  Ref BufferBlock(const ir::Type& buffer, const Interface::Object& place);
+  Ref BufferCall(ir::TypeId type, const ir::ObjectCall& node);
+  Place ElementPlace(const ir::ObjectCall& node);
+  StoredPart PartAlong(const ir::ObjectCall& node);
+  void StoreInBuffer(const ir::ObjectCall& node);
+  Ref ComponentPointer(const StoredPart& part, std::uint32_t number);
+  Ref BufferLength(ir::TypeId type, ir::ExprId object);
+  Ref Atomic(const ir::ObjectCall& node, Ref pointer);
 
   // ---- the current block
   Ref Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
@@ -182,7 +220,7 @@ class Writer {
   std::vector<bool> is_precise_var_;                          // by VarId
   std::map<std::uint32_t, const ir::IoVar*> builtin_inputs_;  // by VarId
   std::map<std::uint32_t, DeclaredBlock> blocks_;             // by CbufferId
-  std::map<std::uint32_t, Ref> objects_;                      // by VarId
+  std::map<std::uint32_t, DeclaredObject> objects_;           // by VarId
   std::map<std::pair<spv::BuiltIn, spv::StorageClass>, Ref> builtins_;
   std::vector<Ref> shared_;                // the variables that the entry point lists
   std::vector<ir::FunctionId> functions_;  // that `main` reaches, in the order of their first call

@@ -14,6 +14,10 @@ constexpr std::uint64_t kRow = 16;
 // takes a buffer that large.
 constexpr std::uint64_t kLargest = std::numeric_limits<std::uint32_t>::max() & ~(kRow - 1);
 
+// The largest size of an element of a StructuredBuffer, so that sums of such sizes stay far from
+// wrapping round.
+constexpr std::uint64_t kLargestElement = 1u << 30;
+
 std::uint32_t Clamped(std::uint64_t bytes) {
   return static_cast<std::uint32_t>(std::min(bytes, kLargest));
 }
@@ -163,6 +167,30 @@ void TypeTable::Measure(StructId structure) {
 
 std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major) {
   return Clamped(RoundUp(PackedExtent(types, types[array].element, row_major).size, kRow));
+}
+
+StructuredExtent Structured(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  const std::uint32_t scalar = ByteSize(type.scalar);
+  switch (type.kind) {
+    case TypeKind::kArray: {
+      const StructuredExtent element = Structured(types, type.element);
+      const std::uint64_t size = std::uint64_t{element.size} * type.count;
+      return {static_cast<std::uint32_t>(std::min(size, kLargestElement)), element.alignment};
+    }
+    case TypeKind::kStruct: {
+      StructuredExtent whole;
+      for (const Field& field : types.StructOf(id).fields) {
+        const StructuredExtent extent = Structured(types, field.type);
+        const std::uint64_t end = RoundUp(whole.size, extent.alignment) + extent.size;
+        whole.size = static_cast<std::uint32_t>(std::min(end, kLargestElement));
+        whole.alignment = std::max(whole.alignment, extent.alignment);
+      }
+      whole.size = static_cast<std::uint32_t>(RoundUp(whole.size, whole.alignment));
+      return whole;
+    }
+    default: return {scalar * type.Components(), scalar};
+  }
 }
 
 std::vector<std::uint8_t> Packed(const TypeTable& types, TypeId type, bool row_major,

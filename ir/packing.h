@@ -47,6 +47,13 @@ std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major);
 // the order of the type, as Literal holds them.
 std::vector<std::uint8_t> Packed(const TypeTable& types, TypeId type, bool row_major,
                                  std::span<const std::uint64_t> components);
+// HLSL's layout of the elements of a StructuredBuffer: scalars at multiples of their own size,
+// nothing else.
+struct StructuredExtent {
+  std::uint32_t size = 0;
+  std::uint32_t alignment = 4;
+};
+StructuredExtent Structured(const TypeTable& types, TypeId type);
 // Gives every member without has_packoffset its offset, every member its size, and the buffer its
 // size (of one buffer, for an array of ConstantBuffers). Where only some members have a place of
 // their own (register(c#) in $Globals; a cbuffer may not mix), the others follow the last of those

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile/write_spirv.h"
 
+#include <algorithm>
+
+#include "backend-glsl/block_layout.h"
+#include "backend-glsl/images.h"
+
 namespace clipc {
 namespace {
 
-spirv::Interface InterfaceOf(const glsl::GlslInfo& info) {
+// What SPIR-V needs to know of an image or of a structured buffer.
+void Describe(const ir::Program& program, spirv::Interface::Object& object) {
+  const ir::Var& var = program.vars[object.var];
+  const ir::Type& type = program.types[program.types.Innermost(var.type)];
+  const auto resource = std::ranges::find(program.resources, object.var, &ir::Resource::var);
+  if (ir::IsImage(type.object)) object.format = glsl::ImageFormat(program, *resource);
+  object.is_packed =
+      ir::IsStructured(type.object) && !glsl::Std430(program.types, type.element, var.row_major);
+}
+
+spirv::Interface InterfaceOf(const ir::Program& program, const glsl::GlslInfo& info) {
   spirv::Interface interface;
   const auto add = [](std::vector<spirv::Interface::Variable>& to,
                       const std::vector<glsl::GlslInfo::Variable>& variables) {
@@ -23,6 +38,7 @@ spirv::Interface InterfaceOf(const glsl::GlslInfo& info) {
     interface.objects.push_back({{object.set.value_or(0), object.binding.value_or(0)},
                                  object.texture ? object.texture : object.sampler,
                                  object.name});
+    Describe(program, interface.objects.back());
   }
   return interface;
 }
@@ -45,7 +61,7 @@ spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info
   made.invariant = options.invariant;
   made.base_vertex_is_zero = options.base_vertex_is_zero;
   made.base_instance_is_zero = options.base_instance_is_zero;
-  return spirv::Write(program, InterfaceOf(info), made);
+  return spirv::Write(program, InterfaceOf(program, info), made);
 }
 
 }  // namespace clipc

@@ -1,15 +1,13 @@
-// What the writer of SPIR-V lacks, glslang translates from the GLSL: images that are written, lines of the source, OpenGL's SPIR-V.
+// What the writer of SPIR-V lacks, glslang translates from the GLSL: structured buffers whose elements no block has at their places, lines
+// of the source, OpenGL's SPIR-V.
 // RUN: %clipc -T ps_5_0 -spirv -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
 // RUN: %clipc -T ps_5_0 -E plain -spirv -S %s -o - | FileCheck %s --check-prefix=WRITTEN
 // RUN: %clipc -T ps_5_0 -E plain -spirv -Zi -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
 // RUN: %clipc -T ps_5_0 -E plain -spirv --target=glsl450 -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
 // TRANSLATED: OpSource GLSL 4{{[56]}}0
 // WRITTEN: OpSource HLSL 500
-RWTexture2D<float4> image : register(u1);
+StructuredBuffer<float3> points : register(t1);
 
-float4 main(float4 p : SV_Position) : SV_Target {
-  image[uint2(p.xy)] = p;
-  return p;
-}
+float4 main(float4 p : SV_Position) : SV_Target { return p + points[2].xyzx; }
 
 float4 plain(float4 p : SV_Position) : SV_Target { return p.wzyx; }
