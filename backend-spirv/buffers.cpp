@@ -52,14 +52,14 @@ Place Writer::ElementPlace(const clipc::ir::ObjectCall& node) {
               .layout = Layout::kElements,
               .row_major = (*this)[root].row_major,
               .is_non_uniform = IsNonUniform(object)};
-  if (place.is_non_uniform) RequireNonUniform(TypeAt(object));
+  if (place.is_non_uniform) RequireNonUniform(NonUniformOf(TypeAt(object).object));
   place.indices.push_back(types_.Int(0));
   place.indices.push_back(Value(OperandOf(program_, node, OperandKind::kPlace)));
   return place;
 }
 
 // Follows the steps of a store or an atomic operation, ir/ops.def.
-Writer::StoredPart Writer::PartAlong(const clipc::ir::ObjectCall& node) {
+StoredPart Writer::PartAlong(const clipc::ir::ObjectCall& node) {
   StoredPart part{.place = ElementPlace(node)};
   Place& place = part.place;
   const ExprId stored = OperandOf(program_, node, OperandKind::kValue);
@@ -153,6 +153,7 @@ Ref Writer::BufferLength(TypeId type, ExprId object) {
 }
 
 Ref Writer::BufferCall(TypeId type, const clipc::ir::ObjectCall& node) {
+  if (node.has_texel) return Lack("the status of a read of a structured buffer");
   if (IsAtomic(node.op)) {
     const StoredPart part = PartAlong(node);
     return Atomic(node, ComponentPointer(part, 0));

@@ -91,7 +91,10 @@ void Writer::WriteFunction(FunctionId id) {
     Store(place, value);
   }
   if (in_main_) StartMain();
+  const bool is_ordered = in_main_ && has_order_;
+  if (is_ordered) Do(spv::Op::OpBeginInvocationInterlockEXT, {});
   WriteStatements(BodyOf(program_, id));
+  if (is_ordered && is_open_) Do(spv::Op::OpEndInvocationInterlockEXT, {});
   if (is_open_) {
     if (program_.types[function.return_type].kind == TypeKind::kVoid)
       Do(spv::Op::OpReturn, {});

@@ -156,28 +156,56 @@ Ref Writer::Derivative(ir::Intrinsic op, const Shape& shape, Ref value) {
   }
 }
 
+// What the invocation stores before comes before what it stores after, for other invocations.
+Ref Writer::OrderMemory() {
+  using enum spv::MemorySemanticsMask;
+  const std::uint32_t semantics =
+      NumberOf(AcquireRelease) | NumberOf(UniformMemory) | NumberOf(ImageMemory);
+  Do(spv::Op::OpMemoryBarrier, {types_.Uint(NumberOf(spv::Scope::Device)), types_.Uint(semantics)});
+  return 0;
+}
+
+// modf(x, whole): the fraction; the pass LowerFunctions replaced the others that write arguments.
+Ref Writer::Writing(const IntrinsicCall& node) {
+  const auto arguments = (*this)[node.arguments];
+  const Shape shape = ShapeAt(arguments[0]);
+  if (node.op != ir::Intrinsic::kModf || !shape.IsFloating())
+    return Lack("a function that writes an argument");
+  const Ref type = types_.Of(shape);
+  const Ref value = Value(arguments[0]);
+  const Place whole = PlaceOf(arguments[1]);
+  const Ref both = module_.Type(spv::Op::OpTypeStruct, {type, type});
+  const Ref parts = Extended(GLSLstd450ModfStruct, both, {value});
+  Store(whole, Part(type, parts, 1));
+  return Part(type, parts, 0);
+}
+
+// asuint(x, low, high) of a double.
+Ref Writer::WordsOf(const IntrinsicCall& node) {
+  const auto arguments = (*this)[node.arguments];
+  const Ref value = Value(arguments[0]);
+  const Ref uint = types_.Of(Scalar::kUint);
+  const Ref words = Emit(spv::Op::OpBitcast, types_.Vector(uint, 2), {value});
+  for (const std::uint32_t i : {0u, 1u}) Store(PlaceOf(arguments[i + 1]), Part(uint, words, i));
+  return 0;
+}
+
 Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
   using enum ir::Intrinsic;
   const auto arguments = (*this)[node.arguments];
   const Shape result = program_.types[id].IsNumeric() ? ShapeOf(program_.types[id]) : Shape{};
   if (node.op == kMul) return Product(arguments[0], arguments[1], result);
-  if (CategoryOf(node.op) == IntrinsicCategory::kWave ||
-      CategoryOf(node.op) == IntrinsicCategory::kQuad ||
-      CategoryOf(node.op) == IntrinsicCategory::kInterpolants ||
-      CategoryOf(node.op) == IntrinsicCategory::kMemory || arguments.empty())
-    return Lack("a function of waves, of interpolation or of memory");
+  switch (CategoryOf(node.op)) {
+    case IntrinsicCategory::kWave:
+    case IntrinsicCategory::kQuad: return Wave(id, node);
+    case IntrinsicCategory::kInterpolants: return Interpolant(node);
+    case IntrinsicCategory::kMemory: return OrderMemory();
+    case IntrinsicCategory::kWriting: return Writing(node);
+    default: break;
+  }
+  if (node.op == kAsUint && arguments.size() > 1) return WordsOf(node);
   const Shape shape = ShapeAt(arguments[0]);
   const Ref type = types_.Of(id);
-  if (node.op == kModf) {
-    if (!shape.IsFloating()) return Lack("modf of integers");
-    const Ref value = Value(arguments[0]);
-    const Place whole = PlaceOf(arguments[1]);
-    const Ref both = module_.Type(spv::Op::OpTypeStruct, {type, type});
-    const Ref parts = Extended(GLSLstd450ModfStruct, both, {value});
-    Store(whole, Part(type, parts, 1));
-    return Part(type, parts, 0);
-  }
-  if (WritesArguments(node.op)) return Lack("a function that writes an argument");
   std::array<Ref, 4> values{};
   for (std::size_t i = 0; i < arguments.size() && i < values.size(); ++i)
     values[i] = Value(arguments[i]);
@@ -229,9 +257,16 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
     case kAsFloat:
     case kAsInt:
     case kAsUint:
-      if (arguments.size() != 1) return Lack("asuint of a double");
       return shape.scalar == result.scalar ? values[0]
                                            : Emit(spv::Op::OpBitcast, type, {values[0]});
+    case kAsDouble: {
+      const Ref words =
+          Compose(types_.Of(ShapeOf(Scalar::kUint, 1, 2)), std::span(values).first(2));
+      return Emit(spv::Op::OpBitcast, type, {words});
+    }
+    case kCheckAccessFullyMapped:
+      module_.Require(spv::Capability::SparseResidency);
+      return Emit(spv::Op::OpImageSparseTexelsResident, type, {values[0]});
     case kCountBits: {
       const Ref count = Emit(spv::Op::OpBitCount, types_.Of(shape), {values[0]});
       return Converted(count, shape, result.scalar);
@@ -256,7 +291,7 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
       const Ref two = Compose(types_.Of(ShapeOf(Scalar::kFloat, 1, 2)), parts);
       return Extended(GLSLstd450PackHalf2x16, type, {two});
     }
-    default: return Lack("a function of doubles");
+    default: return Lack("a function of another kind");
   }
 }
 

@@ -14,12 +14,26 @@ namespace {
 
 spv::Dim DimensionOf(const ObjectInfo& info) {
   if (info.category == ObjectCategory::kTypedBuffer) return spv::Dim::Buffer;
+  if (info.category == ObjectCategory::kSubpass) return spv::Dim::SubpassData;
   if (info.is_cube) return spv::Dim::Cube;
   if (info.axes == 1) return spv::Dim::Dim1D;
   return info.axes == 3 ? spv::Dim::Dim3D : spv::Dim::Dim2D;
 }
 
 }  // namespace
+
+spv::Capability NonUniformOf(ObjectKind object) {
+  const ObjectInfo& info = InfoOf(object);
+  const bool is_buffer = info.category == ObjectCategory::kTypedBuffer;
+  using enum spv::Capability;
+  if (info.category == ObjectCategory::kSubpass) return InputAttachmentArrayNonUniformIndexing;
+  if (IsStorageBuffer(object)) return StorageBufferArrayNonUniformIndexing;
+  if (info.is_writable)
+    return is_buffer ? StorageTexelBufferArrayNonUniformIndexing
+                     : StorageImageArrayNonUniformIndexing;
+  return is_buffer ? UniformTexelBufferArrayNonUniformIndexing
+                   : SampledImageArrayNonUniformIndexing;
+}
 
 // Four components as the texels of a texture or a typed buffer have them: other kinds than integers
 // are floats.
@@ -33,13 +47,15 @@ Shape Writer::FourTexels(const Type& object) const {
 Ref Writer::ImageType(const Type& object, std::string_view format) {
   const ObjectInfo& info = InfoOf(object.object);
   const spv::Dim dimension = DimensionOf(info);
-  const bool is_image = info.is_writable;
+  const bool is_subpass = dimension == spv::Dim::SubpassData;
+  const bool is_image = info.is_writable || is_subpass;
   using enum spv::Capability;
   if (dimension == spv::Dim::Dim1D) module_.Require(is_image ? Image1D : Sampled1D);
   if (dimension == spv::Dim::Buffer) module_.Require(is_image ? ImageBuffer : SampledBuffer);
   if (info.is_cube && info.is_array) module_.Require(is_image ? ImageCubeArray : SampledCubeArray);
   const spv::ImageFormat of = FormatOf(format);
-  if (is_image && !IsBasic(of)) module_.Require(StorageImageExtendedFormats);
+  if (is_subpass) module_.Require(InputAttachment);
+  if (info.is_writable && !IsBasic(of)) module_.Require(StorageImageExtendedFormats);
   constexpr std::uint32_t kNeverCompares = 0, kMayCompare = 2, kIsSampled = 1, kIsStorage = 2;
   return module_.Type(spv::Op::OpTypeImage,
                       {types_.Of(FourTexels(object).scalar), NumberOf(dimension),
@@ -54,6 +70,7 @@ Ref Writer::ObjectType(TypeId id, const Interface::Object& place) {
   switch (info.category) {
     case ObjectCategory::kSampler: return module_.Type(spv::Op::OpTypeSampler, {});
     case ObjectCategory::kTexture:
+    case ObjectCategory::kSubpass:
     case ObjectCategory::kTypedBuffer: return ImageType(type, place.format);
     case ObjectCategory::kCombinedSampler:
       if (info.compares) return Lack("a sampler of Direct3D 9 that compares");
@@ -68,7 +85,7 @@ const Interface::Object* Writer::PlaceOfObject(VarId id) const {
   return place == interface_.objects.end() ? nullptr : &*place;
 }
 
-const Writer::DeclaredObject& Writer::DeclaredOf(VarId id) {
+const DeclaredObject& Writer::DeclaredOf(VarId id) {
   DeclaredObject& declared = objects_[id.index];
   if (declared.variable != 0) return declared;
   const Var& var = (*this)[id];
@@ -78,7 +95,6 @@ const Writer::DeclaredObject& Writer::DeclaredOf(VarId id) {
     return declared;
   }
   const Type& object = program_.types[program_.types.Innermost(var.type)];
-  if (IsOrdered(object.object)) Lack("an object that pixels access in order");
   declared.type = ObjectType(program_.types.Innermost(var.type), *place);
   declared.storage = !IsStorageBuffer(object.object) ? spv::StorageClass::UniformConstant
                      : HasStorageClass()             ? spv::StorageClass::StorageBuffer
@@ -101,6 +117,9 @@ const Writer::DeclaredObject& Writer::DeclaredOf(VarId id) {
   module_.Name(declared.variable, place->name);
   module_.Decorate(declared.variable, spv::Decoration::DescriptorSet, {place->set});
   module_.Decorate(declared.variable, spv::Decoration::Binding, {place->binding});
+  if (place->input_attachment)
+    module_.Decorate(declared.variable, spv::Decoration::InputAttachmentIndex,
+                     {*place->input_attachment});
   if (var.coherent && IsImage(object.object))
     module_.Decorate(declared.variable, spv::Decoration::Coherent);
   if (module_.minor_version() >= 4) shared_.push_back(declared.variable);
@@ -133,17 +152,10 @@ Ref Writer::Marked(Ref value, bool is_non_uniform) {
   return value;
 }
 
-void Writer::RequireNonUniform(const Type& object) {
-  const ObjectInfo& info = InfoOf(object.object);
-  const bool is_buffer = info.category == ObjectCategory::kTypedBuffer;
-  using enum spv::Capability;
+void Writer::RequireNonUniform(spv::Capability capability) {
   RequireDescriptorIndexing();
-  module_.Require(ShaderNonUniform);
-  module_.Require(IsStorageBuffer(object.object)  ? StorageBufferArrayNonUniformIndexing
-                  : info.is_writable && is_buffer ? StorageTexelBufferArrayNonUniformIndexing
-                  : info.is_writable              ? StorageImageArrayNonUniformIndexing
-                  : is_buffer                     ? UniformTexelBufferArrayNonUniformIndexing
-                                                  : SampledImageArrayNonUniformIndexing);
+  module_.Require(spv::Capability::ShaderNonUniform);
+  module_.Require(capability);
 }
 
 // The pointer to the object that a path names.
@@ -154,7 +166,7 @@ Ref Writer::ObjectPointer(ExprId path) {
   Words operands{declared.variable};
   operands.insert(operands.end(), indices.begin(), indices.end());
   const bool is_non_uniform = IsNonUniform(path);
-  if (is_non_uniform) RequireNonUniform(TypeAt(path));
+  if (is_non_uniform) RequireNonUniform(NonUniformOf(TypeAt(path).object));
   return Marked(
       Emit(spv::Op::OpAccessChain, types_.Pointer(declared.storage, declared.type), operands),
       is_non_uniform);
@@ -168,7 +180,6 @@ Ref Writer::Object(ExprId path) {
 }
 
 Ref Writer::ObjectCall(TypeId result, const clipc::ir::ObjectCall& node) {
-  if (node.has_clamp || node.has_texel) return Lack("a read of tiled resources");
   const ExprId object = OperandOf(program_, node, OperandKind::kObject);
   const ObjectInfo& info = InfoOf(TypeAt(object).object);
   switch (info.category) {
@@ -177,6 +188,7 @@ Ref Writer::ObjectCall(TypeId result, const clipc::ir::ObjectCall& node) {
       return info.is_writable ? ImageCall(result, node) : TextureRead(*this, result, node).Write();
     case ObjectCategory::kCombinedSampler: return TextureRead(*this, result, node).Write();
     case ObjectCategory::kStructuredBuffer: return BufferCall(result, node);
+    case ObjectCategory::kSubpass: return SubpassLoad(result, node);
     default: return Lack("an object of another kind");
   }
 }

@@ -3,15 +3,13 @@
 #include <algorithm>
 
 #include "backend-spirv/writer.h"
+#include "ir/packing.h"
 
 namespace clipc::spirv {
 
 using namespace ir;
 
 namespace {
-
-// The number of elements from which on a whole array is not read out of a constant buffer.
-constexpr std::uint32_t kLongArray = 1024;
 
 // The read of an element of a structured buffer that the path starts at; null if it does not.
 const ObjectCall* ElementOf(const Program& program, ExprId path) {
@@ -41,6 +39,9 @@ void Writer::FindMemoryOf(ExprId expr) {
     const bool is_vector = type.IsNumeric() && !ShapeOf(type).HasRows();
     if (!As<Literal>(index->index) && !is_vector) keep(index->base);
   }
+  const auto* asked = As<IntrinsicCall>(expr);
+  if (asked && asked->op == ir::Intrinsic::kAttributeAtVertex)
+    per_vertex_.insert(RootOf(program_, (*this)[asked->arguments][0]).index);
   const auto* call = As<Call>(expr);
   if (call && std::ranges::find(functions_, call->function) == functions_.end())
     functions_.push_back(call->function);
@@ -93,8 +94,14 @@ Place Writer::PlaceOfVariable(VarId id) {
                 .row_major = var.row_major};
     const Cbuffer& cbuffer = program_.cbuffers[var.cbuffer];
     if (cbuffer.is_push_constant) place.storage = spv::StorageClass::PushConstant;
-    if (cbuffer.kind == CbufferKind::kConstantBuffer) return place;
-    const auto& kept = blocks_[var.cbuffer.index].kept;
+    place.is_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
+    const auto& [variable, kept, is_rows] = blocks_[var.cbuffer.index];
+    const auto member = std::ranges::find(cbuffer.members, id, &CbufferMember::var);
+    if (is_rows) {
+      place.layout = Layout::kRows;
+      place.offset = member->offset;
+    }
+    if (place.is_buffer || is_rows) return place;
     const auto number = std::ranges::find(
         kept, id, [&](std::uint32_t member) { return cbuffer.members[member].var; });
     if (number == kept.end()) {
@@ -104,7 +111,11 @@ Place Writer::PlaceOfVariable(VarId id) {
     place.indices.push_back(types_.Int(static_cast<std::int32_t>(number - kept.begin())));
     return place;
   }
-  return {pointers_[id.index], storages_[id.index], {}, var.type};
+  if (pointers_[id.index] == 0) Lack("a variable before its declaration");
+  Place place{pointers_[id.index], storages_[id.index], {}, var.type};
+  const auto part = part_indices_.find(id.index);
+  if (part != part_indices_.end()) place.indices = part->second;
+  return place;
 }
 
 Place Writer::PlaceOf(ExprId path) {
@@ -114,13 +125,27 @@ Place Writer::PlaceOf(ExprId path) {
     Place place = PlaceOf(field->base);
     if (place.layout != Layout::kValue)
       place.row_major = program_.types.StructOf(place.type).fields[field->field].row_major;
-    place.indices.push_back(types_.Int(static_cast<std::int32_t>(field->field)));
+    if (place.layout == Layout::kRows)
+      place.offset +=
+          FieldOffset(program_.types, program_.types[place.type].structure, field->field);
+    else
+      place.indices.push_back(types_.Int(static_cast<std::int32_t>(field->field)));
     place.type = (*this)[path].type;
+    place.is_buffer = false;
     return place;
   }
   if (const auto* index = As<Index>(path)) {
     Place place = PlaceOf(index->base);
-    if (!IsOnlyElement(*index)) place.indices.push_back(Value(index->index));
+    if (place.is_buffer)
+      ChooseBuffer(place, Converted(Value(index->index), ShapeAt(index->index), Scalar::kInt));
+    else if (place.layout == Layout::kRows)
+      ElementInRows(place, index->index);
+    else if (!IsOnlyElement(*index))
+      place.indices.push_back(Value(index->index));
+    if (place.is_buffer && IsNonUniform(path)) {
+      place.is_non_uniform = true;
+      RequireNonUniform(spv::Capability::UniformBufferArrayNonUniformIndexing);
+    }
     place.type = (*this)[path].type;
     return place;
   }
@@ -134,7 +159,11 @@ Place Writer::PlaceOf(ExprId path) {
   Place place = PlaceOf(swizzle->base);
   const Shape shape = ShapeAt(swizzle->base);
   if (swizzle->count == 1) {
-    if (!shape.IsScalar()) place.indices.push_back(types_.Int(swizzle->components[0]));
+    if (place.layout == Layout::kRows)
+      place.offset +=
+          swizzle->components[0] * (place.stride != 0 ? place.stride : ByteSize(shape.scalar));
+    else if (!shape.IsScalar())
+      place.indices.push_back(types_.Int(swizzle->components[0]));
     place.type = (*this)[path].type;
     return place;
   }
@@ -186,29 +215,58 @@ Ref Writer::Recast(Ref value, TypeId id, bool row_major, Layout from, Layout to)
 
 Ref Writer::Load(const Place& place) {
   const TypeId type = place.count > 0 ? place.vector : place.type;
-  if (place.layout == Layout::kConstants && place.indices.empty()) return LoadBlock(place);
-  const Ref pointer = PointerTo(place);
-  Ref value =
-      Emit(spv::Op::OpLoad, types_.InMemory(type, place.row_major, place.layout), {pointer});
-  value = Recast(value, type, place.row_major, place.layout, Layout::kValue);
+  if (place.is_buffer) return LoadBuffer(place);
+  Ref value = 0;
+  if (place.layout == Layout::kRows) {
+    Place whole = place;
+    whole.type = type;
+    value = LoadInRows(whole);
+  } else {
+    const Ref pointer = PointerTo(place),
+              memory = types_.InMemory(type, place.row_major, place.layout);
+    value = Recast(Emit(spv::Op::OpLoad, memory, {pointer}), type, place.row_major, place.layout,
+                   Layout::kValue);
+  }
   if (place.count == 0) return value;
   return Components(value, ShapeOf(program_.types[type]),
                     std::span(place.components).first(place.count));
 }
 
-// The whole of a ConstantBuffer<T>, whose block is a type of its own.
-Ref Writer::LoadBlock(const Place& place) {
-  if (program_.types[place.type].kind != TypeKind::kStruct)
-    return Lack("an array of constant buffers as a value");
-  std::vector<Ref> fields;
+// Chooses an element of an array of constant buffers, whose dimensions are one in the module.
+void Writer::ChooseBuffer(Place& place, Ref index) {
+  const Type& array = program_.types[place.type];
+  if (!place.indices.empty()) {
+    const Ref type = types_.Of(Scalar::kInt);
+    const Ref count = types_.Int(static_cast<std::int32_t>(array.count));
+    const Ref first = Emit(spv::Op::OpIMul, type, {place.indices[0], count});
+    index = Emit(spv::Op::OpIAdd, type, {first, index});
+  }
+  place.indices = {index};
+  place.type = array.element;
+}
+
+// The whole of a ConstantBuffer<T>, whose block is a type of its own, or of an array of them.
+Ref Writer::LoadBuffer(const Place& place) {
+  const Type& type = program_.types[place.type];
+  std::vector<Ref> parts;
+  if (type.kind == TypeKind::kArray) {
+    for (std::uint32_t i = 0; i < type.count; ++i) {
+      Place element = place;
+      ChooseBuffer(element, types_.Int(static_cast<std::int32_t>(i)));
+      parts.push_back(LoadBuffer(element));
+    }
+    return Compose(types_.Of(place.type), parts);
+  }
+  if (place.layout == Layout::kRows) return LoadInRows(place);
   for (const Field& field : program_.types.StructOf(place.type).fields) {
     Place part = place;
-    part.indices.push_back(types_.Int(static_cast<std::int32_t>(fields.size())));
+    part.is_buffer = false;
+    part.indices.push_back(types_.Int(static_cast<std::int32_t>(parts.size())));
     part.type = field.type;
     part.row_major = field.row_major;
-    fields.push_back(Load(part));
+    parts.push_back(Load(part));
   }
-  return Compose(types_.Of(place.type), fields);
+  return Compose(types_.Of(place.type), parts);
 }
 
 void Writer::Store(const Place& place, Ref value) {

@@ -16,6 +16,20 @@ constexpr Shape kNumber{};
 
 }  // namespace
 
+spv::Op SparseOf(spv::Op read) {
+  using enum spv::Op;
+  switch (read) {
+    case OpImageSampleImplicitLod: return OpImageSparseSampleImplicitLod;
+    case OpImageSampleExplicitLod: return OpImageSparseSampleExplicitLod;
+    case OpImageSampleDrefImplicitLod: return OpImageSparseSampleDrefImplicitLod;
+    case OpImageSampleDrefExplicitLod: return OpImageSparseSampleDrefExplicitLod;
+    case OpImageFetch: return OpImageSparseFetch;
+    case OpImageGather: return OpImageSparseGather;
+    case OpImageDrefGather: return OpImageSparseDrefGather;
+    default: return OpImageSparseRead;
+  }
+}
+
 TextureRead::TextureRead(Writer& writer, TypeId result, const ir::ObjectCall& node)
     : writer_(writer),
       result_(result),
@@ -25,6 +39,11 @@ TextureRead::TextureRead(Writer& writer, TypeId result, const ir::ObjectCall& no
       four_(writer.FourTexels(type_)) {}
 
 Ref TextureRead::Write() {
+  const Ref value = WriteRead();
+  return node_.has_texel ? status_ : value;
+}
+
+Ref TextureRead::WriteRead() {
   image_ = writer_.Object(At(OperandKind::kObject));
   switch (InfoOf(node_.op).result) {
     case ObjectResult::kFourTexels: return Gather();
@@ -40,8 +59,10 @@ Ref TextureRead::Write() {
 ExprId TextureRead::At(OperandKind kind) const { return OperandOf(writer_.program_, node_, kind); }
 
 Ref TextureRead::Narrow(Ref texel) {
-  const std::uint32_t count = ShapeOf(writer_.program_.types[result_]).size;
-  return writer_.Components(texel, four_, std::span(kFirst).first(count));
+  if (node_.has_texel) return texel;
+  const Shape result = ShapeOf(writer_.program_.types[result_]);
+  const Ref value = writer_.Components(texel, four_, std::span(kFirst).first(result.size));
+  return writer_.Converted(value, ShapeOf(four_.scalar, 1, result.size), result.scalar);
 }
 
 Ref TextureRead::Sampled() {
@@ -85,6 +106,12 @@ void TextureRead::AddOffset(ImageOperands& to, ExprId offset) {
   to.Add(spv::ImageOperandsMask::ConstOffset, {writer_.types_.Value(writer_[offset].type, left)});
 }
 
+void TextureRead::AddClamp(ImageOperands& to) {
+  if (!node_.has_clamp) return;
+  writer_.module_.Require(spv::Capability::MinLod);
+  to.Add(spv::ImageOperandsMask::MinLod, {Operand(OperandKind::kClamp)});
+}
+
 Ref TextureRead::Projected() {
   const Ref whole = Operand(OperandKind::kCoordinate);
   const std::uint32_t axes = info_.axes == 0 ? 2 : info_.axes;
@@ -100,7 +127,23 @@ Ref TextureRead::Projected() {
 Ref TextureRead::ReadBy(spv::Op op, const Shape& shape, Words operands, const ImageOperands& more) {
   operands.insert(operands.begin(), Sampled());
   more.AppendTo(operands);
-  return writer_.Emit(op, writer_.types_.Of(shape), operands);
+  return Read(op, shape, operands);
+}
+
+Ref TextureRead::Read(spv::Op op, const Shape& shape, const Words& operands) {
+  return node_.has_texel ? ReadTiled(op, shape, operands)
+                         : writer_.Emit(op, writer_.types_.Of(shape), operands);
+}
+
+Ref TextureRead::ReadTiled(spv::Op op, const Shape& shape, const Words& operands) {
+  writer_.module_.Require(spv::Capability::SparseResidency);
+  const Ref texel = writer_.types_.Of(shape), status = writer_.types_.Of(result_);
+  const Ref both = writer_.module_.Type(spv::Op::OpTypeStruct, {status, texel});
+  const Ref read = writer_.Emit(SparseOf(op), both, operands);
+  const Ref value = writer_.Part(texel, read, 1);
+  writer_.Store(writer_.PlaceOf(At(OperandKind::kTexel)), value);
+  status_ = writer_.Part(status, read, 0);
+  return value;
 }
 
 Ref TextureRead::Sample() {
@@ -109,6 +152,7 @@ Ref TextureRead::Sample() {
   ImageOperands more;
   const bool is_explicit = AddLevel(more);
   AddOffset(more, At(OperandKind::kOffset));
+  AddClamp(more);
   return Narrow(
       ReadBy(is_explicit ? spv::Op::OpImageSampleExplicitLod : spv::Op::OpImageSampleImplicitLod,
              four_, std::move(operands), more));
@@ -120,6 +164,7 @@ Ref TextureRead::Compare() {
   ImageOperands more;
   const bool is_explicit = AddLevel(more);
   AddOffset(more, At(OperandKind::kOffset));
+  AddClamp(more);
   return ReadBy(
       is_explicit ? spv::Op::OpImageSampleDrefExplicitLod : spv::Op::OpImageSampleDrefImplicitLod,
       kNumber, std::move(operands), more);
@@ -139,6 +184,7 @@ Ref TextureRead::Gather() {
                             ? Operand(OperandKind::kReference)
                             : writer_.types_.Int(ComponentOf(node_.op));
   const List<ExprId> offsets = OperandsOf(node_, OperandKind::kOffset);
+  if (offsets.size > 1 && node_.has_texel) return writer_.Lack("the status of four gathers");
   if (offsets.size <= 1) return GatherAt(At(OperandKind::kOffset), coordinate, component);
   // Component i is that of the gather with offset i.
   std::vector<Ref> texels;
@@ -150,6 +196,13 @@ Ref TextureRead::Gather() {
   return writer_.Compose(writer_.types_.Of(four_), texels);
 }
 
+Ref TextureRead::WriteImageLoad() {
+  image_ = writer_.Object(At(OperandKind::kObject));
+  const Ref texel =
+      Narrow(Read(spv::Op::OpImageRead, four_, {image_, Operand(OperandKind::kPlace)}));
+  return node_.has_texel ? status_ : texel;
+}
+
 // Reads a texel. The level of a multisampled texture is the number of the sample.
 Ref TextureRead::Fetch() {
   Words operands{image_, Operand(OperandKind::kPlace)};
@@ -159,7 +212,7 @@ Ref TextureRead::Fetch() {
   AddOffset(more, At(OperandKind::kOffset));
   if (level != 0 && info_.is_multisampled) more.Add(spv::ImageOperandsMask::Sample, {level});
   more.AppendTo(operands);
-  return Narrow(writer_.Emit(spv::Op::OpImageFetch, writer_.types_.Of(four_), operands));
+  return Narrow(Read(spv::Op::OpImageFetch, four_, operands));
 }
 
 Ref TextureRead::Query() {

@@ -22,13 +22,19 @@ struct ImageOperands {
   }
 };
 
+// The instruction that gives the status of a read too.
+spv::Op SparseOf(spv::Op read);
+
 // The writing of one read of a texture.
 class TextureRead {
  public:
   TextureRead(Writer& writer, ir::TypeId result, const ir::ObjectCall& node);
   Ref Write();
+  // Reads a texel of an image that may be written, which has one level.
+  Ref WriteImageLoad();
 
  private:
+  Ref WriteRead();
   Ref Sample();
   Ref Compare();
   Ref Gather();
@@ -44,12 +50,18 @@ class TextureRead {
   // Adds the level of detail, the bias or the gradients. Returns whether they name the level, and
   // not the neighbours of the pixel.
   bool AddLevel(ImageOperands& to);
+  // Adds the least level of detail.
+  void AddClamp(ImageOperands& to);
   // Offsets are constants, but for those of gathers.
   void AddOffset(ImageOperands& to, ir::ExprId offset);
   // The texel or its first components, as the texture's element has them.
   Ref Narrow(Ref texel);
   Ref Sampled();
   Ref ReadBy(spv::Op op, const Shape& shape, Words operands, const ImageOperands& more);
+  // Emits the read; in tiled resources, it writes the texel where the call says, and keeps its
+  // status.
+  Ref Read(spv::Op op, const Shape& shape, const Words& operands);
+  Ref ReadTiled(spv::Op op, const Shape& shape, const Words& operands);
 
   Writer& writer_;
   ir::TypeId result_;
@@ -58,6 +70,7 @@ class TextureRead {
   const ir::ObjectInfo& info_;
   Shape four_;  // four components as the texture has them
   Ref image_ = 0;
+  Ref status_ = 0;  // of a read in tiled resources that asks for it
 };
 
 }  // namespace clipc::spirv

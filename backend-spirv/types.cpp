@@ -110,6 +110,7 @@ Ref Types::Of(TypeId id) {
   const Struct& structure = program_.types[type.structure];
   Words members;
   for (const Field& field : structure.fields) members.push_back(Of(field.type));
+  if (members.empty()) members.push_back(Of(Scalar::kFloat));  // as in the GLSL: drivers want one
   const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
   structs_.emplace(type.structure.index, made);
   module_.Name(made, structure.name);
@@ -260,6 +261,7 @@ Ref Types::Component(Scalar scalar, std::uint64_t bits) {
 }
 
 Ref Types::Composite(Ref type, std::span<const Ref> parts) {
+  if (parts.empty()) return module_.Constant(spv::Op::OpConstantNull, type);
   return module_.Constant(spv::Op::OpConstantComposite, type, parts);
 }
 

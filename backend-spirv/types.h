@@ -14,6 +14,8 @@
 namespace clipc::spirv {
 
 inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a constant buffer
+// The number of elements from which on a whole array is not read out of a buffer.
+inline constexpr std::uint32_t kLongArray = 1024;
 
 // The form of a numeric type of HLSL in SPIR-V. float1 is a scalar, and a matrix of one row or one
 // column a vector; other matrices of floats are matrices whose column i is HLSL's row i, and those
@@ -38,8 +40,8 @@ Shape ShapeOf(const ir::Type& type);
 Shape ShapeOf(ir::Scalar scalar, std::uint32_t rows, std::uint32_t columns);
 
 // Where a value lies: at Direct3D's places in a constant buffer, or in an element of a structured
-// buffer, where a bool is a uint; or as SPIR-V pleases.
-enum class Layout : std::uint8_t { kValue, kConstants, kElements };
+// buffer, where a bool is a uint; as SPIR-V pleases; or in rows of words (rows.cpp).
+enum class Layout : std::uint8_t { kValue, kConstants, kElements, kRows };
 
 // The types and constants of a module, by those of the program.
 class Types {
@@ -62,6 +64,8 @@ class Types {
   // The block with the elements of a structured buffer, an array without a size. `is_storage`: it
   // is a Block, else a BufferBlock.
   Ref Elements(ir::TypeId element, bool row_major, std::string_view name, bool is_storage);
+  // The array, or that without a size if `count` is 0; `stride` in bytes.
+  Ref ArrayInMemory(Ref element, std::uint32_t count, std::uint32_t stride);
   // Whether the type has bools, arrays or structs in it, which are others in a buffer.
   bool DiffersInMemory(ir::TypeId type) const;
   // What holds a component, or a vector or row of them, in a buffer: uints in place of bools.
@@ -90,8 +94,6 @@ class Types {
   Ref Make(const Shape& shape);
   Ref StructInMemory(ir::StructId structure, Layout layout);
   Ref NewStructInMemory(ir::StructId structure, Layout layout);
-  // The array, or that without a size if `count` is 0; `stride` in bytes.
-  Ref ArrayInMemory(Ref element, std::uint32_t count, std::uint32_t stride);
   void DecorateMatrix(Ref structure, std::uint32_t member, ir::TypeId type, bool row_major,
                       Layout layout);
   Ref Composite(Ref type, std::span<const Ref> parts);

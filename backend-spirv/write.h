@@ -32,6 +32,7 @@ struct Interface {
     ir::VarId var;  // a texture, a sampler, or both in one; a buffer
     std::string_view name;
     std::string format = {};  // of an image that is written, in GLSL's spelling
+    std::optional<std::uint32_t> input_attachment = {};  // of a subpass
     // The elements of the structured buffer lie where no block of Vulkan has them.
     bool is_packed = false;
   };

@@ -26,6 +26,10 @@ Written Writer::Run() {
   functions_.push_back(program_.main);
   for (std::size_t i = 0; i < functions_.size(); ++i) FindMemory(functions_[i]);
   FindPrecise();
+  has_order_ = std::ranges::any_of(program_.resources, [&](const Resource& resource) {
+    const TypeId type = program_.types.Innermost((*this)[resource.var].type);
+    return is_read_[resource.var.index] && IsOrdered(program_.types[type].object);
+  });
   DeclareInputs();
   DeclareOutputs();
   DeclareGlobals();
@@ -35,12 +39,25 @@ Written Writer::Run() {
   if (!lacks_.empty()) return {{}, lacks_};
   const bool draws_pixels = IsPixelShader();
   if (draws_pixels) module_.Execution(spv::ExecutionMode::OriginUpperLeft);
+  if (has_order_) RequireOrder();
   if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);
   const auto version =
       static_cast<std::uint32_t>(program_.profile.major * 100 + program_.profile.minor * 10);
   return {module_.Finish(draws_pixels ? spv::ExecutionModel::Fragment : spv::ExecutionModel::Vertex,
                          FunctionRef(program_.main), options_.entry, shared_, version),
           {}};
+}
+
+// The invocations of a pixel, or of a sample, come one after the other.
+void Writer::RequireOrder() {
+  const bool is_per_sample = std::ranges::any_of(program_.inputs, [](const IoVar& input) {
+    return input.sample || input.builtin == Builtin::kSampleIndex;
+  });
+  module_.Require("SPV_EXT_fragment_shader_interlock");
+  module_.Require(is_per_sample ? spv::Capability::FragmentShaderSampleInterlockEXT
+                                : spv::Capability::FragmentShaderPixelInterlockEXT);
+  module_.Execution(is_per_sample ? spv::ExecutionMode::SampleInterlockOrderedEXT
+                                  : spv::ExecutionMode::PixelInterlockOrderedEXT);
 }
 
 Ref Writer::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {
@@ -63,6 +80,7 @@ Ref Writer::Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> o
 }
 
 Ref Writer::Compose(Ref type, std::span<const Ref> parts) {
+  if (parts.empty()) return module_.Constant(spv::Op::OpConstantNull, type);  // an empty struct
   return Emit(spv::Op::OpCompositeConstruct, type, parts);
 }
 

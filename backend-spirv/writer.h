@@ -1,36 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "backend-spirv/module.h"
+#include "backend-spirv/place.h"
 #include "backend-spirv/types.h"
 #include "backend-spirv/write.h"
 #include "ir/access.h"
 
 namespace clipc::spirv {
-
-// A place in memory: a path from a variable.
-struct Place {
-  Ref base = 0;  // a pointer
-  spv::StorageClass storage = spv::StorageClass::Function;
-  std::vector<Ref> indices = {};
-  ir::TypeId type = {};  // at the end of the path
-  Layout layout = Layout::kValue;
-  bool row_major = false;
-  bool is_non_uniform = false;  // which buffer it is in differs between invocations
-  // The components that a last swizzle of several takes from a vector; then `vector` is its type.
-  std::array<std::uint8_t, 4> components{};
-  std::uint8_t count = 0;
-  ir::TypeId vector = {};
-};
 
 // The writing of one module. Its functions are spread over the files of this folder by subject;
 // each writes instructions into the current block of the current function, and returns the result.
@@ -46,18 +32,30 @@ class Writer {
   void DeclareInputs();
   std::vector<std::size_t> OrderOfOutputs() const;
   void DeclareOutputs();
-  void DeclareInput(const ir::IoVar& input, const Interface::Variable& place);
-  void DeclareOutput(const ir::IoVar& output, const Interface::Variable& place);
-  Ref BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref type,
-                      std::string_view name);
-  void Interpolate(Ref variable, const ir::IoVar& io);
+  Ref ReadInput(ir::VarId id);
   void DeclareGlobals();
   void DeclareStatic(ir::VarId id);
   Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
-  Ref ReadInput(ir::VarId id);
-  Ref ReadBuiltin(const ir::IoVar& input);
   void StartMain();
   Ref BlockVariable(ir::CbufferId id);
+  Ref ArrayOfBuffers(Ref block, ir::TypeId type);
+
+  // ---- builtins.cpp
+  Ref BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref type,
+                      std::string_view name);
+  Ref DeclareBuiltin(ir::Builtin input, Ref type);
+  bool DeclareBuiltinOutput(const ir::IoVar& output, std::string_view name);
+  Ref LoadBuiltin(ir::Builtin input);
+  Ref ReadBuiltin(const ir::IoVar& input);
+
+  // ---- parts.cpp
+  void DeclareShared(const ir::IoVar& io, const Interface::Variable& place,
+                     spv::StorageClass storage);
+  void DeclareMember(const ir::IoVar& output);
+  Ref DeclareGroup(const ir::OutputGroup& group);
+  Ref WholeType(Ref column, std::uint32_t columns, std::span<const std::uint32_t> dimensions);
+  std::vector<spv::Decoration> InterpolationOf(const Interpolated& io);
+  void RequireBarycentrics();
 
   // ---- places.cpp: paths in memory
   void FindMemory(ir::FunctionId id);
@@ -67,11 +65,22 @@ class Writer {
   Place PlaceOfVariable(ir::VarId id);
   Ref PointerTo(const Place& place);
   Ref Load(const Place& place);
-  Ref LoadBlock(const Place& place);
+  Ref LoadBuffer(const Place& place);
+  void ChooseBuffer(Place& place, Ref index);
   void Store(const Place& place, Ref value);
   Ref Recast(Ref value, ir::TypeId type, bool row_major, Layout from, Layout to);
   Place NewLocal(ir::TypeId type, std::string_view name = {});
   bool IsOnlyElement(const ir::Index& node) const;
+
+  // ---- rows.cpp
+  Ref RowsBlock(const ir::Cbuffer& cbuffer, std::string_view name);
+  void MoveInRows(Place& place, ir::ExprId index, std::uint32_t bytes);
+  void ElementInRows(Place& place, ir::ExprId index);
+  Ref LoadRow(const Place& place, std::uint32_t offset);
+  Ref LoadWord(const Place& place, std::uint32_t offset);
+  Ref FromWords(Ref words, const Shape& shape);
+  Ref VectorInRows(const Place& place, const Shape& shape, std::uint32_t stride);
+  Ref LoadInRows(const Place& place);
 
   // ---- precise.cpp
   void FindPrecise();
@@ -129,14 +138,18 @@ class Writer {
   Ref Clamped(const Shape& shape, Ref value, Ref low, Ref high, bool by_number);
   Ref Saturated(const Shape& shape, Ref value);
   Ref Derivative(ir::Intrinsic op, const Shape& shape, Ref value);
+  Ref Writing(const ir::IntrinsicCall& node);
+  Ref WordsOf(const ir::IntrinsicCall& node);
+  Ref OrderMemory();
+
+  // ---- waves.cpp, interpolants.cpp
+  Ref Wave(ir::TypeId type, const ir::IntrinsicCall& node);
+  Ref OfWave(spv::Op op, spv::Capability capability, Ref type,
+             std::initializer_list<std::uint32_t> operands);
+  Ref FromQuad(Ref type, Ref value, ir::ExprId lane);
+  Ref Interpolant(const ir::IntrinsicCall& node);
 
   // ---- objects.cpp: textures, samplers and buffers
-  // A variable for an object, or for an array of them.
-  struct DeclaredObject {
-    Ref variable = 0;
-    Ref type = 0;  // of one object: of a buffer its block
-    spv::StorageClass storage = spv::StorageClass::UniformConstant;
-  };
   Ref ObjectCall(ir::TypeId type, const ir::ObjectCall& node);
   const DeclaredObject& DeclaredOf(ir::VarId id);
   const Interface::Object* PlaceOfObject(ir::VarId id) const;
@@ -145,7 +158,7 @@ class Writer {
   std::vector<Ref> IndicesOf(ir::ExprId path);
   bool IsNonUniform(ir::ExprId path) const;
   Ref Marked(Ref value, bool is_non_uniform);
-  void RequireNonUniform(const ir::Type& object);
+  void RequireNonUniform(spv::Capability capability);
   Shape FourTexels(const ir::Type& object) const;
   Ref ImageType(const ir::Type& object, std::string_view format = {});
   Ref ObjectType(ir::TypeId type, const Interface::Object& place);
@@ -156,15 +169,9 @@ class Writer {
   // ---- images.cpp: textures and typed buffers that are written
   Ref ImageCall(ir::TypeId type, const ir::ObjectCall& node);
   Ref ImagePointer(const ir::ObjectCall& node);
+  Ref SubpassLoad(ir::TypeId type, const ir::ObjectCall& node);
 
   // ---- buffers.cpp: structured buffers
-  // The part of an element that the steps of a store lead to.
-  struct StoredPart {
-    Place place;  // the element, or the field or element in it; its type is without a row's step
-    bool is_row = false;
-    Ref first = 0;            // of components: the number of the first one; 0: all of it
-    std::uint32_t known = 0;  // that number, where it is a literal
-  };
   Ref BufferBlock(const ir::Type& buffer, const Interface::Object& place);
   Ref BufferCall(ir::TypeId type, const ir::ObjectCall& node);
   Place ElementPlace(const ir::ObjectCall& node);
@@ -173,6 +180,8 @@ class Writer {
   Ref ComponentPointer(const StoredPart& part, std::uint32_t number);
   Ref BufferLength(ir::TypeId type, ir::ExprId object);
   Ref Atomic(const ir::ObjectCall& node, Ref pointer);
+
+  void RequireOrder();
 
   // ---- the current block
   Ref Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
@@ -198,12 +207,6 @@ class Writer {
   }
   bool IsPixelShader() const { return program_.stage == Stage::kPixel; }
 
-  // A constant buffer that a function has read.
-  struct DeclaredBlock {
-    Ref variable = 0;
-    std::vector<std::uint32_t> kept;  // the members, in the order of the block
-  };
-
   const ir::Program& program_;
   const Interface& interface_;
   const Options& options_;
@@ -219,12 +222,19 @@ class Writer {
   std::vector<ir::VarId> mentioned_outputs_;                  // in the order in which functions do
   std::vector<bool> is_precise_var_;                          // by VarId
   std::map<std::uint32_t, const ir::IoVar*> builtin_inputs_;  // by VarId
-  std::map<std::uint32_t, DeclaredBlock> blocks_;             // by CbufferId
-  std::map<std::uint32_t, DeclaredObject> objects_;           // by VarId
+  // By VarId: the path to an input or output that is a part of a variable.
+  std::map<std::uint32_t, std::vector<Ref>> part_indices_;
+  // The variables that have parts, by their locations.
+  std::map<std::pair<spv::StorageClass, std::uint32_t>, Ref> wholes_;
+  std::map<std::size_t, Ref> group_variables_;     // by the number of the output group
+  std::set<std::uint32_t> per_vertex_;             // by VarId: inputs that are read at each vertex
+  std::map<std::uint32_t, DeclaredBlock> blocks_;  // by CbufferId
+  std::map<std::uint32_t, DeclaredObject> objects_;  // by VarId
   std::map<std::pair<spv::BuiltIn, spv::StorageClass>, Ref> builtins_;
   std::vector<Ref> shared_;                // the variables that the entry point lists
   std::vector<ir::FunctionId> functions_;  // that `main` reaches, in the order of their first call
   std::map<std::uint32_t, Ref> function_refs_;
+  bool has_order_ = false;       // objects are accessed in the order of the primitives
   std::vector<ir::VarId> late_;  // static variables whose value `main` computes
 
   // The current function.

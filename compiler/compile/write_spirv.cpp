@@ -9,12 +9,13 @@
 namespace clipc {
 namespace {
 
-// What SPIR-V needs to know of an image or of a structured buffer.
+// What SPIR-V needs to know of an image, a subpass or a structured buffer.
 void Describe(const ir::Program& program, spirv::Interface::Object& object) {
   const ir::Var& var = program.vars[object.var];
   const ir::Type& type = program.types[program.types.Innermost(var.type)];
   const auto resource = std::ranges::find(program.resources, object.var, &ir::Resource::var);
   if (ir::IsImage(type.object)) object.format = glsl::ImageFormat(program, *resource);
+  object.input_attachment = resource->input_attachment;
   object.is_packed =
       ir::IsStructured(type.object) && !glsl::Std430(program.types, type.element, var.row_major);
 }

@@ -18,9 +18,9 @@
 // JSON: "name": "tint",
 // JSON-NEXT: "type": "float4",
 // JSON-NEXT: "offset": 64,
-// SPIRV-DAG: OpMemberDecorate %push_block 0 Offset 64
-// SPIRV-DAG: OpMemberDecorate %push_block 1 Offset 80
-// SPIRV-DAG: OpMemberDecorate %push_block 2 Offset 96
+// SPIRV-DAG: OpMemberDecorate %Push 0 Offset 64
+// SPIRV-DAG: OpMemberDecorate %Push 1 Offset 80
+// SPIRV-DAG: OpMemberDecorate %Push 2 Offset 96
 // STRUCT: CLIPC_ASSERT(offsetof(struct {{.*}}, tint) == 64
 // STRUCT: CLIPC_ASSERT(offsetof(struct {{.*}}, index) == 96
 struct Push {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Inputs at other places of the pixel, and at the vertices of the primitive.
+#include <spirv/unified1/GLSL.std.450.h>
+
+#include "backend-spirv/writer.h"
+#include "ir/scalar.h"
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+// The input's value at another place. A snapped place is given in sixteenths of a pixel.
+Ref Writer::Interpolant(const IntrinsicCall& node) {
+  const auto arguments = (*this)[node.arguments];
+  const auto* swizzle = As<Swizzle>(arguments[0]);
+  const ExprId input = swizzle ? swizzle->base : arguments[0];
+  const auto* ref = As<VarRef>(input);
+  if (!ref || pointers_[ref->var.index] == 0) return Lack("a part of an input at another place");
+  Place place = PlaceOfVariable(ref->var);
+  const Ref type = types_.Of(place.type);
+  Ref value = 0;
+  if (node.op == ir::Intrinsic::kAttributeAtVertex) {
+    place.indices[0] = Value(arguments[1]);
+    value = Load(place);
+  } else {
+    module_.Require(spv::Capability::InterpolationFunction);
+    const Ref pointer = PointerTo(place);
+    if (node.op == ir::Intrinsic::kEvaluateAtSample) {
+      const Ref sample = Converted(Value(arguments[1]), ShapeAt(arguments[1]), Scalar::kInt);
+      value = Extended(GLSLstd450InterpolateAtSample, type, {pointer, sample});
+    } else if (node.op == ir::Intrinsic::kEvaluateSnapped) {
+      const Ref offset = Converted(Value(arguments[1]), ShapeAt(arguments[1]), Scalar::kFloat);
+      const Shape two = ShapeOf(Scalar::kFloat, 1, 2);
+      const Ref pixels =
+          Emit(spv::Op::OpFMul, types_.Of(two), {offset, types_.Splat(two, BitsOf(1.0f / 16))});
+      value = Extended(GLSLstd450InterpolateAtOffset, type, {pointer, pixels});
+    } else {
+      value = Extended(GLSLstd450InterpolateAtCentroid, type, {pointer});
+    }
+  }
+  if (!swizzle) return value;
+  return Components(value, ShapeAt(input), std::span(swizzle->components).first(swizzle->count));
+}
+
+}  // namespace clipc::spirv

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Constant buffers whose members lie where no block of Vulkan has them: an array of rows of four
+// words, out of which values are put together.
+#include <algorithm>
+
+#include "backend-spirv/writer.h"
+#include "ir/packing.h"
+
+namespace clipc::spirv {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::uint32_t kWord = 4;  // bytes
+
+std::uint32_t Rounded(std::uint32_t bytes) {
+  return static_cast<std::uint32_t>(RoundUp(bytes, kRow));
+}
+
+}  // namespace
+
+Ref Writer::RowsBlock(const Cbuffer& cbuffer, std::string_view name) {
+  const Ref row = types_.Of(ShapeOf(Scalar::kUint, 1, 4));
+  const std::uint32_t count = std::max(cbuffer.size / kRow, 1u);
+  const Ref list = types_.ArrayInMemory(row, count, kRow);
+  const Ref made = module_.OwnType(spv::Op::OpTypeStruct, std::span(&list, 1));
+  module_.Name(made, name);
+  module_.NameMember(made, 0, "rows");
+  module_.Decorate(made, spv::Decoration::Block);
+  module_.DecorateMember(made, 0, spv::Decoration::Offset, {0});
+  return made;
+}
+
+// Moves the place by `index` times so many bytes: of whole rows, or of words in one row.
+void Writer::MoveInRows(Place& place, ExprId index, std::uint32_t bytes) {
+  if (const auto* number = As<Literal>(index)) {
+    place.offset += static_cast<std::uint32_t>(number->bits) * bytes;
+    return;
+  }
+  const Ref type = types_.Of(Scalar::kInt);
+  const std::uint32_t unit = bytes % kRow == 0 ? kRow : kWord;
+  Ref steps = Converted(Value(index), ShapeAt(index), Scalar::kInt);
+  if (bytes != unit) {
+    const Ref each = types_.Int(static_cast<std::int32_t>(bytes / unit));
+    steps = Emit(spv::Op::OpIMul, type, {steps, each});
+  }
+  Ref& sum = unit == kRow ? place.row : place.component;
+  sum = sum == 0 ? steps : Emit(spv::Op::OpIAdd, type, {sum, steps});
+}
+
+// The element, row or component of a place in rows.
+void Writer::ElementInRows(Place& place, ExprId index) {
+  const Type& type = program_.types[place.type];
+  const std::uint32_t size = ByteSize(type.scalar);
+  if (type.kind == TypeKind::kArray) {
+    MoveInRows(place, index, ArrayStride(program_.types, place.type, place.row_major));
+  } else if (type.kind != TypeKind::kMatrix) {
+    MoveInRows(place, index, place.stride != 0 ? place.stride : size);
+  } else if (place.row_major) {
+    MoveInRows(place, index, Rounded(size * type.columns));
+  } else {
+    MoveInRows(place, index, size);
+    place.stride = Rounded(size * type.rows);
+  }
+}
+
+// The row that holds a byte of the buffer.
+Ref Writer::LoadRow(const Place& place, std::uint32_t offset) {
+  const Ref four = types_.Of(ShapeOf(Scalar::kUint, 1, 4));
+  Ref number = types_.Int(static_cast<std::int32_t>(offset / kRow));
+  if (place.row != 0) number = Emit(spv::Op::OpIAdd, types_.Of(Scalar::kInt), {place.row, number});
+  Words operands{place.base};
+  operands.insert(operands.end(), place.indices.begin(), place.indices.end());
+  operands.push_back(types_.Int(0));
+  operands.push_back(number);
+  const Ref pointer =
+      Marked(Emit(spv::Op::OpAccessChain, types_.Pointer(place.storage, four), operands),
+             place.is_non_uniform);
+  return Emit(spv::Op::OpLoad, four, {pointer});
+}
+
+Ref Writer::LoadWord(const Place& place, std::uint32_t offset) {
+  const Ref row = LoadRow(place, offset), word = types_.Of(Scalar::kUint);
+  const std::uint32_t number = offset % kRow / kWord;
+  if (place.component == 0) return Part(word, row, number);
+  const Ref known = types_.Int(static_cast<std::int32_t>(number));
+  const Ref at = Emit(spv::Op::OpIAdd, types_.Of(Scalar::kInt), {place.component, known});
+  return Emit(spv::Op::OpVectorExtractDynamic, word, {row, at});
+}
+
+// Words as numbers of a kind.
+Ref Writer::FromWords(Ref words, const Shape& shape) {
+  const Shape of_words = shape.With(Scalar::kUint);
+  if (shape.scalar == Scalar::kBool) return Converted(words, of_words, Scalar::kBool);
+  return shape.scalar == Scalar::kUint ? words
+                                       : Emit(spv::Op::OpBitcast, types_.Of(shape), {words});
+}
+
+// A scalar or vector whose components are `stride` bytes apart.
+Ref Writer::VectorInRows(const Place& place, const Shape& shape, std::uint32_t stride) {
+  const bool is_wide = IsWide(shape.scalar);
+  const std::uint32_t begin = place.offset % kRow / kWord;
+  if (!is_wide && stride == kWord && place.component == 0 && begin + shape.size <= 4) {
+    constexpr std::uint8_t kAll[] = {0, 1, 2, 3};
+    const Ref row = LoadRow(place, place.offset);
+    return FromWords(
+        Components(row, ShapeOf(Scalar::kUint, 1, 4), std::span(kAll).subspan(begin, shape.size)),
+        shape);
+  }
+  std::vector<Ref> components;
+  for (std::uint32_t i = 0; i < shape.size; ++i) {
+    const std::uint32_t offset = place.offset + i * stride;
+    const Ref low = LoadWord(place, offset);
+    if (!is_wide) {
+      components.push_back(FromWords(low, shape.Component()));
+      continue;
+    }
+    const Ref words[] = {low, LoadWord(place, offset + kWord)};
+    const Ref both = Compose(types_.Of(ShapeOf(Scalar::kUint, 1, 2)), words);
+    components.push_back(Emit(spv::Op::OpBitcast, types_.Of(shape.Component()), {both}));
+  }
+  return components.size() == 1 ? components[0] : Compose(types_.Of(shape), components);
+}
+
+Ref Writer::LoadInRows(const Place& place) {
+  const Type& type = program_.types[place.type];
+  std::vector<Ref> parts;
+  if (type.kind == TypeKind::kStruct) {
+    for (const Field& field : program_.types.StructOf(place.type).fields) {
+      Place part = place;
+      part.offset +=
+          FieldOffset(program_.types, type.structure, static_cast<std::uint32_t>(parts.size()));
+      part.type = field.type;
+      part.row_major = field.row_major;
+      parts.push_back(LoadInRows(part));
+    }
+    return Compose(types_.Of(place.type), parts);
+  }
+  if (type.kind == TypeKind::kArray) {
+    if (type.count > kLongArray) return Lack("a long array of a buffer as a value");
+    Place element = place;
+    element.type = type.element;
+    for (std::uint32_t i = 0; i < type.count; ++i) {
+      parts.push_back(LoadInRows(element));
+      element.offset += ArrayStride(program_.types, place.type, place.row_major);
+    }
+    return Compose(types_.Of(place.type), parts);
+  }
+  const Shape shape = ShapeOf(type);
+  const std::uint32_t size = ByteSize(type.scalar);
+  if (type.kind != TypeKind::kMatrix)
+    return VectorInRows(place, shape, place.stride != 0 ? place.stride : size);
+  const std::uint32_t next = Rounded(size * (place.row_major ? type.columns : type.rows));
+  if (!shape.HasRows()) {
+    const bool lies_along = place.row_major ? type.rows == 1 : type.columns == 1;
+    return VectorInRows(place, shape, lies_along ? size : next);
+  }
+  Place row = place;
+  for (std::uint32_t i = 0; i < shape.rows; ++i) {
+    parts.push_back(VectorInRows(row, shape.Row(), place.row_major ? size : next));
+    row.offset += place.row_major ? next : size;
+  }
+  return Compose(types_.Of(shape), parts);
+}
+
+}  // namespace clipc::spirv
