@@ -12,7 +12,16 @@ namespace clipc::spirv {
 
 using namespace ir;
 
-Ref Writer::Value(ExprId id) { return ValueOf(id, (*this)[id]); }
+Ref Writer::Value(ExprId id) {
+  const Expr& expr = (*this)[id];
+  if (!debug_) return ValueOf(id, expr);
+  // What is around the expression goes on in its own line.
+  const SourcePlace around = wanted_;
+  WantLine(expr.span);
+  const Ref value = ValueOf(id, expr);
+  wanted_ = around;
+  return value;
+}
 
 Ref Writer::ValueOf(ExprId id, const Expr& expr) {
   const Ref type = program_.types[expr.type].kind == TypeKind::kObject ? 0 : types_.Of(expr.type);

@@ -32,6 +32,38 @@ void PutText(Words& to, std::string_view text) {
   }
 }
 
+Ref Module::String(std::string_view text) {
+  const auto found = strings_.find(text);
+  if (found != strings_.end()) return found->second;
+  const Ref made = NewRef();
+  strings_.emplace(text, made);
+  // The longest instruction has 65535 words.
+  constexpr std::size_t kLongest = 4 * (0xFFFF - 3);
+  PutNamed(strings_words_, spv::Op::OpString, {made}, text.substr(0, kLongest));
+  return made;
+}
+
+void Module::Source(Ref file, std::string_view text) {
+  source_file_ = file;
+  source_text_ = text;
+}
+
+void Module::Processed(std::string_view by) { processed_ = by; }
+
+Ref Module::DebugSet() {
+  if (debug_set_ == 0) debug_set_ = NewRef();
+  return debug_set_;
+}
+
+Ref Module::DebugGlobal(std::uint32_t instruction, Ref void_type,
+                        std::span<const std::uint32_t> operands) {
+  const Ref made = NewRef();
+  Words all{void_type, made, DebugSet(), instruction};
+  all.insert(all.end(), operands.begin(), operands.end());
+  Put(debug_globals_, spv::Op::OpExtInst, all);
+  return made;
+}
+
 Ref Module::ExtendedSet() {
   if (extended_ == 0) extended_ = NewRef();
   return extended_;
@@ -137,6 +169,19 @@ void Module::DecorateMember(Ref structure, std::uint32_t member, spv::Decoration
   Put(decorations_, spv::Op::OpMemberDecorate, all);
 }
 
+void Module::PutSource(Words& to, std::uint32_t hlsl_version) const {
+  constexpr std::uint32_t kHlsl = NumberOf(spv::SourceLanguage::HLSL);
+  if (source_file_ == 0) return Put(to, spv::Op::OpSource, {kHlsl, hlsl_version});
+  if (source_text_.empty()) return Put(to, spv::Op::OpSource, {kHlsl, hlsl_version, source_file_});
+  // The longest instruction has 65535 words.
+  constexpr std::size_t kLongest = 4 * (0xFFFF - 5);
+  std::string_view left = source_text_;
+  PutNamed(to, spv::Op::OpSource, {kHlsl, hlsl_version, source_file_}, left.substr(0, kLongest));
+  for (left.remove_prefix(std::min(kLongest, left.size())); !left.empty();
+       left.remove_prefix(std::min(kLongest, left.size())))
+    PutNamed(to, spv::Op::OpSourceContinued, {}, left.substr(0, kLongest));
+}
+
 Words Module::Finish(spv::ExecutionModel model, Ref entry, std::string_view name,
                      std::span<const Ref> interface, std::uint32_t hlsl_version) const {
   constexpr std::uint32_t kMagic = 0x07230203, kGenerator = 0, kSchema = 0;
@@ -146,6 +191,9 @@ Words Module::Finish(spv::ExecutionModel model, Ref entry, std::string_view name
   for (const std::string& extension : extensions_)
     PutNamed(module, spv::Op::OpExtension, {}, extension);
   if (extended_ != 0) PutNamed(module, spv::Op::OpExtInstImport, {extended_}, "GLSL.std.450");
+  if (debug_set_ != 0) {
+    PutNamed(module, spv::Op::OpExtInstImport, {debug_set_}, "NonSemantic.Shader.DebugInfo.100");
+  }
   Put(module, spv::Op::OpMemoryModel,
       {NumberOf(spv::AddressingModel::Logical), NumberOf(spv::MemoryModel::GLSL450)});
   Words point{NumberOf(model), entry};
@@ -154,8 +202,11 @@ Words Module::Finish(spv::ExecutionModel model, Ref entry, std::string_view name
   Put(module, spv::Op::OpEntryPoint, point);
   for (const spv::ExecutionMode mode : modes_)
     Put(module, spv::Op::OpExecutionMode, {entry, NumberOf(mode)});
-  Put(module, spv::Op::OpSource, {NumberOf(spv::SourceLanguage::HLSL), hlsl_version});
-  for (const Words* part : {&names_, &decorations_, &globals_, &functions})
+  module.insert(module.end(), strings_words_.begin(), strings_words_.end());
+  PutSource(module, hlsl_version);
+  module.insert(module.end(), names_.begin(), names_.end());
+  if (!processed_.empty()) PutNamed(module, spv::Op::OpModuleProcessed, {}, processed_);
+  for (const Words* part : {&decorations_, &globals_, &debug_globals_, &functions})
     module.insert(module.end(), part->begin(), part->end());
   return module;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -52,6 +53,17 @@ class Module {
   // A variable at global scope. `initial` is a constant, or 0.
   Ref Variable(Ref pointer_type, spv::StorageClass storage, Ref initial = 0);
 
+  // ---- debug information
+  // The string of a text, of which there is one.
+  Ref String(std::string_view text);
+  // The file and, if it is not empty, the text of OpSource.
+  void Source(Ref file, std::string_view text);
+  void Processed(std::string_view by);
+  // The set "NonSemantic.Shader.DebugInfo.100", and an instruction of it before the functions.
+  Ref DebugSet();
+  Ref DebugGlobal(std::uint32_t instruction, Ref void_type,
+                  std::span<const std::uint32_t> operands);
+
   void Name(Ref of, std::string_view name);
   void NameMember(Ref structure, std::uint32_t member, std::string_view name);
   void Decorate(Ref of, spv::Decoration decoration,
@@ -67,6 +79,7 @@ class Module {
                std::span<const Ref> interface, std::uint32_t hlsl_version) const;
 
  private:
+  void PutSource(Words& to, std::uint32_t hlsl_version) const;
   // An instruction of which there is one with the same words.
   struct Interning {
     std::uint32_t hash = 0, place = 0;  // in `globals_`, from 1 on; 0: none
@@ -76,11 +89,13 @@ class Module {
 
   std::uint32_t minor_version_;
   Ref next_ = 1;
-  Ref extended_ = 0;
+  Ref extended_ = 0, debug_set_ = 0, source_file_ = 0;
+  std::string source_text_, processed_;
+  std::map<std::string, Ref, std::less<>> strings_;
   std::set<spv::Capability> capabilities_ = {spv::Capability::Shader};
   std::set<std::string> extensions_;
   std::vector<spv::ExecutionMode> modes_;
-  Words names_, decorations_, globals_;
+  Words names_, decorations_, globals_, debug_globals_, strings_words_;
   std::vector<Interning> interned_;  // a table of hashes
   std::size_t interned_count_ = 0;
 };

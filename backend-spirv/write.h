@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/span.h"
 #include "ir/program.h"
 
 // SPIR-V for Vulkan, word by word out of a program.
@@ -41,6 +43,26 @@ struct Interface {
   std::vector<Object> objects;
 };
 
+// A place in the source, as #line says; line 0: there is none.
+struct SourcePlace {
+  std::string file;
+  std::uint32_t line = 0, column = 0;
+};
+
+// What a debugger is told of the source.
+struct Debug {
+  enum class Form : std::uint8_t {
+    kCore,  // OpSource and OpLine
+    kSet,   // the instructions of NonSemantic.Shader.DebugInfo.100
+  };
+  Form form = Form::kCore;
+  bool has_text = true, has_lines = true, has_tool = false;
+  std::string file;       // the name of the main file
+  std::string_view text;  // that of the main file
+  std::string tool;       // the compiler and its version
+  std::function<SourcePlace(Span)> place;
+};
+
 struct Options {
   std::uint32_t minor_version = 3;  // of SPIR-V 1.x
   std::string entry = "main";       // the name of the entry point
@@ -48,6 +70,7 @@ struct Options {
   bool invariant = false;           // the position is invariant
   // The application promises draws without a base vertex or a base instance.
   bool base_vertex_is_zero = false, base_instance_is_zero = false;
+  std::optional<Debug> debug = {};
 };
 
 struct Written {

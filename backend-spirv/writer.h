@@ -85,6 +85,18 @@ class Writer {
   // ---- precise.cpp
   void FindPrecise();
 
+  // ---- lines.cpp
+  struct DebugFile {
+    Ref name = 0, source = 0;
+  };
+  bool HasSet() const;
+  const DebugFile& FileOf(std::string_view name);
+  void StartDebug();
+  void StartDebugOf(const ir::Function& function, Ref definition);
+  void PutDebug(std::uint32_t instruction, std::initializer_list<Ref> operands);
+  void WantLine(Span span);
+  void PutLine();
+
   // ---- flow.cpp: functions and statements
   struct Loop {
     Ref merge = 0, next = 0;  // of a switch, `next` is that of the loop around it
@@ -188,7 +200,10 @@ class Writer {
   Ref Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands);
   // The same for an instruction that computes with floats: NoContraction for a precise value.
   Ref Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
-  void Do(spv::Op op, std::initializer_list<std::uint32_t> operands) { Put(code_, op, operands); }
+  void Do(spv::Op op, std::initializer_list<std::uint32_t> operands) {
+    if (debug_ && op != spv::Op::OpLabel) PutLine();
+    Put(code_, op, operands);
+  }
   Ref Compose(Ref type, std::span<const Ref> parts);
   Ref Part(Ref type, Ref of, std::uint32_t number);
   // Says what the writer lacks; the module is not finished then. Returns a result to go on with.
@@ -236,6 +251,11 @@ class Writer {
   std::map<std::uint32_t, Ref> function_refs_;
   bool has_order_ = false;       // objects are accessed in the order of the primitives
   std::vector<ir::VarId> late_;  // static variables whose value `main` computes
+
+  const Debug* debug_ = nullptr;
+  std::map<std::string, DebugFile, std::less<>> files_;
+  Ref unit_ = 0, debug_type_ = 0, scope_ = 0;
+  SourcePlace line_, wanted_;  // of the last instruction, and of the next
 
   // The current function.
   Words code_, locals_;

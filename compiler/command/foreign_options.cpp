@@ -134,6 +134,17 @@ void SetSpirvForm(Reading& reading, const std::string& value) {
   Choose<&CommandLine::spirv_form, kSpirvForms>(reading, value);
 }
 
+// Reads dxc's -fspv-debug. `rich` was an older set of instructions than that of `vulkan`.
+constexpr Named<SpirvDebug> kSpirvDebugs[] = {
+    {SpirvDebug::kFile, "file"},  {SpirvDebug::kSource, "source"},
+    {SpirvDebug::kLine, "line"},  {SpirvDebug::kTool, "tool"},
+    {SpirvDebug::kSet, "rich"},   {SpirvDebug::kSetAndSource, "rich-with-source"},
+    {SpirvDebug::kSet, "vulkan"}, {SpirvDebug::kSetAndSource, "vulkan-with-source"}};
+void SetSpirvDebug(Reading& reading, const std::string& value) {
+  reading.command.request.outputs.source_lines = true;
+  Choose<&SpirvRequest::debug, kSpirvDebugs>(reading, value);
+}
+
 // Reads glslc's -x hlsl, or glslang's -x, which has no value: SPIR-V as numbers.
 void SetLanguage(Reading& reading, const std::string& value) {
   if (value == "hlsl") return;
@@ -228,7 +239,7 @@ constexpr Option kForeignOptions[] = {
     {"-std=hlsl", kJoined, Choose<&LanguageOptions::version, kLanguageNames>},
     {"--invert-y --iy -finvert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
     {"-g -gVS", kFlag, Set<&OutputOptions::source_lines>},
-    {"-fspv-debug", kEquals, SetTo<&OutputOptions::source_lines, true>},
+    {"-fspv-debug", kEquals, SetSpirvDebug},
     {"-fspv-preserve-interface", kFlag, Set<&Reading::preserves_interface>},
     {"-matrix-layout-row-major", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>},
     {"-matrix-layout-column-major", kFlag,

@@ -5,6 +5,7 @@
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/images.h"
+#include "base/path.h"
 
 namespace clipc {
 namespace {
@@ -44,6 +45,24 @@ spirv::Interface InterfaceOf(const ir::Program& program, const glsl::GlslInfo& i
   return interface;
 }
 
+// The name has no folder, so that it does not matter where a shader is compiled.
+spirv::Debug DebugOf(const SpirvRequest& request, const Source& source, std::string_view path) {
+  spirv::Debug debug;
+  const std::string name(path.substr(NameBegin(path)));
+  debug.file = name;
+  debug.text = source.MainText();
+  debug.tool = "clipc " CLIPC_VERSION;
+  debug.has_text = request.debug != SpirvDebug::kFile && request.debug != SpirvDebug::kSet;
+  debug.has_lines = request.debug >= SpirvDebug::kLine;
+  debug.has_tool = request.debug == SpirvDebug::kTool;
+  if (request.debug >= SpirvDebug::kSet) debug.form = spirv::Debug::Form::kSet;
+  debug.place = [&source, path, name](Span span) {
+    const Place place = source.Resolve(span);
+    return spirv::SourcePlace{place.file == path ? name : place.file, place.line, place.column};
+  };
+  return debug;
+}
+
 // The minor version of the SPIR-V that a version of Vulkan has.
 std::uint32_t MinorVersion(const SpirvRequest& request) {
   constexpr std::uint32_t kMinor[] = {0, 3, 5, 6, 4};  // by VulkanVersion
@@ -53,8 +72,8 @@ std::uint32_t MinorVersion(const SpirvRequest& request) {
 }  // namespace
 
 spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
-                          const glsl::WriteOptions& options, const SpirvRequest& request) {
-  if (request.debug_info) return {{}, "lines of the source"};
+                          const glsl::WriteOptions& options, const SpirvRequest& request,
+                          const Source* source, std::string_view path) {
   spirv::Options made;
   made.minor_version = MinorVersion(request);
   if (!request.entry.empty()) made.entry = request.entry;
@@ -62,6 +81,7 @@ spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info
   made.invariant = options.invariant;
   made.base_vertex_is_zero = options.base_vertex_is_zero;
   made.base_instance_is_zero = options.base_instance_is_zero;
+  if (request.debug_info && source) made.debug = DebugOf(request, *source, path);
   return spirv::Write(program, InterfaceOf(program, info), made);
 }
 

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "backend-glsl/write.h"
 #include "backend-spirv/write.h"
 #include "compiler/compile/validate.h"
+#include "frontend/lex/source.h"
 
 namespace clipc {
 
-// Writes SPIR-V of a program that is lowered for Vulkan, with the names and places of its GLSL, but
-// without the lines of the source; what else the writer lacks, it says.
+// Writes SPIR-V of a program that is lowered for Vulkan, with the names and places of its GLSL; what
+// the writer lacks, it says. `source`, whose main file has that path, is needed for debug
+// information only.
 spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
-                          const glsl::WriteOptions& options, const SpirvRequest& request);
+                          const glsl::WriteOptions& options, const SpirvRequest& request,
+                          const Source* source = nullptr, std::string_view path = {});
 
 }  // namespace clipc
