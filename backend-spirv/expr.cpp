@@ -14,12 +14,12 @@ using namespace ir;
 
 Ref Writer::Value(ExprId id) {
   const Expr& expr = (*this)[id];
-  if (!debug_) return ValueOf(id, expr);
+  if (!lines_.has_any()) return ValueOf(id, expr);
   // What is around the expression goes on in its own line.
-  const SourcePlace around = wanted_;
-  WantLine(expr.span);
+  const SourcePlace around = lines_.wanted();
+  lines_.Want(expr.span);
   const Ref value = ValueOf(id, expr);
-  wanted_ = around;
+  lines_.Restore(around);
   return value;
 }
 

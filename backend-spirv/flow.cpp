@@ -30,7 +30,7 @@ void Writer::Label(Ref label) {
   Do(spv::Op::OpLabel, {label});
   block_ = label;
   is_open_ = true;
-  line_ = {};
+  lines_.EndBlock();
 }
 
 void Writer::Branch(Ref label) {
@@ -73,7 +73,7 @@ void Writer::WriteFunction(FunctionId id) {
   }
   const Ref type_of = module_.Type(spv::Op::OpTypeFunction, type);
   Words& out = module_.functions;
-  StartDebugOf(function, FunctionRef(id));
+  lines_.StartFunction(function, FunctionRef(id), code_);
   Put(out, spv::Op::OpFunction,
       {result, FunctionRef(id), NumberOf(spv::FunctionControlMask::MaskNone), type_of});
   out.insert(out.end(), parameters.begin(), parameters.end());
@@ -118,7 +118,7 @@ void Writer::WriteStatements(std::span<const StmtId> list) {
 
 void Writer::WriteStatement(StmtId id) {
   const Stmt& stmt = program_.stmts[id];
-  if (debug_) WantLine(stmt.span);
+  if (lines_.has_any()) lines_.Want(stmt.span);
   Visit(
       Overloaded{
           [&](const Block& node) { WriteStatements(program_.stmt_lists[node.body]); },

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The lines of the source, for debuggers: those of the core of SPIR-V, or the instructions of the
 // set NonSemantic.Shader.DebugInfo.100.
-#include <spirv/unified1/NonSemanticShaderDebugInfo100.h>
+#include "backend-spirv/lines.h"
 
-#include "backend-spirv/writer.h"
+#include <spirv/unified1/NonSemanticShaderDebugInfo100.h>
 
 namespace clipc::spirv {
 
@@ -16,11 +16,9 @@ constexpr std::uint32_t kSetVersion = 1, kDwarfVersion = 4;
 
 }  // namespace
 
-bool Writer::HasSet() const { return debug_ && debug_->form == Debug::Form::kSet; }
-
 // The string of a file, and the source that the set has of it. The main file has its text.
-const Writer::DebugFile& Writer::FileOf(std::string_view name) {
-  DebugFile& file = files_[std::string(name)];
+const Lines::File& Lines::FileOf(std::string_view name) {
+  File& file = files_[std::string(name)];
   if (file.name != 0) return file;
   const bool is_main = name == debug_->file;
   file.name = module_.String(name);
@@ -36,8 +34,7 @@ const Writer::DebugFile& Writer::FileOf(std::string_view name) {
   return file;
 }
 
-// Names the source and the compiler before all functions.
-void Writer::StartDebug() {
+void Lines::Start() {
   if (!debug_) return;
   if (debug_->has_tool) module_.Processed(debug_->tool);
   const Ref source = FileOf(debug_->file).source;
@@ -48,57 +45,54 @@ void Writer::StartDebug() {
   };
   unit_ = set(NonSemanticShaderDebugInfo100DebugCompilationUnit,
               {types_.Uint(kSetVersion), types_.Uint(kDwarfVersion), source, types_.Uint(kHlsl)});
-  debug_type_ =
-      set(NonSemanticShaderDebugInfo100DebugTypeFunction, {types_.Uint(0), types_.Void()});
+  type_ = set(NonSemanticShaderDebugInfo100DebugTypeFunction, {types_.Uint(0), types_.Void()});
 }
 
-// Describes a function: its line is that before its definition, or a scope of the set.
-void Writer::StartDebugOf(const Function& function, Ref definition) {
+// A function's line is that before its definition, or a scope of the set.
+void Lines::StartFunction(const Function& function, Ref definition, Words& code) {
   scope_ = 0;
   line_ = wanted_ = {};
   if (!debug_ || !debug_->has_lines || !function.span) return;
   wanted_ = debug_->place(function.span);
   if (wanted_.line == 0) return;
-  const DebugFile& file = FileOf(wanted_.file);
+  const File& file = FileOf(wanted_.file);
   if (!HasSet()) {
-    Put(module_.functions, spv::Op::OpLine, {file.name, wanted_.line, wanted_.column});
+    spirv::Put(module_.functions, spv::Op::OpLine, {file.name, wanted_.line, wanted_.column});
     return;
   }
   const Ref name = module_.String(function.name), line = types_.Uint(wanted_.line);
-  scope_ =
-      module_.DebugGlobal(NonSemanticShaderDebugInfo100DebugFunction, types_.Void(),
-                          Words{name, debug_type_, file.source, line, types_.Uint(wanted_.column),
-                                unit_, name, types_.Uint(0), line});
-  PutDebug(NonSemanticShaderDebugInfo100DebugFunctionDefinition, {scope_, definition});
+  scope_ = module_.DebugGlobal(NonSemanticShaderDebugInfo100DebugFunction, types_.Void(),
+                               Words{name, type_, file.source, line, types_.Uint(wanted_.column),
+                                     unit_, name, types_.Uint(0), line});
+  PutInSet(code, NonSemanticShaderDebugInfo100DebugFunctionDefinition, {scope_, definition});
 }
 
-void Writer::PutDebug(std::uint32_t instruction, std::initializer_list<Ref> operands) {
+void Lines::PutInSet(Words& code, std::uint32_t instruction, std::initializer_list<Ref> operands) {
   Words all{types_.Void(), module_.NewRef(), module_.DebugSet(), instruction};
   all.insert(all.end(), operands);
-  Put(code_, spv::Op::OpExtInst, all);
+  spirv::Put(code, spv::Op::OpExtInst, all);
 }
 
-// The line of what is written next.
-void Writer::WantLine(Span span) {
+void Lines::Want(Span span) {
   if (!debug_ || !debug_->has_lines || !span) return;
   const SourcePlace place = debug_->place(span);
   if (place.line != 0 && (place.line != wanted_.line || place.file != wanted_.file))
     wanted_ = place;
 }
 
-// Writes the line, before an instruction whose line is another than that of the one before it.
-void Writer::PutLine() {
+void Lines::Put(Words& code) {
   if (wanted_.line == 0 || (line_.line == wanted_.line && line_.file == wanted_.file)) return;
   if (HasSet() && scope_ == 0) return;
-  if (HasSet() && line_.line == 0) PutDebug(NonSemanticShaderDebugInfo100DebugScope, {scope_});
+  if (HasSet() && line_.line == 0)
+    PutInSet(code, NonSemanticShaderDebugInfo100DebugScope, {scope_});
   line_ = wanted_;
-  const DebugFile& file = FileOf(wanted_.file);
+  const File& file = FileOf(wanted_.file);
   if (!HasSet()) {
-    Put(code_, spv::Op::OpLine, {file.name, wanted_.line, wanted_.column});
+    spirv::Put(code, spv::Op::OpLine, {file.name, wanted_.line, wanted_.column});
     return;
   }
   const Ref line = types_.Uint(wanted_.line), column = types_.Uint(wanted_.column);
-  PutDebug(NonSemanticShaderDebugInfo100DebugLine, {file.source, line, line, column, column});
+  PutInSet(code, NonSemanticShaderDebugInfo100DebugLine, {file.source, line, line, column, column});
 }
 
 }  // namespace clipc::spirv

@@ -20,6 +20,23 @@ std::uint32_t Rounded(std::uint32_t bytes) {
 
 }  // namespace
 
+// The reading of values out of rows.
+class RowReader {
+ public:
+  explicit RowReader(Writer& writer) : writer_(writer) {}
+  Ref Load(const Place& place);
+
+ private:
+  Ref LoadRow(const Place& place, std::uint32_t offset);
+  Ref LoadWord(const Place& place, std::uint32_t offset);
+  Ref FromWords(Ref words, const Shape& shape);
+  Ref VectorInRows(const Place& place, const Shape& shape, std::uint32_t stride);
+
+  Writer& writer_;
+};
+
+Ref Writer::LoadInRows(const Place& place) { return RowReader(*this).Load(place); }
+
 Ref Writer::RowsBlock(const Cbuffer& cbuffer, std::string_view name) {
   const Ref row = types_.Of(ShapeOf(Scalar::kUint, 1, 4));
   const std::uint32_t count = std::max(cbuffer.size / kRow, 1u);
@@ -66,47 +83,50 @@ void Writer::ElementInRows(Place& place, ExprId index) {
 }
 
 // The row that holds a byte of the buffer.
-Ref Writer::LoadRow(const Place& place, std::uint32_t offset) {
-  const Ref four = types_.Of(ShapeOf(Scalar::kUint, 1, 4));
-  Ref number = types_.Int(static_cast<std::int32_t>(offset / kRow));
-  if (place.row != 0) number = Emit(spv::Op::OpIAdd, types_.Of(Scalar::kInt), {place.row, number});
+Ref RowReader::LoadRow(const Place& place, std::uint32_t offset) {
+  const Ref four = writer_.types_.Of(ShapeOf(Scalar::kUint, 1, 4));
+  Ref number = writer_.types_.Int(static_cast<std::int32_t>(offset / kRow));
+  if (place.row != 0)
+    number = writer_.Emit(spv::Op::OpIAdd, writer_.types_.Of(Scalar::kInt), {place.row, number});
   Words operands{place.base};
   operands.insert(operands.end(), place.indices.begin(), place.indices.end());
-  operands.push_back(types_.Int(0));
+  operands.push_back(writer_.types_.Int(0));
   operands.push_back(number);
-  const Ref pointer =
-      Marked(Emit(spv::Op::OpAccessChain, types_.Pointer(place.storage, four), operands),
-             place.is_non_uniform);
-  return Emit(spv::Op::OpLoad, four, {pointer});
+  const Ref pointer = writer_.Marked(
+      writer_.Emit(spv::Op::OpAccessChain, writer_.types_.Pointer(place.storage, four), operands),
+      place.is_non_uniform);
+  return writer_.Emit(spv::Op::OpLoad, four, {pointer});
 }
 
-Ref Writer::LoadWord(const Place& place, std::uint32_t offset) {
-  const Ref row = LoadRow(place, offset), word = types_.Of(Scalar::kUint);
+Ref RowReader::LoadWord(const Place& place, std::uint32_t offset) {
+  const Ref row = LoadRow(place, offset), word = writer_.types_.Of(Scalar::kUint);
   const std::uint32_t number = offset % kRow / kWord;
-  if (place.component == 0) return Part(word, row, number);
-  const Ref known = types_.Int(static_cast<std::int32_t>(number));
-  const Ref at = Emit(spv::Op::OpIAdd, types_.Of(Scalar::kInt), {place.component, known});
-  return Emit(spv::Op::OpVectorExtractDynamic, word, {row, at});
+  if (place.component == 0) return writer_.Part(word, row, number);
+  const Ref known = writer_.types_.Int(static_cast<std::int32_t>(number));
+  const Ref at =
+      writer_.Emit(spv::Op::OpIAdd, writer_.types_.Of(Scalar::kInt), {place.component, known});
+  return writer_.Emit(spv::Op::OpVectorExtractDynamic, word, {row, at});
 }
 
 // Words as numbers of a kind.
-Ref Writer::FromWords(Ref words, const Shape& shape) {
+Ref RowReader::FromWords(Ref words, const Shape& shape) {
   const Shape of_words = shape.With(Scalar::kUint);
-  if (shape.scalar == Scalar::kBool) return Converted(words, of_words, Scalar::kBool);
-  return shape.scalar == Scalar::kUint ? words
-                                       : Emit(spv::Op::OpBitcast, types_.Of(shape), {words});
+  if (shape.scalar == Scalar::kBool) return writer_.Converted(words, of_words, Scalar::kBool);
+  return shape.scalar == Scalar::kUint
+             ? words
+             : writer_.Emit(spv::Op::OpBitcast, writer_.types_.Of(shape), {words});
 }
 
 // A scalar or vector whose components are `stride` bytes apart.
-Ref Writer::VectorInRows(const Place& place, const Shape& shape, std::uint32_t stride) {
+Ref RowReader::VectorInRows(const Place& place, const Shape& shape, std::uint32_t stride) {
   const bool is_wide = IsWide(shape.scalar);
   const std::uint32_t begin = place.offset % kRow / kWord;
   if (!is_wide && stride == kWord && place.component == 0 && begin + shape.size <= 4) {
     constexpr std::uint8_t kAll[] = {0, 1, 2, 3};
     const Ref row = LoadRow(place, place.offset);
-    return FromWords(
-        Components(row, ShapeOf(Scalar::kUint, 1, 4), std::span(kAll).subspan(begin, shape.size)),
-        shape);
+    return FromWords(writer_.Components(row, ShapeOf(Scalar::kUint, 1, 4),
+                                        std::span(kAll).subspan(begin, shape.size)),
+                     shape);
   }
   std::vector<Ref> components;
   for (std::uint32_t i = 0; i < shape.size; ++i) {
@@ -117,35 +137,37 @@ Ref Writer::VectorInRows(const Place& place, const Shape& shape, std::uint32_t s
       continue;
     }
     const Ref words[] = {low, LoadWord(place, offset + kWord)};
-    const Ref both = Compose(types_.Of(ShapeOf(Scalar::kUint, 1, 2)), words);
-    components.push_back(Emit(spv::Op::OpBitcast, types_.Of(shape.Component()), {both}));
+    const Ref both = writer_.Compose(writer_.types_.Of(ShapeOf(Scalar::kUint, 1, 2)), words);
+    components.push_back(
+        writer_.Emit(spv::Op::OpBitcast, writer_.types_.Of(shape.Component()), {both}));
   }
-  return components.size() == 1 ? components[0] : Compose(types_.Of(shape), components);
+  return components.size() == 1 ? components[0]
+                                : writer_.Compose(writer_.types_.Of(shape), components);
 }
 
-Ref Writer::LoadInRows(const Place& place) {
-  const Type& type = program_.types[place.type];
+Ref RowReader::Load(const Place& place) {
+  const Type& type = writer_.program_.types[place.type];
   std::vector<Ref> parts;
   if (type.kind == TypeKind::kStruct) {
-    for (const Field& field : program_.types.StructOf(place.type).fields) {
+    for (const Field& field : writer_.program_.types.StructOf(place.type).fields) {
       Place part = place;
-      part.offset +=
-          FieldOffset(program_.types, type.structure, static_cast<std::uint32_t>(parts.size()));
+      part.offset += FieldOffset(writer_.program_.types, type.structure,
+                                 static_cast<std::uint32_t>(parts.size()));
       part.type = field.type;
       part.row_major = field.row_major;
-      parts.push_back(LoadInRows(part));
+      parts.push_back(Load(part));
     }
-    return Compose(types_.Of(place.type), parts);
+    return writer_.Compose(writer_.types_.Of(place.type), parts);
   }
   if (type.kind == TypeKind::kArray) {
-    if (type.count > kLongArray) return Lack("a long array of a buffer as a value");
+    if (type.count > kLongArray) return writer_.Lack("a long array of a buffer as a value");
     Place element = place;
     element.type = type.element;
     for (std::uint32_t i = 0; i < type.count; ++i) {
-      parts.push_back(LoadInRows(element));
-      element.offset += ArrayStride(program_.types, place.type, place.row_major);
+      parts.push_back(Load(element));
+      element.offset += ArrayStride(writer_.program_.types, place.type, place.row_major);
     }
-    return Compose(types_.Of(place.type), parts);
+    return writer_.Compose(writer_.types_.Of(place.type), parts);
   }
   const Shape shape = ShapeOf(type);
   const std::uint32_t size = ByteSize(type.scalar);
@@ -161,7 +183,7 @@ Ref Writer::LoadInRows(const Place& place) {
     parts.push_back(VectorInRows(row, shape.Row(), place.row_major ? size : next));
     row.offset += place.row_major ? next : size;
   }
-  return Compose(types_.Of(shape), parts);
+  return writer_.Compose(writer_.types_.Of(shape), parts);
 }
 
 }  // namespace clipc::spirv

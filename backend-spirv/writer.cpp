@@ -20,7 +20,6 @@ Writer::Writer(const Program& program, const Interface& interface, const Options
       is_precise_var_(program.vars.size()) {
   code_.reserve(1024);
   locals_.reserve(128);
-  if (options.debug) debug_ = &*options.debug;
 }
 
 Written Writer::Run() {
@@ -31,7 +30,7 @@ Written Writer::Run() {
     const TypeId type = program_.types.Innermost((*this)[resource.var].type);
     return is_read_[resource.var.index] && IsOrdered(program_.types[type].object);
   });
-  StartDebug();
+  lines_.Start();
   DeclareInputs();
   DeclareOutputs();
   DeclareGlobals();
@@ -63,7 +62,7 @@ void Writer::RequireOrder() {
 }
 
 Ref Writer::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {
-  if (debug_) PutLine();
+  if (lines_.has_any()) lines_.Put(code_);
   const Ref result = module_.NewRef();
   code_.push_back(static_cast<std::uint32_t>(operands.size() + 3) << 16 | NumberOf(op));
   code_.push_back(type);

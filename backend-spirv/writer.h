@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "backend-spirv/lines.h"
 #include "backend-spirv/module.h"
 #include "backend-spirv/place.h"
 #include "backend-spirv/types.h"
@@ -27,6 +28,7 @@ class Writer {
 
  private:
   friend class TextureRead;
+  friend class RowReader;
 
   // ---- interface.cpp: what the shader shares with the pipeline
   void DeclareInputs();
@@ -49,8 +51,7 @@ class Writer {
   Ref ReadBuiltin(const ir::IoVar& input);
 
   // ---- parts.cpp
-  void DeclareShared(const ir::IoVar& io, const Interface::Variable& place,
-                     spv::StorageClass storage);
+  void DeclareShared(const ir::IoVar& io, const Interface::Variable& place, spv::StorageClass as);
   void DeclareMember(const ir::IoVar& output);
   Ref DeclareGroup(const ir::OutputGroup& group);
   Ref WholeType(Ref column, std::uint32_t columns, std::span<const std::uint32_t> dimensions);
@@ -76,26 +77,10 @@ class Writer {
   Ref RowsBlock(const ir::Cbuffer& cbuffer, std::string_view name);
   void MoveInRows(Place& place, ir::ExprId index, std::uint32_t bytes);
   void ElementInRows(Place& place, ir::ExprId index);
-  Ref LoadRow(const Place& place, std::uint32_t offset);
-  Ref LoadWord(const Place& place, std::uint32_t offset);
-  Ref FromWords(Ref words, const Shape& shape);
-  Ref VectorInRows(const Place& place, const Shape& shape, std::uint32_t stride);
   Ref LoadInRows(const Place& place);
 
   // ---- precise.cpp
   void FindPrecise();
-
-  // ---- lines.cpp
-  struct DebugFile {
-    Ref name = 0, source = 0;
-  };
-  bool HasSet() const;
-  const DebugFile& FileOf(std::string_view name);
-  void StartDebug();
-  void StartDebugOf(const ir::Function& function, Ref definition);
-  void PutDebug(std::uint32_t instruction, std::initializer_list<Ref> operands);
-  void WantLine(Span span);
-  void PutLine();
 
   // ---- flow.cpp: functions and statements
   struct Loop {
@@ -156,8 +141,7 @@ class Writer {
 
   // ---- waves.cpp, interpolants.cpp
   Ref Wave(ir::TypeId type, const ir::IntrinsicCall& node);
-  Ref OfWave(spv::Op op, spv::Capability capability, Ref type,
-             std::initializer_list<std::uint32_t> operands);
+  Ref OfWave(spv::Op op, spv::Capability can, Ref type, std::initializer_list<Ref> operands);
   Ref FromQuad(Ref type, Ref value, ir::ExprId lane);
   Ref Interpolant(const ir::IntrinsicCall& node);
 
@@ -201,7 +185,7 @@ class Writer {
   // The same for an instruction that computes with floats: NoContraction for a precise value.
   Ref Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
   void Do(spv::Op op, std::initializer_list<std::uint32_t> operands) {
-    if (debug_ && op != spv::Op::OpLabel) PutLine();
+    if (lines_.has_any() && op != spv::Op::OpLabel) lines_.Put(code_);
     Put(code_, op, operands);
   }
   Ref Compose(Ref type, std::span<const Ref> parts);
@@ -252,10 +236,7 @@ class Writer {
   bool has_order_ = false;       // objects are accessed in the order of the primitives
   std::vector<ir::VarId> late_;  // static variables whose value `main` computes
 
-  const Debug* debug_ = nullptr;
-  std::map<std::string, DebugFile, std::less<>> files_;
-  Ref unit_ = 0, debug_type_ = 0, scope_ = 0;
-  SourcePlace line_, wanted_;  // of the last instruction, and of the next
+  Lines lines_{module_, types_, options_.debug ? &*options_.debug : nullptr};
 
   // The current function.
   Words code_, locals_;
