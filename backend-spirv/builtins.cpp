@@ -166,6 +166,7 @@ Ref Writer::ReadBuiltin(const IoVar& input) {
       break;
     default: value = LoadBuiltin(input.builtin); break;
   }
+  NameInput(input);
   if (input.builtin == Builtin::kPixelPosition) {
     // SPIR-V has 1 / w where Direct3D has w.
     const Ref number = types_.Of(Scalar::kFloat);
@@ -174,6 +175,15 @@ Ref Writer::ReadBuiltin(const IoVar& input) {
   }
   const Row* row = RowOf(kInputs, input.builtin);
   return Converted(value, ShapeOf(row ? row->scalar : Scalar::kInt, 1, shape.size), shape.scalar);
+}
+
+// Names the semantic of the variable that was read for the input.
+void Writer::NameInput(const IoVar& input) {
+  const Builtin first = input.builtin == Builtin::kVertexId     ? Builtin::kVertexIndex
+                        : input.builtin == Builtin::kInstanceId ? Builtin::kInstanceIndex
+                                                                : input.builtin;
+  const Row* row = RowOf(kInputs, first);
+  if (row) NameSemantic(builtins_[{row->which, spv::StorageClass::Input}], input);
 }
 
 // Declares an output that is built in; returns whether it is one.
@@ -197,6 +207,7 @@ bool Writer::DeclareBuiltinOutput(const IoVar& output, std::string_view name) {
     name = row->name;
   }
   const Ref variable = BuiltinVariable(row->which, spv::StorageClass::Output, type, name);
+  NameSemantic(variable, output);
   pointers_[output.var.index] = variable;
   if (output.builtin == Builtin::kPosition && options_.invariant)
     module_.Decorate(variable, spv::Decoration::Invariant);

@@ -82,7 +82,8 @@ Ref Writer::ValueOf(ExprId id, const Expr& expr) {
 Ref Writer::ReadPath(ExprId id) {
   const auto* ref = As<VarRef>(id);
   if (ref && values_[ref->var.index] != 0) return values_[ref->var.index];
-  if (ref && builtin_inputs_.contains(ref->var.index) && !HasPlace(id)) return ReadInput(ref->var);
+  if (ref && builtin_inputs_.contains(ref->var.index) && !HasPlace(id))
+    return ReadBuiltin(*builtin_inputs_.at(ref->var.index));
   return Load(PlaceOf(id));
 }
 

@@ -60,9 +60,6 @@ void Writer::DeclareOutputs() {
   }
 }
 
-// Reads an input that the pipeline gives.
-Ref Writer::ReadInput(VarId id) { return ReadBuiltin(*builtin_inputs_.at(id.index)); }
-
 // Runs before the statements of `main`: gives the static variables their first values, and the
 // depth that of the primitive, which a path that does not write it has.
 void Writer::StartMain() {
@@ -165,6 +162,7 @@ Ref Writer::BlockVariable(CbufferId id) {
   declared.variable = module_.Variable(types_.Pointer(storage, type), storage);
   module_.Name(declared.variable,
                is_constant_buffer ? (*this)[cbuffer.members[0].var].name : cbuffer.name);
+  NameType(declared.variable, place->user_type);
   if (!cbuffer.is_push_constant) {
     module_.Decorate(declared.variable, spv::Decoration::DescriptorSet, {place->set});
     module_.Decorate(declared.variable, spv::Decoration::Binding, {place->binding});

@@ -162,6 +162,10 @@ void Module::Decorate(Ref of, spv::Decoration decoration,
   Put(decorations_, spv::Op::OpDecorate, all);
 }
 
+void Module::DecorateText(Ref of, spv::Decoration decoration, std::string_view text) {
+  PutNamed(decorations_, spv::Op::OpDecorateString, {of, NumberOf(decoration)}, text);
+}
+
 void Module::DecorateMember(Ref structure, std::uint32_t member, spv::Decoration decoration,
                             std::initializer_list<std::uint32_t> operands) {
   Words all{structure, member, NumberOf(decoration)};

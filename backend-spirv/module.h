@@ -68,6 +68,7 @@ class Module {
   void NameMember(Ref structure, std::uint32_t member, std::string_view name);
   void Decorate(Ref of, spv::Decoration decoration,
                 std::initializer_list<std::uint32_t> operands = {});
+  void DecorateText(Ref of, spv::Decoration decoration, std::string_view text);
   void DecorateMember(Ref structure, std::uint32_t member, spv::Decoration decoration,
                       std::initializer_list<std::uint32_t> operands = {});
   void Execution(spv::ExecutionMode mode) { modes_.push_back(mode); }

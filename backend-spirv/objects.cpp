@@ -117,6 +117,7 @@ const DeclaredObject& Writer::DeclaredOf(VarId id) {
   module_.Name(declared.variable, place->name);
   module_.Decorate(declared.variable, spv::Decoration::DescriptorSet, {place->set});
   module_.Decorate(declared.variable, spv::Decoration::Binding, {place->binding});
+  NameType(declared.variable, place->user_type);
   if (place->input_attachment)
     module_.Decorate(declared.variable, spv::Decoration::InputAttachmentIndex,
                      {*place->input_attachment});

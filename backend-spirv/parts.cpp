@@ -28,16 +28,43 @@ std::vector<std::uint32_t> ElementOf(const Reader& reader) {
   return path;
 }
 
-}  // namespace
+// What is interpolated between two stages, or a member of it.
+struct Interpolated {
+  Scalar scalar = Scalar::kFloat;
+  Interpolation interpolation = Interpolation::kDefault;
+  bool centroid = false, sample = false;
+};
 
 // The matrix of such columns, or arrays of them.
-Ref Writer::WholeType(Ref column, std::uint32_t columns,
-                      std::span<const std::uint32_t> dimensions) {
-  Ref type = columns > 1 ? module_.Type(spv::Op::OpTypeMatrix, {column, columns}) : column;
+Ref WholeType(Module& module, Types& types, Ref column, std::uint32_t columns,
+              std::span<const std::uint32_t> dimensions) {
+  Ref type = columns > 1 ? module.Type(spv::Op::OpTypeMatrix, {column, columns}) : column;
   for (auto i = dimensions.rbegin(); i != dimensions.rend(); ++i)
-    type = module_.Type(spv::Op::OpTypeArray, {type, types_.Uint(*i)});
+    type = module.Type(spv::Op::OpTypeArray, {type, types.Uint(*i)});
   return type;
 }
+
+void RequireBarycentrics(Module& module) {
+  module.Require(spv::Capability::FragmentBarycentricKHR);
+  module.Require("SPV_KHR_fragment_shader_barycentric");
+}
+
+std::vector<spv::Decoration> InterpolationOf(Module& module, const Interpolated& io) {
+  std::vector<spv::Decoration> decorations;
+  const bool is_flat = BaseOf(io.scalar) != Scalar::kFloat;
+  if (is_flat || io.interpolation == Interpolation::kNoInterpolation)
+    decorations.push_back(spv::Decoration::Flat);
+  else if (io.interpolation == Interpolation::kNoPerspective)
+    decorations.push_back(spv::Decoration::NoPerspective);
+  if (io.centroid) decorations.push_back(spv::Decoration::Centroid);
+  if (io.sample) {
+    module.Require(spv::Capability::SampleRateShading);
+    decorations.push_back(spv::Decoration::Sample);
+  }
+  return decorations;
+}
+
+}  // namespace
 
 // Declares what an input or an output is, or is a part of. Inputs that are read at each vertex are
 // arrays of three.
@@ -54,7 +81,7 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
     for (const std::uint32_t index : ElementOf(*io.reader))
       indices.push_back(types_.Int(static_cast<std::int32_t>(index)));
     location -= io.reader->element;
-    type = WholeType(type, io.reader->columns, io.reader->dimensions);
+    type = WholeType(module_, types_, type, io.reader->columns, io.reader->dimensions);
     name = name.substr(0, name.find('['));
   }
   storages_[io.var.index] = storage;
@@ -67,37 +94,38 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
     module_.Decorate(variable, spv::Decoration::Location, {location});
     if (io.blend_index > 0) module_.Decorate(variable, spv::Decoration::Index, {io.blend_index});
     if (is_per_vertex) {
-      RequireBarycentrics();
+      RequireBarycentrics(module_);
       module_.Decorate(variable, spv::Decoration::PerVertexKHR);
     } else if (is_input == IsPixelShader()) {
       const Scalar scalar = program_.types[(*this)[io.var].type].scalar;
       for (const spv::Decoration decoration :
-           InterpolationOf({scalar, io.interpolation, io.centroid, io.sample}))
+           InterpolationOf(module_, {scalar, io.interpolation, io.centroid, io.sample}))
         module_.Decorate(variable, decoration);
     }
     shared_.push_back(variable);
   }
+  NameSemantic(variable, io);
   pointers_[io.var.index] = variable;
 }
 
-void Writer::RequireBarycentrics() {
-  module_.Require(spv::Capability::FragmentBarycentricKHR);
-  module_.Require("SPV_KHR_fragment_shader_barycentric");
+// For reflection: the semantic of an input or output as it is written.
+void Writer::NameSemantic(Ref variable, const IoVar& io) {
+  if (!options_.has_reflection || !described_.insert(variable).second) return;
+  // SPIR-V 1.4 has the semantics of users and strings in decorations.
+  if (module_.minor_version() < 4) {
+    module_.Require("SPV_GOOGLE_decorate_string");
+    module_.Require("SPV_GOOGLE_hlsl_functionality1");
+  }
+  module_.DecorateText(variable, spv::Decoration::HlslSemanticGOOGLE,
+                       io.has_index ? io.semantic + std::to_string(io.index) : io.semantic);
 }
 
-std::vector<spv::Decoration> Writer::InterpolationOf(const Interpolated& io) {
-  std::vector<spv::Decoration> decorations;
-  const bool is_flat = BaseOf(io.scalar) != Scalar::kFloat;
-  if (is_flat || io.interpolation == Interpolation::kNoInterpolation)
-    decorations.push_back(spv::Decoration::Flat);
-  else if (io.interpolation == Interpolation::kNoPerspective)
-    decorations.push_back(spv::Decoration::NoPerspective);
-  if (io.centroid) decorations.push_back(spv::Decoration::Centroid);
-  if (io.sample) {
-    module_.Require(spv::Capability::SampleRateShading);
-    decorations.push_back(spv::Decoration::Sample);
-  }
-  return decorations;
+// For reflection: the type of an object or a buffer.
+void Writer::NameType(Ref variable, std::string_view name) {
+  if (!options_.has_reflection || name.empty()) return;
+  if (module_.minor_version() < 4) module_.Require("SPV_GOOGLE_decorate_string");
+  module_.Require("SPV_GOOGLE_user_type");
+  module_.DecorateText(variable, spv::Decoration::UserTypeGOOGLE, name);
 }
 
 // Declares the block or the struct that the output is a member of.
@@ -118,7 +146,7 @@ Ref Writer::DeclareGroup(const OutputGroup& group) {
   Words members;
   for (const OutputGroup::GroupMember& member : group.members) {
     const Ref column = types_.Of(ShapeOf(member.scalar, 1, member.components));
-    members.push_back(WholeType(column, member.columns, member.dimensions));
+    members.push_back(WholeType(module_, types_, column, member.columns, member.dimensions));
   }
   const Ref type = module_.OwnType(spv::Op::OpTypeStruct, members);
   module_.Name(type, group.type);
@@ -136,14 +164,14 @@ Ref Writer::DeclareGroup(const OutputGroup& group) {
     if (group.is_block) {
       if (member.location)
         module_.DecorateMember(type, number, spv::Decoration::Location, {*member.location});
-      for (const spv::Decoration decoration :
-           InterpolationOf({member.scalar, member.interpolation, member.centroid, member.sample}))
+      for (const spv::Decoration decoration : InterpolationOf(
+               module_, {member.scalar, member.interpolation, member.centroid, member.sample}))
         module_.DecorateMember(type, number, decoration);
     }
     ++number;
   }
   if (!group.is_block) {
-    for (const spv::Decoration decoration : InterpolationOf(whole))
+    for (const spv::Decoration decoration : InterpolationOf(module_, whole))
       module_.Decorate(variable, decoration);
   }
   shared_.push_back(variable);

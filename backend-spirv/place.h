@@ -60,11 +60,4 @@ spv::Capability NonUniformOf(ir::ObjectKind object);
 // declares.
 bool IsDistance(ir::Builtin builtin);
 
-// What is interpolated between two stages, or a member of it.
-struct Interpolated {
-  ir::Scalar scalar = ir::Scalar::kFloat;
-  ir::Interpolation interpolation = ir::Interpolation::kDefault;
-  bool centroid = false, sample = false;
-};
-
 }  // namespace clipc::spirv

@@ -29,12 +29,14 @@ struct Interface {
     ir::CbufferId cbuffer;
     std::string_view name;
     bool is_push_constant = false;
+    std::string user_type = {};  // "constantbuffer:<Frame>"; empty: none
   };
   struct Object : Place {
     ir::VarId var;  // a texture, a sampler, or both in one; a buffer
     std::string_view name;
     std::string format = {};  // of an image that is written, in GLSL's spelling
     std::optional<std::uint32_t> input_attachment = {};  // of a subpass
+    std::string user_type = {};                          // "texture2d:<float4>"
     // The elements of the structured buffer lie where no block of Vulkan has them.
     bool is_packed = false;
   };
@@ -70,6 +72,7 @@ struct Options {
   bool invariant = false;           // the position is invariant
   // The application promises draws without a base vertex or a base instance.
   bool base_vertex_is_zero = false, base_instance_is_zero = false;
+  bool has_reflection = false;  // variables have their semantics and the names of their types
   std::optional<Debug> debug = {};
 };
 

@@ -34,7 +34,6 @@ class Writer {
   void DeclareInputs();
   std::vector<std::size_t> OrderOfOutputs() const;
   void DeclareOutputs();
-  Ref ReadInput(ir::VarId id);
   void DeclareGlobals();
   void DeclareStatic(ir::VarId id);
   Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
@@ -43,20 +42,19 @@ class Writer {
   Ref ArrayOfBuffers(Ref block, ir::TypeId type);
 
   // ---- builtins.cpp
-  Ref BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref type,
-                      std::string_view name);
+  Ref BuiltinVariable(spv::BuiltIn of, spv::StorageClass as, Ref type, std::string_view name);
   Ref DeclareBuiltin(ir::Builtin input, Ref type);
   bool DeclareBuiltinOutput(const ir::IoVar& output, std::string_view name);
   Ref LoadBuiltin(ir::Builtin input);
   Ref ReadBuiltin(const ir::IoVar& input);
+  void NameInput(const ir::IoVar& input);
 
   // ---- parts.cpp
   void DeclareShared(const ir::IoVar& io, const Interface::Variable& place, spv::StorageClass as);
   void DeclareMember(const ir::IoVar& output);
+  void NameSemantic(Ref variable, const ir::IoVar& io);
+  void NameType(Ref variable, std::string_view name);
   Ref DeclareGroup(const ir::OutputGroup& group);
-  Ref WholeType(Ref column, std::uint32_t columns, std::span<const std::uint32_t> dimensions);
-  std::vector<spv::Decoration> InterpolationOf(const Interpolated& io);
-  void RequireBarycentrics();
 
   // ---- places.cpp: paths in memory
   void FindMemory(ir::FunctionId id);
@@ -226,6 +224,7 @@ class Writer {
   // The variables that have parts, by their locations.
   std::map<std::pair<spv::StorageClass, std::uint32_t>, Ref> wholes_;
   std::map<std::size_t, Ref> group_variables_;     // by the number of the output group
+  std::set<Ref> described_;                        // the variables that have semantics
   std::set<std::uint32_t> per_vertex_;             // by VarId: inputs that are read at each vertex
   std::map<std::uint32_t, DeclaredBlock> blocks_;  // by CbufferId
   std::map<std::uint32_t, DeclaredObject> objects_;  // by VarId

@@ -145,6 +145,11 @@ void SetSpirvDebug(Reading& reading, const std::string& value) {
   Choose<&SpirvRequest::debug, kSpirvDebugs>(reading, value);
 }
 
+void SetSpirvReflection(Reading& reading, const std::string&) {
+  reading.spirv_option = reading.option;
+  reading.spirv.has_reflection = true;
+}
+
 // Reads glslc's -x hlsl, or glslang's -x, which has no value: SPIR-V as numbers.
 void SetLanguage(Reading& reading, const std::string& value) {
   if (value == "hlsl") return;
@@ -240,6 +245,7 @@ constexpr Option kForeignOptions[] = {
     {"--invert-y --iy -finvert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
     {"-g -gVS", kFlag, Set<&OutputOptions::source_lines>},
     {"-fspv-debug", kEquals, SetSpirvDebug},
+    {"-fspv-reflect -fhlsl-functionality1 -fhlsl_functionality1", kFlag, SetSpirvReflection},
     {"-fspv-preserve-interface", kFlag, Set<&Reading::preserves_interface>},
     {"-matrix-layout-row-major", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>},
     {"-matrix-layout-column-major", kFlag,
@@ -307,8 +313,7 @@ constexpr Option kForeignOptions[] = {
     {"-Gfp", kFlag, HasNoEffect, nullptr,
      "GLSL has no such mode; `[branch]` on a statement reaches Vulkan's drivers"},
     {"-Ni -No -Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
-    {"-fspv-reflect -fhlsl-functionality1 -fhlsl_functionality1 -q", kFlag, HasNoEffect, nullptr,
-     "`--reflect` writes the reflection as JSON"},
+    {"-q", kFlag, HasNoEffect, nullptr, "`--reflect` writes the reflection as JSON"},
     {"-fspv-extension", kEquals, HasNoEffect, nullptr,
      "the SPIR-V has the extensions that the shader needs"},
     {"-ferror-limit", kEquals, HasNoEffect, nullptr, "a compile ends at the 50th error"},

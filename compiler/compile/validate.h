@@ -42,7 +42,8 @@ struct SpirvRequest {
   SpirvDebug debug = SpirvDebug::kLine;
   std::optional<unsigned> version = {};  // 5 for SPIR-V 1.5; none: that of the Vulkan version
   std::string entry = {};                // the name of the entry point; empty: `main`
-  bool nan_clamp = false;                // min, max and clamp give the operand that is a number
+  bool has_reflection = false;  // variables have their semantics and the names of their types
+  bool nan_clamp = false;       // min, max and clamp give the operand that is a number
 };
 struct Spirv {
   std::vector<std::uint32_t> words;

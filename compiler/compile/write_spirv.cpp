@@ -2,6 +2,8 @@
 #include "compiler/compile/write_spirv.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/images.h"
@@ -10,12 +12,39 @@
 namespace clipc {
 namespace {
 
+// The type of a variable as SPV_GOOGLE_user_type has it: "texture2d:<float4>".
+std::string UserType(const ir::TypeTable& types, ir::TypeId type) {
+  std::string name = types.Name(types.Innermost(type));
+  const std::size_t begin = std::min(name.find('<'), name.size());
+  std::transform(name.data(), name.data() + begin, name.data(), [](char letter) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  });
+  if (begin < name.size()) name.insert(begin, ":");
+  std::erase(name, ' ');
+  return name;
+}
+
+std::string UserType(const ir::Program& program, const ir::Cbuffer& cbuffer) {
+  switch (cbuffer.kind) {
+    case ir::CbufferKind::kCbuffer: return "cbuffer";
+    case ir::CbufferKind::kTbuffer: return "tbuffer";
+    case ir::CbufferKind::kConstantBuffer:
+      return "constantbuffer:<" +
+             program.types.Name(
+                 program.types.Innermost(program.vars[cbuffer.members[0].var].type)) +
+             ">";
+    default: return {};
+  }
+}
+
 // What SPIR-V needs to know of an image, a subpass or a structured buffer.
 void Describe(const ir::Program& program, spirv::Interface::Object& object) {
   const ir::Var& var = program.vars[object.var];
   const ir::Type& type = program.types[program.types.Innermost(var.type)];
   const auto resource = std::ranges::find(program.resources, object.var, &ir::Resource::var);
   if (ir::IsImage(type.object)) object.format = glsl::ImageFormat(program, *resource);
+  object.user_type =
+      UserType(program.types, resource->declared_type ? resource->declared_type : var.type);
   object.input_attachment = resource->input_attachment;
   object.is_packed =
       ir::IsStructured(type.object) && !glsl::Std430(program.types, type.element, var.row_major);
@@ -34,7 +63,8 @@ spirv::Interface InterfaceOf(const ir::Program& program, const glsl::GlslInfo& i
     interface.blocks.push_back({{block.set.value_or(0), block.binding.value_or(0)},
                                 block.cbuffer,
                                 block.name,
-                                block.is_push_constant});
+                                block.is_push_constant,
+                                UserType(program, program.cbuffers[block.cbuffer])});
   }
   for (const glsl::GlslInfo::Object& object : info.objects) {
     interface.objects.push_back({{object.set.value_or(0), object.binding.value_or(0)},
@@ -81,6 +111,7 @@ spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info
   made.invariant = options.invariant;
   made.base_vertex_is_zero = options.base_vertex_is_zero;
   made.base_instance_is_zero = options.base_instance_is_zero;
+  made.has_reflection = request.has_reflection;
   if (request.debug_info && source) made.debug = DebugOf(request, *source, path);
   return spirv::Write(program, InterfaceOf(program, info), made);
 }
