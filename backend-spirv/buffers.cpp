@@ -30,7 +30,6 @@ AtomicInstructions InstructionsOf(ObjectOp op) {
 }  // namespace
 
 Ref Writer::BufferBlock(const Type& buffer, const Interface::Object& place) {
-  if (place.is_packed) return Lack("a structured buffer that no block has at its places");
   const Var& var = (*this)[place.var];
   const Ref block = types_.Elements(buffer.element, var.row_major, place.name, HasStorageClass());
   if (var.coherent)

@@ -37,8 +37,6 @@ struct Interface {
     std::string format = {};  // of an image that is written, in GLSL's spelling
     std::optional<std::uint32_t> input_attachment = {};  // of a subpass
     std::string user_type = {};                          // "texture2d:<float4>"
-    // The elements of the structured buffer lie where no block of Vulkan has them.
-    bool is_packed = false;
   };
   std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs
   std::vector<Block> blocks;

@@ -133,28 +133,4 @@ bool IsOfWords(const TypeTable& types, TypeId id) {
   return type.IsScalarOrVector() && ByteSize(type.scalar) == 4;
 }
 
-StructuredExtent Structured(const TypeTable& types, TypeId id) {
-  const Type& type = types[id];
-  const std::uint32_t scalar = ByteSize(type.scalar);
-  switch (type.kind) {
-    case TypeKind::kArray: {
-      const StructuredExtent element = Structured(types, type.element);
-      const std::uint64_t size = std::uint64_t{element.size} * type.count;
-      return {static_cast<std::uint32_t>(std::min(size, kLargestBuffer)), element.alignment};
-    }
-    case TypeKind::kStruct: {
-      StructuredExtent whole;
-      for (const Field& field : types.StructOf(id).fields) {
-        const StructuredExtent extent = Structured(types, field.type);
-        const std::uint64_t end = RoundUp(whole.size, extent.alignment) + extent.size;
-        whole.size = static_cast<std::uint32_t>(std::min(end, kLargestBuffer));
-        whole.alignment = std::max(whole.alignment, extent.alignment);
-      }
-      whole.size = static_cast<std::uint32_t>(RoundUp(whole.size, whole.alignment));
-      return whole;
-    }
-    default: return {scalar * type.Components(), scalar};
-  }
-}
-
 }  // namespace clipc::ir

@@ -7,9 +7,8 @@
 #include "ir/packing.h"
 #include "ir/type.h"
 
-// Layouts of memory beside that of ir/packing.h: HLSL's of structured buffers, and the two that
-// GLSL names, std140 and std430, where they agree with HLSL's. Sources: "Structured Buffer" in the
-// Direct3D 11.3 functional specification; section 7.6.2.2 of the OpenGL 4.6 specification.
+// The layouts of memory that GLSL names, std140 and std430, where they agree with HLSL's in
+// ir/packing.h. Source: section 7.6.2.2 of the OpenGL 4.6 specification.
 namespace clipc::ir {
 
 // The extent that std140 or std430 gives a type, in bytes.
@@ -29,13 +28,6 @@ std::optional<StdExtent> Std140(const TypeTable& types, TypeId type, bool row_ma
 // does; otherwise std::nullopt.
 std::optional<StdExtent> Std430(const TypeTable& types, TypeId type, bool row_major);
 
-// HLSL's layout of the elements of a StructuredBuffer: scalars at multiples of their own size,
-// nothing else.
-struct StructuredExtent {
-  std::uint32_t size = 0;  // bytes, as is the alignment
-  std::uint32_t alignment = 4;
-};
-StructuredExtent Structured(const TypeTable& types, TypeId type);
 // Whether an element of a StructuredBuffer is words in the order of its components, one each: it
 // has no matrix and nothing of 64 bits.
 bool IsOfWords(const TypeTable& types, TypeId type);

@@ -89,8 +89,7 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
 }
 
 // The SPIR-V of a shader by clipc's own writer; none where that lacks something, or for OpenGL.
-std::vector<std::uint32_t> OwnSpirv(Job& job, const Lowered& lowered,
-                                    const glsl::GlslInfo& info) {
+std::vector<std::uint32_t> OwnSpirv(Job& job, const Lowered& lowered, const glsl::GlslInfo& info) {
   const ProgramRequest& request = job.request;
   if (!request.target.IsVulkan()) return {};
   return WriteSpirv(lowered.program, info, job.plan.write, *request.outputs.spirv, &job.source(),

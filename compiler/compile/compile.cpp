@@ -201,7 +201,7 @@ Compiler::~Compiler() = default;
 FrontendContext& Compiler::ContextFor(const ProgramRequest& request) {
   if (request.includes.sandbox.empty() || request.includes.read) return context_;
   if (!sandboxed_ || sandbox_ != request.includes.sandbox) {
-    memory_->texts.Clear();
+    memory_->texts = {};
     sandboxed_ = std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk,
                                                    request.includes.sandbox);
     sandbox_ = request.includes.sandbox;

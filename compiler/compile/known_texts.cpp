@@ -10,8 +10,10 @@
 namespace clipc {
 namespace {
 
-// Some hundred bytes each are kept of a token and of an expression.
+// Some hundred bytes each are kept of a token and of an expression. The last two texts are kept
+// whatever the size of both is: an effect has one of vertex and one of pixel shaders.
 constexpr std::size_t kMostTokens = 200'000, kMostExprs = 200'000;
+constexpr std::size_t kAlwaysKept = 2, kMostTokensOfOne = 2'000'000;
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 std::string KeyOf(const Plan& plan, const SourceInput& input) {
@@ -52,7 +54,7 @@ std::shared_ptr<KnownText> KnownTexts::Get(FrontendContext& context, const Progr
   if (!request.language.is_in_effect || !is_of_file || wants_tokens || !plan.check.profile.stage)
     return nullptr;
   std::string key = KeyOf(plan, input);
-  if (const auto known = texts_.find(key); known != texts_.end()) return known->second;
+  if (const auto known = texts_.find(key); known != texts_.end()) return known->second.text;
   auto text = std::make_shared<KnownText>(context, input, request.warnings);
   Tokens tokens = Lex(text->source, text->messages);
   if (text->messages.has_errors()) return nullptr;
@@ -60,16 +62,20 @@ std::shared_ptr<KnownText> KnownTexts::Get(FrontendContext& context, const Progr
   text->file = Parse(std::move(tokens), text->messages, FunctionBodies::kParse,
                      {.entry_call = plan.check.entry_call});
   if (text->messages.has_errors()) return nullptr;
-  if (tokens_ + count > kMostTokens) Clear();
-  if (count > kMostTokens) return text;
-  tokens_ += count;
-  texts_.emplace(std::move(key), text);
+  Keep(std::move(key), {text, count});
   return text;
 }
 
-void KnownTexts::Clear() {
-  texts_.clear();
-  tokens_ = 0;
+// Keeps the text in the place of the oldest.
+void KnownTexts::Keep(std::string key, Kept text) {
+  if (text.tokens > kMostTokensOfOne) return;
+  tokens_ += text.tokens;
+  by_age_.push_back(texts_.emplace(std::move(key), std::move(text)).first);
+  while (tokens_ > kMostTokens && by_age_.size() > kAlwaysKept) {
+    tokens_ -= by_age_.front()->second.tokens;
+    texts_.erase(by_age_.front());
+    by_age_.pop_front();
+  }
 }
 
 bool ValidTexts::Has(const std::string& glsl, const glsl::Target& target, Stage stage) const {

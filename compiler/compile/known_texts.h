@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -49,11 +50,17 @@ class KnownTexts {
   // errors: it is read as every other then.
   std::shared_ptr<KnownText> Get(FrontendContext& context, const ProgramRequest& request,
                                  const Plan& plan, const SourceInput& input);
-  void Clear();
 
  private:
-  std::map<std::string, std::shared_ptr<KnownText>> texts_;
-  std::size_t tokens_ = 0;  // of all texts
+  struct Kept {
+    std::shared_ptr<KnownText> text;
+    std::size_t tokens = 0;
+  };
+  void Keep(std::string key, Kept text);
+
+  std::map<std::string, Kept> texts_;
+  std::deque<std::map<std::string, Kept>::iterator> by_age_;  // the oldest first
+  std::size_t tokens_ = 0;                                    // of all texts
 };
 
 // GLSL that glslang has found valid.

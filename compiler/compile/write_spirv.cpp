@@ -46,8 +46,6 @@ void Describe(const ir::Program& program, spirv::Interface::Object& object) {
   object.user_type =
       UserType(program.types, resource->declared_type ? resource->declared_type : var.type);
   object.input_attachment = resource->input_attachment;
-  object.is_packed =
-      ir::IsStructured(type.object) && !glsl::Std430(program.types, type.element, var.row_major);
 }
 
 spirv::Interface InterfaceOf(const ir::Program& program, const glsl::GlslInfo& info) {
