@@ -1,6 +1,6 @@
-// What the writer of SPIR-V lacks, glslang translates from the GLSL: structured buffers whose elements no block has at their places,
-// OpenGL's SPIR-V.
-// RUN: %clipc -T ps_5_0 -spirv -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
+// The writer makes SPIR-V for Vulkan, structured buffers of words where no block has their elements at Direct3D's places; OpenGL's
+// SPIR-V is glslang's, of the GLSL.
+// RUN: %clipc -T ps_5_0 -spirv -S %s -o - | FileCheck %s --check-prefix=WRITTEN
 // RUN: %clipc -T ps_5_0 -E plain -spirv -S %s -o - | FileCheck %s --check-prefix=WRITTEN
 // RUN: %clipc -T ps_5_0 -E plain -spirv --target=glsl450 -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
 // TRANSLATED: OpSource GLSL 4{{[56]}}0
