@@ -11,7 +11,7 @@
 namespace clipc::glsl {
 
 Descriptors::Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
-                         const OtherStage* other)
+                         OtherStages others)
     : target_(target),
       pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0),
       pixel_base_(InfoOf(program.stage).draws_pixels ? target.PixelBase() : 0),
@@ -34,16 +34,18 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     if (IsImage(kind)) kinds_.emplace(&resource.reg, kImages);
     if (IsStorageBuffer(kind)) kinds_.emplace(&resource.reg, kStorageBlocks);
   }
-  RenumberSpaces(all, other);
+  RenumberSpaces(all, others);
   const bool bound_by_option = target.bindings.globals.has_value();
   Taken taken;
-  if (other && other->laid && pixel_sets_ == 0) taken = TakeFromOther(program, *other);
-  const Taken others = taken;
+  for (const OtherStage& other : others) {
+    if (other.laid && pixel_sets_ == 0) TakeFromOther(program, other, taken);
+  }
+  const Taken theirs = taken;
   // Where the user says how registers are bound, the host binds them so.
   const bool has_rules = !rules_.empty();
   const auto is_free = [&](const ir::Register& reg) {
     const ir::Descriptor at = Plain(reg);
-    return has_rules || !others.contains({at.set, at.binding});
+    return has_rules || !theirs.contains({at.set, at.binding});
   };
   const auto stays = [&](const ir::Register* reg) {
     const bool is_placed = reg->is_explicit || (reg == globals_ && bound_by_option);
@@ -61,8 +63,7 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
   }
 }
 
-void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all,
-                                 const OtherStage* other) {
+void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all, OtherStages others) {
   if (!rules_.empty()) return;  // the host binds them by these rules
   std::set<std::uint32_t> used, far;
   for (const ir::Register* reg : all) {
@@ -72,9 +73,10 @@ void Descriptors::RenumberSpaces(const std::vector<const ir::Register*>& all,
   }
   if (far.empty()) return;
   const auto take = [&](const GlslInfo::Binding& place) { used.insert(place.set.value_or(0)); };
-  if (other && other->laid) {
-    std::ranges::for_each(other->laid->blocks, take);
-    std::ranges::for_each(other->laid->objects, take);
+  for (const OtherStage& other : others) {
+    if (!other.laid) continue;
+    std::ranges::for_each(other.laid->blocks, take);
+    std::ranges::for_each(other.laid->objects, take);
   }
   std::uint32_t next = 0;
   for (const std::uint32_t space : far) {
@@ -88,9 +90,8 @@ bool Descriptors::IsRenumbered(const ir::Register& reg) const {
          Plain(reg).set == renumbered_.at(reg.space);
 }
 
-// Gives what both stages share the other's place. Returns all places that the other stage has.
-Descriptors::Taken Descriptors::TakeFromOther(const ir::Program& program, const OtherStage& other) {
-  Taken taken;
+// Gives what both stages share the other's place. Adds all places that the other stage has.
+void Descriptors::TakeFromOther(const ir::Program& program, const OtherStage& other, Taken& taken) {
   const auto take = [&](const GlslInfo::Binding& place, const ir::Register* reg) {
     if (!place.binding) return;
     taken.emplace(place.set.value_or(0), *place.binding);
@@ -111,7 +112,6 @@ Descriptors::Taken Descriptors::TakeFromOther(const ir::Program& program, const 
     }
     take(object, shared);
   }
-  return taken;
 }
 
 ir::Descriptor Descriptors::Of(const ir::Register& reg) const {

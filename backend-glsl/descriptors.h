@@ -20,8 +20,8 @@
 // neither it nor a written register moves to the next free binding if its own is taken, as in DXC.
 // A pixel shader that is compiled alone has all bindings that follow from registers higher by
 // Target::PixelBase().
-// Of a pair, the stage that is written second has the other's bindings for what both share, and
-// moves what is in their way.
+// A stage has the bindings of those that are laid out before it for what they share, and moves what
+// is in their way.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kVulkanShiftB = 0;
@@ -34,9 +34,9 @@ inline constexpr std::uint32_t kHighestSet = 0x3e;
 
 class Descriptors {
  public:
-  // Keeps references to the program and the target. `other` may be null.
+  // Keeps references to the program and the target.
   Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
-              const OtherStage* other = nullptr);
+              OtherStages others = {});
 
   // The set and binding of the buffer or resource of the program that has this register.
   ir::Descriptor Of(const ir::Register& reg) const;
@@ -50,8 +50,8 @@ class Descriptors {
  private:
   using Taken = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // sets and bindings
 
-  Taken TakeFromOther(const ir::Program& program, const OtherStage& other);
-  void RenumberSpaces(const std::vector<const ir::Register*>& all, const OtherStage* other);
+  void TakeFromOther(const ir::Program& program, const OtherStage& other, Taken& taken);
+  void RenumberSpaces(const std::vector<const ir::Register*>& all, OtherStages others);
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "ir/program.h"
 
-// Two stages of one program. Direct3D has registers for each stage; GLSL and Vulkan have one space
-// of names and bindings for all. What both stages declare alike is one block, texture or buffer of
-// the program; everything else has a name and a place of its own.
+// The stages of one program. Direct3D has registers for each stage; GLSL and Vulkan have one space
+// of names and bindings for all. What stages declare alike is one block, texture or buffer of the
+// program; everything else has a name and a place of its own.
 namespace clipc::glsl {
 
 struct GlslInfo;
 
-// What the layout of one stage must know about the other. Ids are those of the stage that is laid
+// What the layout of one stage must know about another. Ids are those of the stage that is laid
 // out unless they say otherwise.
 struct OtherStage {
   // By CbufferId the buffer of the other stage that is declared alike and that both stages read,
@@ -24,6 +25,9 @@ struct OtherStage {
   std::vector<bool> is_read;
   const GlslInfo* laid = nullptr;  // what the other stage declares, if that is laid out before
 };
+
+// Every other stage of a program, in their order; empty where there is one stage only.
+using OtherStages = std::span<const OtherStage>;
 
 // Compares the buffers and objects of two stages. They are alike if name, type or members with
 // their offsets, and register are the same; a register that is not written agrees with every other.

@@ -16,12 +16,12 @@ using namespace ir;
 namespace {
 
 std::vector<BlockLayout> LayOutBlocks(const Program& program, const Reached& reached,
-                                      const Target& target, BlockStyle style,
-                                      const OtherStage* other) {
+                                      const Target& target, BlockStyle style, OtherStages others) {
   std::vector<BlockLayout> layouts(program.cbuffers.size());
   std::vector<bool> is_read = reached.vars;
-  for (std::size_t i = 0; other && i < is_read.size(); ++i)
-    is_read[i] = is_read[i] || other->is_read[i];
+  for (const OtherStage& other : others) {
+    for (std::size_t i = 0; i < is_read.size(); ++i) is_read[i] = is_read[i] || other.is_read[i];
+  }
   for (const CbufferId id : program.cbuffers.ids()) {
     if (reached.Has(id))
       layouts[id.index] = LayOutBlock(program, program.cbuffers[id], target, style, is_read);
@@ -138,10 +138,10 @@ std::uint32_t OffsetOf(const Program& program, VarId var) {
 }  // namespace
 
 PackedStage::PackedStage(const Program& program, const Target& target, BlockStyle style,
-                         const OtherStage* other)
+                         OtherStages others)
     : given(program),
       reached(Reach(program)),
-      layouts(LayOutBlocks(program, reached, target, style, other)) {
+      layouts(LayOutBlocks(program, reached, target, style, others)) {
   if (std::ranges::none_of(layouts, IsPacked)) {
     readers.resize(program.vars.size());
     return;
@@ -151,8 +151,7 @@ PackedStage::PackedStage(const Program& program, const Target& target, BlockStyl
   readers = legalize::ReadMembers(*copy, target.Needs(), members);
   readers.resize(copy->vars.size());
   for (const legalize::PackedMember& member : members)
-    copy->functions[readers[member.var.index]].remark =
-        fmt::format("offset {}", OffsetOf(program, member.var));
+    copy->functions[readers[member.var.index]].offset = OffsetOf(program, member.var);
   // A member that is read by hand is reached, though no function names it now.
   const Reached before = std::exchange(reached, Reach(*copy));
   for (std::size_t i = 0; i < before.vars.size(); ++i)

@@ -15,10 +15,9 @@ namespace clipc::glsl {
 // A stage whose constant buffers are laid out. Members that GLSL cannot declare at their places are
 // read by functions of the program out of what GLSL declares there: legalize/read_members.h.
 struct PackedStage {
-  // `program` outlives the stage. `other` is null where the program has no other stage; two stages
-  // lay out a block that they share by what either of them reads.
+  // `program` outlives the stage. Stages lay out a block that they share by what any of them reads.
   PackedStage(const ir::Program& program, const Target& target, BlockStyle style,
-              const OtherStage* other);
+              OtherStages others);
 
   // The program, or the copy in which functions read members.
   const ir::Program& program() const { return copy ? *copy : given; }

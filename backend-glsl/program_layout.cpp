@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "backend-glsl/names.h"
-#include "base/invariant.h"
 
 namespace clipc::glsl {
 
@@ -45,21 +44,19 @@ void MatchDistances(const Program& before, const GlslInfo& info, Program& after)
 
 }  // namespace
 
-ProgramLayout::ProgramLayout(std::span<const LegalStage> stages) {
-  const LegalStage& first = stages.front();
-  if (stages.size() == 1) {
-    first_.emplace(first.program, first.target, first.options);
-    return;
+ProgramLayout::ProgramLayout(std::span<const LegalStage> stages) : others_(stages.size()) {
+  for (std::size_t i = 1; i < stages.size(); ++i)
+    NameInterface(stages[i - 1].program, stages[i].program, stages[i].options.names);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    for (std::size_t k = 0; k < stages.size(); ++k)
+      if (k != i) others_[i].push_back(CompareStages(stages[i].program, stages[k].program));
   }
-  CLIPC_CHECK(stages.size() == 2);
-  const LegalStage& second = stages[1];
-  NameInterface(first.program, second.program, second.options.names);
-  others_[0] = CompareStages(first.program, second.program);
-  others_[1] = CompareStages(second.program, first.program);
-  first_.emplace(first.program, first.target, first.options, &others_[0]);
-  others_[1].laid = &first_->info();
-  MatchDistances(first.program, first_->info(), second.program);
-  second_.emplace(second.program, second.target, second.options, &others_[1]);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const auto& [program, target, options] = stages[i];
+    for (std::size_t k = 0; k < i; ++k) others_[i][k].laid = &writers_[k]->info();
+    if (i > 0) MatchDistances(stages[i - 1].program, writers_[i - 1]->info(), program);
+    writers_.push_back(std::make_unique<StageWriter>(program, target, options, others_[i]));
+  }
 }
 
 }  // namespace clipc::glsl

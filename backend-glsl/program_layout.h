@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "backend-glsl/glsl_info.h"
 #include "backend-glsl/other_stage.h"
@@ -26,28 +26,23 @@ struct LegalStage {
 
 // What the stages of a program declare: the names, locations, bindings and blocks of all of them,
 // which are settled before a function of one is written. In a program one name is one variable and
-// one binding one object, and what two stages declare alike they share.
+// one binding one object, and what stages declare alike they share.
 class ProgramLayout {
  public:
-  // Lays out a program of one stage or two, which outlive the layout. An input of the second stage
-  // and the output that it reads get one name, IoVar::reader of both. Requires that CheckTarget
-  // reported no error.
+  // Lays out a program of one or more stages, in the order in which they run; they outlive the
+  // layout. An input of a stage and the output of the stage before that it reads get one name,
+  // IoVar::reader of both. Requires that CheckTarget reported no error.
   explicit ProgramLayout(std::span<const LegalStage> stages);
-  ProgramLayout(const ProgramLayout&) = delete;
-  ProgramLayout& operator=(const ProgramLayout&) = delete;
 
-  const GlslInfo& InfoOf(std::size_t stage) const {
-    return (stage == 0 ? first_ : second_)->info();
-  }
+  const GlslInfo& InfoOf(std::size_t stage) const { return writers_[stage]->info(); }
   // Writes a stage, each once.
   std::string Write(std::size_t stage, CommentOf comment_of = {}) {
-    return (stage == 0 ? first_ : second_)->Finish(std::move(comment_of));
+    return writers_[stage]->Finish(std::move(comment_of));
   }
 
  private:
-  // By stage. Here and not in memory of their own, as they are large.
-  std::array<OtherStage, 2> others_;
-  std::optional<StageWriter> first_, second_;
+  std::vector<std::vector<OtherStage>> others_;  // of each stage, what it must know of the others
+  std::vector<std::unique_ptr<StageWriter>> writers_;
 };
 
 }  // namespace clipc::glsl

@@ -52,6 +52,23 @@ TEST_P(ProgramLayoutTest, GivesWhatBothStagesHaveOnePlace) {
   EXPECT_NE(first.blocks[1].binding, second.blocks[1].binding);
 }
 
+TEST_P(ProgramLayoutTest, TakesMoreThanTwoStages) {
+  ir::Program third = StageThatReads(1, "Camera", GetParam());
+  const LegalStage stages[] = {stages_[0], stages_[1], {third, target_, options_}};
+  ProgramLayout layout(stages);
+  const GlslInfo& first = layout.InfoOf(0);
+  const GlslInfo& last = layout.InfoOf(2);
+  ASSERT_EQ(last.blocks.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(last.blocks[i].is_shared);
+    EXPECT_EQ(first.blocks[i].name, last.blocks[i].name);
+    EXPECT_EQ(first.blocks[i].binding, last.blocks[i].binding);
+  }
+  EXPECT_EQ(layout.InfoOf(1).blocks[0].name, last.blocks[0].name);
+  EXPECT_NE(layout.InfoOf(1).blocks[1].binding, last.blocks[1].binding);
+  EXPECT_NE(layout.Write(2).find("Frame"), std::string::npos);
+}
+
 TEST_P(ProgramLayoutTest, LeavesEachStageToBeWrittenAlone) {
   ProgramLayout forward(stages_), backward(stages_);
   const std::string first = forward.Write(0), second = forward.Write(1);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/span.h"
@@ -52,8 +53,9 @@ struct Function {
   // variables; and a buffer, if it is an accessor.
   bool is_helper = false, is_accessor = false;
   bool precise = false;  // its result is precise; SpreadPrecise makes variables precise instead
-  // For readers of a helper function, after its last statement; of an accessor, after its head.
-  std::string remark = {};
+  std::string_view remark = {};  // for readers of a helper function, after its last statement
+  // Of an accessor that reads a member of a constant buffer: the member's first byte in the buffer.
+  std::optional<std::uint32_t> offset = {};
 };
 
 }  // namespace clipc::ir

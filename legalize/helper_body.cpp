@@ -26,7 +26,7 @@ ir::FunctionId AddHelper(ir::Program& program, std::string_view name,
                                 .body = body.b.BlockOf(body.statements),
                                 .span = {},
                                 .is_helper = true,
-                                .remark = std::string(body.remark)});
+                                .remark = body.remark});
 }
 
 }  // namespace clipc::legalize

@@ -265,9 +265,9 @@ UniformBlocks WriteBlocks(Code& code) {
   blocks.text.reserve(1024);
   blocks.info.reserve(code.program.cbuffers.size());
   Bindings bindings;
-  const OtherStage* other = code.other;
-  if (other && other->laid) {
-    for (const GlslInfo::UniformBlock& block : other->laid->blocks) bindings.Take(block);
+  for (const OtherStage& other : code.others) {
+    if (!other.laid) continue;
+    for (const GlslInfo::UniformBlock& block : other.laid->blocks) bindings.Take(block);
   }
   for (const CbufferId id : code.program.cbuffers.ids()) {
     if (code.reached.Has(id)) bindings.Reserve(code[id].reg, code[id].count);

@@ -9,15 +9,15 @@
 namespace clipc::glsl {
 
 WriterContext::WriterContext(PackedStage& packed, const Target& target, const WriteOptions& options,
-                             const OtherStage* other)
+                             OtherStages others)
     : program(packed.program()),
       types(program.types),
       target(target),
       needs(target.Needs()),
       options(options),
-      other(other),
+      others(others),
       reached(std::move(packed.reached)),
-      descriptors(program, reached, target, other),
+      descriptors(program, reached, target, others),
       layouts(std::move(packed.layouts)),
       readers(std::move(packed.readers)),
       used_structs(types.structs().size()) {}
@@ -35,17 +35,22 @@ bool WriterContext::IsWrittenAsUint(ir::VarId member) const {
 }
 
 const GlslInfo::UniformBlock* WriterContext::LaidBlock(ir::CbufferId id) const {
-  return IsShared(id) && other->laid ? other->laid->BlockOf(other->cbuffers[id.index]) : nullptr;
+  for (const OtherStage& other : others) {
+    const ir::CbufferId theirs = other.cbuffers[id.index];
+    if (theirs && other.laid) return other.laid->BlockOf(theirs);
+  }
+  return nullptr;
 }
 
 const GlslInfo::Object* WriterContext::LaidObject(ir::VarId texture, ir::VarId sampler) const {
-  if (!other || !other->laid) return nullptr;
-  const auto& alike = other->vars;
-  const ir::VarId their_texture = texture ? alike[texture.index] : ir::VarId{};
-  const ir::VarId their_sampler = sampler ? alike[sampler.index] : ir::VarId{};
-  if (!their_texture != !texture || !their_sampler != !sampler) return nullptr;
-  for (const GlslInfo::Object& object : other->laid->objects) {
-    if (object.texture == their_texture && object.sampler == their_sampler) return &object;
+  for (const OtherStage& other : others) {
+    if (!other.laid) continue;
+    const ir::VarId their_texture = texture ? other.vars[texture.index] : ir::VarId{};
+    const ir::VarId their_sampler = sampler ? other.vars[sampler.index] : ir::VarId{};
+    if (!their_texture != !texture || !their_sampler != !sampler) continue;
+    for (const GlslInfo::Object& object : other.laid->objects) {
+      if (object.texture == their_texture && object.sampler == their_sampler) return &object;
+    }
   }
   return nullptr;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <set>
 #include <span>
 #include <string>
@@ -50,17 +51,16 @@ struct Names {
 // The state that all subjects of the writer share. A subject is a header of free functions over it,
 // or over Code (code.h), which adds the state of expressions and statements.
 struct WriterContext {
-  // `other` is null where the program has no other stage. `packed` outlives the context, and keeps
-  // its program only.
+  // The arguments outlive the context. `packed` keeps its program only.
   WriterContext(PackedStage& packed, const Target& target, const WriteOptions& options,
-                const OtherStage* other);
+                OtherStages others);
 
   const ir::Program& program;
   const ir::TypeTable& types;  // of the program
   const Target& target;
   const legalize::Needs needs;  // of the target
   const WriteOptions& options;
-  const OtherStage* const other;
+  const OtherStages others;
   const Reached reached;
   const Descriptors descriptors;           // of a Vulkan target
   const std::vector<BlockLayout> layouts;  // by CbufferId, of the reached ones
@@ -114,14 +114,19 @@ struct WriterContext {
   bool IsWrittenAsUint(ir::VarId member) const;
   const std::string& NameOf(ir::VarId id) const { return names.vars[id.index]; }
 
-  // Whether the other stage of a pair has the block too.
-  bool IsShared(ir::CbufferId id) const { return other && other->cbuffers[id.index]; }
-  // Whether the other stage of a pair reads the member, or this one does.
-  bool IsReadInProgram(ir::VarId member) const {
-    return reached.Has(member) || (other && other->is_read[member.index]);
+  // Whether another stage has the block too.
+  bool IsShared(ir::CbufferId id) const {
+    return std::ranges::any_of(
+        others, [&](const OtherStage& other) { return bool(other.cbuffers[id.index]); });
   }
-  // The block as the other stage has it, if that is laid out before; null if it is not shared, or
-  // is laid out here first.
+  // Whether any stage reads the member.
+  bool IsReadInProgram(ir::VarId member) const {
+    return reached.Has(member) || std::ranges::any_of(others, [&](const OtherStage& other) {
+             return other.is_read[member.index];
+           });
+  }
+  // The block as a stage has it that is laid out before; null if it is not shared, or is laid out
+  // here first.
   const GlslInfo::UniformBlock* LaidBlock(ir::CbufferId id) const;
   // The same for an object: the one of this texture with this sampler, either of which may be none.
   const GlslInfo::Object* LaidObject(ir::VarId texture, ir::VarId sampler) const;

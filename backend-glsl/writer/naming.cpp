@@ -82,28 +82,24 @@ class Naming {
   }
 
  private:
-  // Keeps the names of blocks, uniform variables and objects that the other stage of a pair has:
-  // in a program one name is one variable. What the stages share has the same name in both.
+  // Keeps the names of blocks, uniform variables and objects that the stages have which are laid out
+  // before: in a program one name is one variable. What stages share has the same name in all.
   void OtherNames() {
-    const OtherStage* other = context_.other;
-    if (!other || !other->laid) return;
-    for (const GlslInfo::UniformBlock& block : other->laid->blocks) {
-      if (!block.name.empty()) namer_.Global(block.name);
-      if (!block.rows.empty()) namer_.Global(block.rows);
-      for (const GlslInfo::UniformMember& member : block.members) {
-        if (IsGlobal(block, member)) namer_.Global(member.name);
-      }
-    }
-    for (const GlslInfo::Object& object : other->laid->objects) namer_.Global(object.name);
-    for (const CbufferId id : context_.program.cbuffers.ids()) {
-      const GlslInfo::UniformBlock* block = context_.LaidBlock(id);
-      for (const CbufferMember& member : context_[id].members) {
-        const VarId theirs = other->vars[member.var.index];
-        for (std::size_t i = 0; block && i < block->members.size(); ++i) {
-          if (block->members[i].var == theirs && IsGlobal(*block, block->members[i]))
-            Give(member.var, block->members[i].name);
+    std::set<std::string> kept;
+    const auto keep = [&](const std::string& name) {
+      if (!name.empty() && kept.insert(name).second) namer_.Global(name);
+    };
+    for (const OtherStage& other : context_.others) {
+      if (!other.laid) continue;
+      for (const GlslInfo::UniformBlock& block : other.laid->blocks) {
+        keep(block.name);
+        keep(block.rows);
+        for (const GlslInfo::UniformMember& member : block.members) {
+          if (IsGlobal(block, member)) keep(member.name);
         }
       }
+      for (const GlslInfo::Object& object : other.laid->objects) keep(object.name);
+      for (const CbufferId id : context_.program.cbuffers.ids()) GiveMembers(id, other);
     }
     for (const Resource& resource : context_.program.resources) {
       if (const auto* texture = context_.LaidObject(resource.var, {}))
@@ -113,13 +109,26 @@ class Naming {
     }
   }
 
+  // Gives the members of a block that another stage shares the names that they have there.
+  void GiveMembers(CbufferId id, const OtherStage& other) {
+    const CbufferId theirs = other.cbuffers[id.index];
+    const GlslInfo::UniformBlock* block = theirs ? other.laid->BlockOf(theirs) : nullptr;
+    if (!block) return;
+    for (const CbufferMember& member : context_[id].members) {
+      for (const GlslInfo::UniformMember& laid : block->members) {
+        if (laid.var == other.vars[member.var.index] && IsGlobal(*block, laid))
+          Give(member.var, laid.name);
+      }
+    }
+  }
+
   // Whether the name of the member is one of the whole program.
   static bool IsGlobal(const GlslInfo::UniformBlock& block, const GlslInfo::UniformMember& member) {
     return member.name.find('.') == std::string::npos && member.function.empty() &&
            (block.form != BlockForm::kRows || member.is_uniform);
   }
 
-  // Gives the variable the name that it has in the other stage.
+  // Gives the variable the name that it has in another stage.
   void Give(VarId var, const std::string& name) {
     names_.vars[var.index] = name;
     is_given_[var.index] = true;
@@ -297,7 +306,7 @@ class Naming {
   const WriterContext& context_;
   Namer& namer_;
   Names names_;
-  std::vector<bool> is_given_;  // by VarId: the other stage of a pair gave the name
+  std::vector<bool> is_given_;  // by VarId: another stage gave the name
   // The names of outputs that the next stage reads by location, for arrays and matrices the first.
   std::map<std::uint32_t, std::string> read_names_;
 };

@@ -58,9 +58,9 @@ class ObjectWriter {
 
   Objects Write() {
     const bool is_vulkan = context_.target.IsVulkan();
-    const OtherStage* other = context_.other;
-    if (other && other->laid) {
-      for (const GlslInfo::Object& object : other->laid->objects)
+    for (const OtherStage& other : context_.others) {
+      if (!other.laid) continue;
+      for (const GlslInfo::Object& object : other.laid->objects)
         BindingsOf(object.kind).Take(object);
     }
     for (const Resource& resource : context_.program.resources) {
@@ -174,7 +174,7 @@ class ObjectWriter {
   // The name of a block with a storage buffer. The stages of a pair have one name for a buffer that
   // they share, and two names for others.
   std::string BlockName(const std::string& name, const std::string& written) {
-    return context_.namer.Global(Concat(context_.other ? name : written, "_block"));
+    return context_.namer.Global(Concat(context_.others.empty() ? written : name, "_block"));
   }
 
   // Declares an image. GLSL requires the format of one that is read.

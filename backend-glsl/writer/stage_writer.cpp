@@ -69,8 +69,8 @@ std::string Header(const WriterContext& context) {
 }  // namespace
 
 StageWriter::StageWriter(const Program& program, const Target& target, const WriteOptions& options,
-                         const OtherStage* other)
-    : packed_(program, target, options.blocks, other), code_(packed_, target, options, other) {
+                         OtherStages others)
+    : packed_(program, target, options.blocks, others), code_(packed_, target, options, others) {
   code_.names = NameEverything(code_);
   code_.names.functions = NameFunctions(code_);
   code_.texture_uses = FindTextureUses(code_);

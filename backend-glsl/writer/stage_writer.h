@@ -15,7 +15,7 @@ namespace clipc::glsl {
 class StageWriter {
  public:
   StageWriter(const ir::Program& program, const Target& target, const WriteOptions& options,
-              const OtherStage* other = nullptr);
+              OtherStages others = {});
 
   GlslInfo& info() { return info_; }
   const GlslInfo& info() const { return info_; }

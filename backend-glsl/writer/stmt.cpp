@@ -206,7 +206,7 @@ void WriteSignature(Code& code, FunctionId id, std::string_view name) {
     AppendDeclaration(code, *code.out, code[parameter].type, code.NameOf(parameter));
   }
   code.Put(") {");
-  if (function.is_accessor && !function.remark.empty()) code.Put("  // ", function.remark);
+  if (function.offset) code.Put("  // offset ", *function.offset);
   code.Put("\n");
 }
 
@@ -215,7 +215,7 @@ void WriteFunction(Code& code, FunctionId id, std::string_view name) {
   WriteSignature(code, id, name);
   ++code.indent;
   WriteStmts(code, BodyOf(code.program, id));
-  if (const std::string_view remark = code[id].remark; !remark.empty() && !code[id].is_accessor) {
+  if (const std::string_view remark = code[id].remark; !remark.empty()) {
     code.out->pop_back();
     code.Put("  // ", remark, "\n");
   }
@@ -298,7 +298,7 @@ void WriteReader(Code& code, FunctionId id, const std::string& name) {
     const VarId index = function.parameters[0];
     code.NameLocal(index, "i");
     std::string& parameter = code.names.vars[index.index];
-    code.Line("// ", function.remark);
+    code.Line("// offset ", *function.offset);
     code.Put("#define ", name, "(", parameter, ") (");
     parameter = Concat("(", parameter, ")");
     WriteExpr(code, code.As<Return>(BodyOf(code.program, id)[0])->value);
