@@ -129,6 +129,15 @@ bool IsPacked(const BlockLayout& layout) {
          });
 }
 
+// The variables of each ConstantBuffer<T> whose fields GLSL has as members of a block.
+std::vector<VarId> BlocksOf(const Program& program, const std::vector<BlockLayout>& layouts) {
+  std::vector<VarId> blocks;
+  for (const CbufferId id : program.cbuffers.ids()) {
+    if (layouts[id.index].fields_as_members) blocks.push_back(program.cbuffers[id].members[0].var);
+  }
+  return blocks;
+}
+
 // The bytes from the start of its buffer to a member.
 std::uint32_t OffsetOf(const Program& program, VarId var) {
   const auto& members = program.cbuffers[program.vars[var].cbuffer].members;
@@ -142,15 +151,17 @@ PackedStage::PackedStage(const Program& program, const Target& target, BlockStyl
     : given(program),
       reached(Reach(program)),
       layouts(LayOutBlocks(program, reached, target, style, others)) {
-  if (std::ranges::none_of(layouts, IsPacked)) {
+  const legalize::Needs needs = target.Needs();
+  legalize::MemberReads reads{{}, BlocksOf(program, layouts)};
+  if (std::ranges::none_of(layouts, IsPacked) && !HasReads(program, needs, reads)) {
     readers.resize(program.vars.size());
     return;
   }
   copy.emplace(program);
-  const std::vector<legalize::PackedMember> members = Packing(*this, *copy, target).Run();
-  readers = legalize::ReadMembers(*copy, target.Needs(), members);
+  reads.packed = Packing(*this, *copy, target).Run();
+  readers = ReadMembers(*copy, needs, reads);
   readers.resize(copy->vars.size());
-  for (const legalize::PackedMember& member : members)
+  for (const legalize::PackedMember& member : reads.packed)
     copy->functions[readers[member.var.index]].offset = OffsetOf(program, member.var);
   // A member that is read by hand is reached, though no function names it now.
   const Reached before = std::exchange(reached, Reach(*copy));

@@ -13,7 +13,8 @@
 namespace clipc::glsl {
 
 // A stage whose constant buffers are laid out. Members that GLSL cannot declare at their places are
-// read by functions of the program out of what GLSL declares there: legalize/read_members.h.
+// read by functions of the program out of what GLSL declares there, as are blocks as a whole:
+// legalize/read_members.h.
 struct PackedStage {
   // `program` outlives the stage. Stages lay out a block that they share by what any of them reads.
   PackedStage(const ir::Program& program, const Target& target, BlockStyle style,

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "legalize/read_members.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "ir/access.h"
+#include "ir/builder.h"
 #include "ir/packing.h"
 #include "ir/walk.h"
 #include "legalize/value_reader.h"
@@ -19,21 +23,94 @@ using namespace ir;
 
 namespace {
 
+// The reads that become calls.
+struct Reads {
+  std::vector<ExprId> elements;  // of packed arrays
+  std::vector<ExprId> members;   // whole ones
+  std::vector<ExprId> blocks;    // values of a ConstantBuffer<T>
+  bool empty() const { return elements.empty() && members.empty() && blocks.empty(); }
+};
+
+// A finder of reads.
+class ReadFinder {
+ public:
+  ReadFinder(const Program& program, const Needs& needs, const MemberReads& wanted)
+      : program_(program), needs_(needs), kinds_(program.vars.size()) {
+    for (const PackedMember& member : wanted.packed) kinds_[member.var.index] = Kind::kPacked;
+    for (const VarId var : wanted.blocks) kinds_[var.index] = Kind::kBlock;
+  }
+
+  Reads Run() {
+    Reads found;
+    std::vector<ExprId> values;
+    std::set<ExprId> wholes;  // of which an element or a field is read
+    ForEachLiveExpr(program_, [&](ExprId expr) {
+      const auto* index = As<Index>(program_, expr);
+      const auto* field = As<FieldRef>(program_, expr);
+      if (index || field) wholes.insert(index ? index->base : field->base);
+      const auto* array = index ? As<VarRef>(program_, index->base) : nullptr;
+      if (array && kinds_[array->var.index] == Kind::kPacked && IsArray(index->base))
+        found.elements.push_back(expr);
+      else if (const auto* ref = As<VarRef>(program_, expr); ref || index)
+        values.push_back(expr);
+    });
+    for (const ExprId expr : values) {
+      const VarId root = RootOf(program_, expr);
+      const bool is_whole = root && !wholes.contains(expr);
+      const bool is_var = root && As<VarRef>(program_, expr);
+      if (is_var && kinds_[root.index] == Kind::kPacked && (is_whole || !IsArray(expr)))
+        found.members.push_back(expr);
+      else if (is_var && is_whole && IsArrayWithFields(expr, root))
+        found.members.push_back(expr);
+      else if (is_whole && kinds_[root.index] == Kind::kBlock &&
+               TypeOf(program_, expr).kind == TypeKind::kStruct && IsElement(expr))
+        found.blocks.push_back(expr);
+    }
+    return found;
+  }
+
+ private:
+  enum class Kind : std::uint8_t { kOther, kPacked, kBlock };
+
+  bool IsArray(ExprId expr) const { return TypeOf(program_, expr).kind == TypeKind::kArray; }
+  bool IsArrayWithFields(ExprId expr, VarId var) const {
+    return needs_.array_fields && IsArray(expr) && program_.vars[var].storage == Storage::kUniform;
+  }
+  // Whether the path is of a variable and indices only.
+  bool IsElement(ExprId path) const {
+    while (const auto* index = As<Index>(program_, path)) path = index->base;
+    return As<VarRef>(program_, path) != nullptr;
+  }
+
+  const Program& program_;
+  const Needs& needs_;
+  std::vector<Kind> kinds_;  // by VarId
+};
+
 class MemberReading {
  public:
   MemberReading(Program& program, const Needs& needs)
       : program_(program), types_(program.types), needs_(needs) {}
 
-  std::vector<FunctionId> Run(std::span<const PackedMember> members) {
+  std::vector<FunctionId> Run(const MemberReads& wanted) {
+    const Reads reads = ReadFinder(program_, needs_, wanted).Run();
     readers_.resize(program_.vars.size());
-    for (const PackedMember& member : members) readers_[member.var.index] = ReaderOf(member);
-    ReplaceReads();
+    for (const PackedMember& member : wanted.packed) readers_[member.var.index] = ReaderOf(member);
+    for (const ExprId expr : reads.elements) {
+      const Index index = *As<Index>(program_, expr);
+      const VarId var = As<VarRef>(program_, index.base)->var;
+      Become(expr, readers_[var.index], {IntOf(index.index)});
+    }
+    for (const ExprId expr : reads.members) {
+      const VarId var = As<VarRef>(program_, expr)->var;
+      Become(expr, IsArray(var) ? WholeOf(var) : readers_[var.index], {});
+    }
+    for (const ExprId expr : reads.blocks) BecomeValue(expr);
     return std::move(readers_);
   }
 
  private:
   bool IsArray(VarId var) const { return types_[program_.vars[var].type].kind == TypeKind::kArray; }
-  bool IsPacked(VarId var) const { return var.index < readers_.size() && readers_[var.index]; }
 
   FunctionId Add(const std::string& name, std::span<const Parameter> parameters, TypeId result,
                  const Define& define) {
@@ -94,36 +171,72 @@ class MemberReading {
     return reader.emplace(program_, needs_, std::move(memory));
   }
 
-  void ReplaceReads() {
-    std::vector<ExprId> elements, wholes;
-    ForEachLiveExpr(program_, [&](ExprId expr) {
-      if (const auto* index = As<Index>(program_, expr)) {
-        const auto* array = As<VarRef>(program_, index->base);
-        if (array && IsPacked(array->var) && IsArray(array->var)) elements.push_back(expr);
-      }
-      const auto* ref = As<VarRef>(program_, expr);
-      if (ref && IsPacked(ref->var)) wholes.push_back(expr);
-    });
-    std::set<ExprId> arrays;  // of elements
-    for (const ExprId expr : elements) {
-      const Index index = *As<Index>(program_, expr);
-      arrays.insert(index.base);
-      Builder b(program_, program_.exprs[expr].span);
-      const auto* number = As<Literal>(program_, index.index);
-      Become(expr, readers_[As<VarRef>(program_, index.base)->var.index],
-             {number ? b.Int(static_cast<std::int32_t>(number->bits))
-                     : b.ConvertTo(Scalar::kInt, index.index)});
-    }
-    for (const ExprId expr : wholes) {
-      if (arrays.contains(expr)) continue;
-      const VarId var = As<VarRef>(program_, expr)->var;
-      Become(expr, IsArray(var) ? WholeOf(var) : readers_[var.index], {});
-    }
+  ExprId IntOf(ExprId index) {
+    Builder b(program_, program_.exprs[index].span);
+    const auto* number = As<Literal>(program_, index);
+    return number ? b.Int(static_cast<std::int32_t>(number->bits))
+                  : b.ConvertTo(Scalar::kInt, index);
   }
 
   void Become(ExprId expr, FunctionId function, std::vector<ExprId> arguments) {
     program_.exprs[expr].node =
         Call{function, program_.expr_lists.Add(std::span<const ExprId>(arguments))};
+  }
+
+  // Makes the value of a ConstantBuffer<T>, which a path leads to, one of its fields. A function
+  // evaluates the indices once.
+  void BecomeValue(ExprId expr) {
+    const TypeId type = program_.exprs[expr].type;
+    const VarId block = RootOf(program_, expr);
+    std::vector<ExprId> indices;  // outermost first
+    for (ExprId part = expr; const auto* index = As<Index>(program_, part); part = index->base)
+      indices.insert(indices.begin(), index->index);
+    if (!indices.empty() && HasLiteralIndices(program_, expr)) {
+      const ExprId path = Clone(program_, expr);
+      Builder b(program_, program_.exprs[expr].span);
+      program_.exprs[expr].node =
+          program_.exprs[FieldsOf(b, type, [&] { return Clone(program_, path); })].node;
+      return;
+    }
+    std::vector<Parameter> parameters;
+    std::vector<bool> marks;  // the indices that differ between invocations, which are uints
+    for (ExprId& index : indices) {
+      const auto* mark = As<IntrinsicCall>(program_, index);
+      marks.push_back(mark && mark->op == Intrinsic::kNonUniform);
+      index = marks.back() ? std::as_const(program_).expr_lists[mark->arguments][0] : IntOf(index);
+      parameters.push_back(
+          {std::string_view("ijklmnop").substr(parameters.size(), 1), program_.exprs[index].type});
+    }
+    FunctionId& function = values_[{block, marks}];
+    if (!function) function = ValueOf(block, type, parameters, marks);
+    Become(expr, function, indices);
+  }
+
+  // A function that returns the value of the block that the parameters lead to.
+  FunctionId ValueOf(VarId block, TypeId type, std::span<const Parameter> parameters,
+                     const std::vector<bool>& marks) {
+    const bool is_marked = std::ranges::find(marks, true) != marks.end();
+    const std::string name = program_.vars[block].name + (is_marked ? "_any_value" : "_value");
+    return Add(name, parameters, type, [&](HelperBody& body) {
+      body.Return(FieldsOf(body.b, type, [&] {
+        ExprId path = body.b.Ref(block);
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+          ExprId index = body[i];
+          if (marks[i])
+            index = body.b.IntrinsicOf(Intrinsic::kNonUniform, body.b.TypeOf(index), {index});
+          path = body.b.At(path, index);
+        }
+        return path;
+      }));
+    });
+  }
+
+  // A T of the fields of a block, to which whole() makes a path.
+  ExprId FieldsOf(Builder& b, TypeId type, const std::function<ExprId()>& whole) {
+    std::vector<ExprId> fields;
+    for (std::uint32_t i = 0; i < types_.StructOf(type).fields.size(); ++i)
+      fields.push_back(b.Field(whole(), i));
+    return b.ConstructOf(type, fields);
   }
 
   // The function that returns the whole of a member that is an array.
@@ -132,8 +245,10 @@ class MemberReading {
     if (function) return function;
     const Var var = program_.vars[array];
     function = Add(var.name + "_all", {}, var.type, [&](HelperBody& body) {
-      ReturnArray(body, var.type, needs_,
-                  [&](ExprId index) { return body.b.CallOf(readers_[array.index], {&index, 1}); });
+      const FunctionId reader = readers_[array.index];
+      ReturnArray(body, var.type, needs_, [&](ExprId index) {
+        return reader ? body.b.CallOf(reader, {&index, 1}) : body.b.At(body.b.Ref(array), index);
+      });
     });
     return function;
   }
@@ -143,14 +258,21 @@ class MemberReading {
   const Needs& needs_;
   std::vector<FunctionId> readers_;  // by VarId
   std::map<VarId, FunctionId> wholes_;
+  // Those that return a block as a T, also by which indices are marked.
+  std::map<std::pair<VarId, std::vector<bool>>, FunctionId> values_;
   std::map<VarId, std::optional<ValueReader>> memories_;  // by the variable of the rows
 };
 
 }  // namespace
 
 std::vector<FunctionId> ReadMembers(Program& program, const Needs& needs,
-                                    std::span<const PackedMember> members) {
-  return MemberReading(program, needs).Run(members);
+                                    const MemberReads& reads) {
+  return MemberReading(program, needs).Run(reads);
+}
+
+bool HasReads(const Program& program, const Needs& needs, const MemberReads& reads) {
+  const bool may_have = needs.array_fields || !reads.packed.empty() || !reads.blocks.empty();
+  return may_have && !ReadFinder(program, needs, reads).Run().empty();
 }
 
 }  // namespace clipc::legalize

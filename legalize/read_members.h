@@ -23,12 +23,24 @@ struct PackedMember {
   ir::VarId component = {};
 };
 
-// Makes calls of functions of the reads of these members (Function::is_accessor). Returns the
-// functions that read a member, or an element of one that is an array, by VarId.
+// The members of constant buffers of which a language does not say all that is read.
+struct MemberReads {
+  std::vector<PackedMember> packed;
+  // The variables of each ConstantBuffer<T> that is a block, or an array of blocks: it says their
+  // fields, but not the T.
+  std::vector<ir::VarId> blocks;
+};
+
+// Makes calls of functions of the reads of these members, and, where arrays that are values have
+// fields, of arrays (Function::is_accessor). Returns the functions that read a packed member, or an
+// element of one that is an array, by VarId.
 //
-//   weights[i]  =>  weights(i) with return buffer_rows[2 + i].x;
-//   weights     =>  weights_all() with for (..) result[i] = weights(i);
+//   weights[i]       =>  weights(i) with return buffer_rows[2 + i].x;
+//   weights          =>  weights_all() with for (..) result[i] = weights(i);
+//   T t = lights[i]  =>  lights_value(i) with return T(lights[i].color, lights[i].place);
 std::vector<ir::FunctionId> ReadMembers(ir::Program& program, const Needs& needs,
-                                        std::span<const PackedMember> members);
+                                        const MemberReads& reads);
+// Whether ReadMembers has anything to do.
+bool HasReads(const ir::Program& program, const Needs& needs, const MemberReads& reads);
 
 }  // namespace clipc::legalize

@@ -72,10 +72,7 @@ Binding WriteVar(Code& code, VarId id) {
 }
 
 Binding WriteField(Code& code, const FieldRef& node) {
-  if (IsInstance(code, node.base))
-    code.Put(InstancePath(code, node.base));
-  else
-    WriteAt(code, node.base, Binding::kPostfix);
+  WriteAt(code, node.base, Binding::kPostfix);
   code.Put(".", code.names.fields[code.TypeOf(node.base).structure.index][node.field]);
   return Binding::kPostfix;
 }
@@ -268,15 +265,9 @@ Binding WriteExpr(Code& code, ExprId id) {
                                    : LiteralText(node.bits, code[expr.type].scalar, code.target));
           },
           [&](const Zero&) { return Write(code, {ZeroText(code, expr.type)}); },
-          [&](const VarRef& node) {
-            return IsInstance(code, id) ? Write(code, InstanceValue(code, id))
-                                        : WriteVar(code, node.var);
-          },
+          [&](const VarRef& node) { return WriteVar(code, node.var); },
           [&](const FieldRef& node) { return WriteField(code, node); },
-          [&](const Index& node) {
-            return IsInstance(code, id) ? Write(code, InstanceValue(code, id))
-                                        : WriteElement(code, expr, node);
-          },
+          [&](const Index& node) { return WriteElement(code, expr, node); },
           [&](const Swizzle& node) { return WriteSwizzle(code, node); },
           [&](const MatrixSwizzle& node) {
             return Write(code, MatrixSwizzleText(code, expr, node));

@@ -82,8 +82,8 @@ class Naming {
   }
 
  private:
-  // Keeps the names of blocks, uniform variables and objects that the stages have which are laid out
-  // before: in a program one name is one variable. What stages share has the same name in all.
+  // Keeps the names of blocks, uniform variables and objects that the stages laid out before have:
+  // in a program one name is one variable. What stages share has the same name in all of them.
   void OtherNames() {
     std::set<std::string> kept;
     const auto keep = [&](const std::string& name) {

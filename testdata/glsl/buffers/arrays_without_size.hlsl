@@ -111,7 +111,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return Tight(tight_buffers[i].tight_rows[0].x, tight_buffers[i].tight_rows[0].yzw, tight_buffers[i].tight_rows[1].xy, tight_buffers[i].tight_rows[2].xyz);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: Camera cameras_any_value(int i_2) {
+// CHECK-NEXT: Camera cameras_any_value(uint i_2) {
 // CHECK-NEXT:     return Camera(cameras[nonuniformEXT(i_2)].view, cameras[nonuniformEXT(i_2)].plane);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
@@ -133,7 +133,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return bytes[which].elements[i_2];
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: Camera views_any_value(int i_2) {
+// CHECK-NEXT: Camera views_any_value(uint i_2) {
 // CHECK-NEXT:     return Camera(views[nonuniformEXT(i_2)].view, views[nonuniformEXT(i_2)].plane);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
@@ -149,13 +149,13 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     uint i = uint(gl_VertexIndex - gl_BaseVertex);
 // CHECK-NEXT:     i &= 3u;
 // CHECK-NEXT:     uint n = i;
-// CHECK-NEXT:     Camera camera = cameras_any_value(int(i));
+// CHECK-NEXT:     Camera camera = cameras_any_value(i);
 // CHECK-NEXT:     gl_Position = Read(in_POSITION0.xy, n) + textureLod(sampler2D(maps[2], states[nonuniformEXT(n)]), in_POSITION0.xy, 0.0) + Read(in_POSITION0.xy);
 // CHECK-NEXT:     gl_Position += vec4(texelFetch(numbers[nonuniformEXT(i)], ivec2(0), 0)) + lists[nonuniformEXT(n)].elements[i] + lists[nonuniformEXT((n + 1u) & 3u)].elements[i].x * lists[1].elements[2];
 // CHECK-NEXT:     gl_Position += loose_any_at(n, int(i)).normal.xyzz + loose_at(1, int(i)).normal.xyzz + vec4(bytes_any_load4(n, i * 16u) % 64u) + float(bytes_load(2, 4u) % 64u);
 // CHECK-NEXT:     uint count;
 // CHECK-NEXT:     count = uint(lists[nonuniformEXT(n)].elements.length());
 // CHECK-NEXT:     gl_Position += texelFetch(typed[nonuniformEXT(n)], int(i)) + cameras[nonuniformEXT(n)].view * in_POSITION0 + camera.plane + sized[nonuniformEXT(n)].elements[2] + float(count);
-// CHECK-NEXT:     Camera view = views_any_value(int(n));
+// CHECK-NEXT:     Camera view = views_any_value(n);
 // CHECK-NEXT:     gl_Position += view.plane + views[2].view * in_POSITION0 + tight(int(nonuniformEXT(n))).normal.xyzz;
 // CHECK-NEXT: }
