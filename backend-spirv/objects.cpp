@@ -47,6 +47,9 @@ Shape Writer::FourTexels(const Type& object) const {
 Ref Writer::ImageType(const Type& object, std::string_view format) {
   const ObjectInfo& info = InfoOf(object.object);
   const spv::Dim dimension = DimensionOf(info);
+  if (object.element && IsInteger(program_.types[object.element].scalar) &&
+      IsWide(program_.types[object.element].scalar))
+    return Lack("texels of 64 bits");
   const bool is_subpass = dimension == spv::Dim::SubpassData;
   const bool is_image = info.is_writable || is_subpass;
   using enum spv::Capability;

@@ -15,6 +15,7 @@ import concurrent.futures
 import pathlib
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -132,6 +133,17 @@ def make(files, seed):
     return file, "".join(tokens), options
 
 
+def refusal(spirv_val, module):
+    """What spirv-val says of a module; None if nothing is wrong."""
+    done = subprocess.run(
+        [spirv_val, "--target-env", "vulkan1.1", module],
+        capture_output=True,
+        text=True,
+        errors="replace",
+    )
+    return f"spirv-val: {(done.stdout + done.stderr).strip()[:300]}" if done.returncode else None
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -153,6 +165,7 @@ def main():
         if file.stat().st_size < 20_000
     ]
     scratch = pathlib.Path(tempfile.mkdtemp())
+    spirv_val = shutil.which("spirv-val")
     out = given.out or scratch
     out.mkdir(parents=True, exist_ok=True)
 
@@ -174,6 +187,8 @@ def main():
                 problem = "internal error"
             elif done.returncode and "error" not in done.stderr:
                 problem = "exit code 1 without an error"
+            elif spirv_val and "-spirv" in options and done.returncode == 0:
+                problem = refusal(spirv_val, scratch / f"{seed}.out")
         except subprocess.TimeoutExpired:
             problem = f"more than {SECONDS} seconds"
         for made in scratch.glob(f"{seed}.out*"):
