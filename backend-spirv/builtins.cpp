@@ -68,6 +68,12 @@ constexpr Row kInputs[] = {
      Cap::CullDistance},
 };
 
+// Those that have another number for OpenGL.
+constexpr Row kOpenGlInputs[] = {
+    {Builtin::kVertexIndex, In::VertexId, "gl_VertexID"},
+    {Builtin::kInstanceIndex, In::InstanceId, "gl_InstanceID"},
+};
+
 constexpr Row kOutputs[] = {
     {Builtin::kPosition, In::Position, "gl_Position"},
     {Builtin::kPointSize, In::PointSize, "gl_PointSize"},
@@ -94,6 +100,19 @@ const Row* RowOf(std::span<const Row> rows, Builtin builtin) {
   return found == rows.end() ? nullptr : &*found;
 }
 
+// Whether OpenGL has nothing of the kind, or not in SPIR-V.
+bool IsOfVulkan(Builtin input) {
+  switch (input) {
+    case Builtin::kViewId:
+    case Builtin::kBarycentrics:
+    case Builtin::kBarycentricsNoPerspective:
+    case Builtin::kShadingRateInput:
+    case Builtin::kLaneCount:
+    case Builtin::kLaneIndex: return true;
+    default: return false;
+  }
+}
+
 void Require(Module& module, const Row& row) {
   module.Require(row.capability);
   if (!row.extension.empty() && module.minor_version() < row.core) module.Require(row.extension);
@@ -118,8 +137,9 @@ Ref Writer::BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref
 
 // Declares the variable of a built-in input. `type` is that of its value.
 Ref Writer::DeclareBuiltin(Builtin input, Ref type) {
-  const Row* row = RowOf(kInputs, input);
-  if (!row) return Lack("an input that no module has");
+  const Row* row = options_.is_opengl ? RowOf(kOpenGlInputs, input) : nullptr;
+  if (!row) row = RowOf(kInputs, input);
+  if (!row || (options_.is_opengl && IsOfVulkan(input))) return Lack("an input that no module has");
   if (row->capability == Cap::GroupNonUniform && module_.minor_version() < 3)
     return Lack("waves before SPIR-V 1.3");
   Require(module_, *row);
@@ -147,22 +167,31 @@ Ref Writer::LoadBuiltin(Builtin input) {
 }
 
 // Reads an input that the pipeline gives.
-Ref Writer::ReadBuiltin(const IoVar& input) {
+Ref Writer::ReadBuiltin(std::size_t number) {
+  const IoVar& input = program_.inputs[number];
+  const bool keeps_base = interface_.inputs[number].keeps_base;
   const Shape shape = ShapeOf(program_.types[(*this)[input.var].type]);
-  const auto difference = [&](Builtin index, Builtin base, bool base_is_zero) {
-    const Ref number = LoadBuiltin(index);
-    if (base_is_zero) return number;
+  const auto combined = [&](spv::Op op, Builtin index, Builtin base) {
+    const Ref counted = LoadBuiltin(index);
     const Ref first = LoadBuiltin(base);
-    return Emit(spv::Op::OpISub, types_.Of(Scalar::kInt), {number, first});
+    return Emit(op, types_.Of(Scalar::kInt), {counted, first});
   };
+  constexpr Builtin kVertex = Builtin::kVertexIndex, kInstance = Builtin::kInstanceIndex;
   Ref value = 0;
   switch (input.builtin) {
     case Builtin::kVertexId:
-      value = difference(Builtin::kVertexIndex, Builtin::kBaseVertex, options_.base_vertex_is_zero);
+      value = keeps_base ? LoadBuiltin(kVertex)
+                         : combined(spv::Op::OpISub, kVertex, Builtin::kBaseVertex);
       break;
+    // OpenGL's number of an instance is without the first one's.
     case Builtin::kInstanceId:
-      value = difference(Builtin::kInstanceIndex, Builtin::kBaseInstance,
-                         options_.base_instance_is_zero);
+      value = keeps_base || options_.is_opengl
+                  ? LoadBuiltin(kInstance)
+                  : combined(spv::Op::OpISub, kInstance, Builtin::kBaseInstance);
+      break;
+    case Builtin::kInstanceIndex:
+      value = options_.is_opengl ? combined(spv::Op::OpIAdd, kInstance, Builtin::kBaseInstance)
+                                 : LoadBuiltin(kInstance);
       break;
     default: value = LoadBuiltin(input.builtin); break;
   }

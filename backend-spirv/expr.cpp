@@ -83,7 +83,7 @@ Ref Writer::ReadPath(ExprId id) {
   const auto* ref = As<VarRef>(id);
   if (ref && values_[ref->var.index] != 0) return values_[ref->var.index];
   if (ref && builtin_inputs_.contains(ref->var.index) && !HasPlace(id))
-    return ReadBuiltin(*builtin_inputs_.at(ref->var.index));
+    return ReadBuiltin(builtin_inputs_.at(ref->var.index));
   return Load(PlaceOf(id));
 }
 

@@ -22,7 +22,7 @@ void Writer::DeclareInputs() {
           DeclareBuiltin(input.builtin, types_.Of((*this)[input.var].type));
       storages_[input.var.index] = spv::StorageClass::Input;
     } else if (input.builtin != Builtin::kNone) {
-      builtin_inputs_.emplace(input.var.index, &input);
+      builtin_inputs_.emplace(input.var.index, i);
     } else if (!interface_.inputs[i].location) {
       Lack("an input without a location");
     } else {
@@ -103,7 +103,7 @@ void Writer::DeclareStatic(VarId id) {
   const Var& var = (*this)[id];
   const auto bits =
       var.init ? ConstantBits(program_, var.init) : std::optional<std::vector<std::uint64_t>>();
-  if (var.constant_id) {
+  if (var.constant_id && !options_.is_opengl) {
     const std::uint64_t zero[] = {0};
     values_[id.index] = Specialised(id, bits ? std::span<const std::uint64_t>(*bits) : zero);
     return;
@@ -143,6 +143,11 @@ Ref Writer::ArrayOfBuffers(Ref block, TypeId type) {
   return module_.Type(spv::Op::OpTypeRuntimeArray, {block});
 }
 
+void Writer::Bind(Ref variable, const Interface::Place& place) {
+  if (!options_.is_opengl) module_.Decorate(variable, spv::Decoration::DescriptorSet, {place.set});
+  module_.Decorate(variable, spv::Decoration::Binding, {*place.binding});
+}
+
 Ref Writer::BlockVariable(CbufferId id) {
   const auto found = blocks_.find(id.index);
   if (found != blocks_.end()) return found->second.variable;
@@ -150,7 +155,8 @@ Ref Writer::BlockVariable(CbufferId id) {
   const Cbuffer& cbuffer = program_.cbuffers[id];
   const auto place = std::ranges::find(interface_.blocks, id, &Interface::Block::cbuffer);
   auto kept = FittingMembers(program_, cbuffer, is_read_, module_.minor_version() >= 3);
-  if (place == interface_.blocks.end()) return Lack("a constant buffer without a place");
+  if (place == interface_.blocks.end() || !(place->binding || place->is_push_constant))
+    return Lack("a constant buffer without a place");
   declared.is_rows = !kept;
   if (kept) declared.kept = std::move(*kept);
   const auto storage =
@@ -164,8 +170,7 @@ Ref Writer::BlockVariable(CbufferId id) {
                is_constant_buffer ? (*this)[cbuffer.members[0].var].name : cbuffer.name);
   NameType(declared.variable, place->user_type);
   if (!cbuffer.is_push_constant) {
-    module_.Decorate(declared.variable, spv::Decoration::DescriptorSet, {place->set});
-    module_.Decorate(declared.variable, spv::Decoration::Binding, {place->binding});
+    Bind(declared.variable, *place);
   }
   if (module_.minor_version() >= 4) shared_.push_back(declared.variable);
   return declared.variable;

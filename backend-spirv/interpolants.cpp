@@ -15,6 +15,8 @@ Ref Writer::Interpolant(const IntrinsicCall& node) {
   const auto* swizzle = As<Swizzle>(arguments[0]);
   const ExprId input = swizzle ? swizzle->base : arguments[0];
   const auto* ref = As<VarRef>(input);
+  if (options_.is_opengl && node.op == ir::Intrinsic::kAttributeAtVertex)
+    return Lack("an input at a vertex");
   if (!ref || pointers_[ref->var.index] == 0) return Lack("a part of an input at another place");
   Place place = PlaceOfVariable(ref->var);
   const Ref type = types_.Of(place.type);
@@ -31,8 +33,10 @@ Ref Writer::Interpolant(const IntrinsicCall& node) {
     } else if (node.op == ir::Intrinsic::kEvaluateSnapped) {
       const Ref offset = Converted(Value(arguments[1]), ShapeAt(arguments[1]), Scalar::kFloat);
       const Shape two = ShapeOf(Scalar::kFloat, 1, 2);
-      const Ref pixels =
-          Emit(spv::Op::OpFMul, types_.Of(two), {offset, types_.Splat(two, BitsOf(1.0f / 16))});
+      const float down = options_.has_upper_left_origin ? 1.0f / 16 : -1.0f / 16;
+      const Ref steps = module_.Constant(spv::Op::OpConstantComposite, types_.Of(two),
+                                         {types_.Float(1.0f / 16), types_.Float(down)});
+      const Ref pixels = Emit(spv::Op::OpFMul, types_.Of(two), {offset, steps});
       value = Extended(GLSLstd450InterpolateAtOffset, type, {pointer, pixels});
     } else {
       value = Extended(GLSLstd450InterpolateAtCentroid, type, {pointer});

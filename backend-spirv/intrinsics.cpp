@@ -145,13 +145,18 @@ Ref Writer::Derivative(ir::Intrinsic op, const Shape& shape, Ref value) {
     module_.Require(spv::Capability::DerivativeControl);
     return Emit(instruction, type, {value});
   };
+  // OpenGL's window has y upwards, Direct3D's downwards.
+  const auto by_y = [&](Ref derivative) {
+    return options_.has_upper_left_origin ? derivative
+                                          : Emit(spv::Op::OpFNegate, type, {derivative});
+  };
   switch (op) {
     case kDdx: return Emit(spv::Op::OpDPdx, type, {value});
-    case kDdy: return Emit(spv::Op::OpDPdy, type, {value});
+    case kDdy: return by_y(Emit(spv::Op::OpDPdy, type, {value}));
     case kDdxCoarse: return exact(spv::Op::OpDPdxCoarse);
-    case kDdyCoarse: return exact(spv::Op::OpDPdyCoarse);
+    case kDdyCoarse: return by_y(exact(spv::Op::OpDPdyCoarse));
     case kDdxFine: return exact(spv::Op::OpDPdxFine);
-    case kDdyFine: return exact(spv::Op::OpDPdyFine);
+    case kDdyFine: return by_y(exact(spv::Op::OpDPdyFine));
     default: return Emit(spv::Op::OpFwidth, type, {value});
   }
 }
@@ -251,7 +256,9 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
           Combine(BinaryOp::kAdd, shape, Combine(BinaryOp::kMul, shape, t, two), three);
       return Combine(BinaryOp::kMul, shape, Combine(BinaryOp::kMul, shape, t, t), line);
     }
-    case kNonUniform: return Marked(Emit(spv::Op::OpCopyObject, type, {values[0]}), true);
+    case kNonUniform:
+      if (options_.is_opengl) return values[0];
+      return Marked(Emit(spv::Op::OpCopyObject, type, {values[0]}), true);
     case kIsNan: return Emit(spv::Op::OpIsNan, type, {values[0]});
     case kIsInf: return Emit(spv::Op::OpIsInf, type, {values[0]});
     case kAsFloat:

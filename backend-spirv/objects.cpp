@@ -35,6 +35,11 @@ spv::Capability NonUniformOf(ObjectKind object) {
                    : SampledImageArrayNonUniformIndexing;
 }
 
+bool IsShadow(const Program& program, VarId sampler) {
+  return sampler &&
+         InfoOf(program.types[program.types.Innermost(program.vars[sampler].type)].object).compares;
+}
+
 // Four components as the texels of a texture or a typed buffer have them: other kinds than integers
 // are floats.
 Shape Writer::FourTexels(const Type& object) const {
@@ -44,7 +49,7 @@ Shape Writer::FourTexels(const Type& object) const {
 }
 
 // The type of an image, of the format where it is written, else as a texture.
-Ref Writer::ImageType(const Type& object, std::string_view format) {
+Ref Writer::ImageType(const Type& object, std::string_view format, bool is_shadow) {
   const ObjectInfo& info = InfoOf(object.object);
   const spv::Dim dimension = DimensionOf(info);
   if (object.element && IsInteger(program_.types[object.element].scalar) &&
@@ -60,9 +65,10 @@ Ref Writer::ImageType(const Type& object, std::string_view format) {
   if (is_subpass) module_.Require(InputAttachment);
   if (info.is_writable && !IsBasic(of)) module_.Require(StorageImageExtendedFormats);
   constexpr std::uint32_t kNeverCompares = 0, kMayCompare = 2, kIsSampled = 1, kIsStorage = 2;
+  const std::uint32_t compares = options_.is_opengl ? is_shadow : kMayCompare;
   return module_.Type(spv::Op::OpTypeImage,
                       {types_.Of(FourTexels(object).scalar), NumberOf(dimension),
-                       is_image ? kNeverCompares : kMayCompare, info.is_array, info.is_multisampled,
+                       is_image ? kNeverCompares : compares, info.is_array, info.is_multisampled,
                        is_image ? kIsStorage : kIsSampled, NumberOf(of)});
 }
 
@@ -74,7 +80,11 @@ Ref Writer::ObjectType(TypeId id, const Interface::Object& place) {
     case ObjectCategory::kSampler: return module_.Type(spv::Op::OpTypeSampler, {});
     case ObjectCategory::kTexture:
     case ObjectCategory::kSubpass:
-    case ObjectCategory::kTypedBuffer: return ImageType(type, place.format);
+    case ObjectCategory::kTypedBuffer: {
+      const Ref image = ImageType(type, place.format, IsShadow(program_, place.sampler));
+      const bool is_together = options_.is_opengl && !info.is_writable;
+      return is_together ? module_.Type(spv::Op::OpTypeSampledImage, {image}) : image;
+    }
     case ObjectCategory::kCombinedSampler:
       if (info.compares) return Lack("a sampler of Direct3D 9 that compares");
       return module_.Type(spv::Op::OpTypeSampledImage, {ImageType(type)});
@@ -83,17 +93,25 @@ Ref Writer::ObjectType(TypeId id, const Interface::Object& place) {
   }
 }
 
-const Interface::Object* Writer::PlaceOfObject(VarId id) const {
-  const auto place = std::ranges::find(interface_.objects, id, &Interface::Object::var);
-  return place == interface_.objects.end() ? nullptr : &*place;
+// The place of an object. OpenGL has one for a texture with each of its samplers; a read without a
+// sampler goes through any that does not compare.
+const Interface::Object* Writer::PlaceOfObject(VarId id, VarId sampler) const {
+  const Interface::Object* found = nullptr;
+  for (const Interface::Object& object : interface_.objects) {
+    if (object.var != id) continue;
+    if (object.sampler == sampler) return &object;
+    if (!found && !IsShadow(program_, object.sampler)) found = &object;
+  }
+  return found;
 }
 
-const DeclaredObject& Writer::DeclaredOf(VarId id) {
-  DeclaredObject& declared = objects_[id.index];
+const DeclaredObject& Writer::DeclaredOf(VarId id, VarId sampler) {
+  const Interface::Object* place = PlaceOfObject(id, options_.is_opengl ? sampler : VarId{});
+  const std::uint32_t with = place && place->sampler ? place->sampler.index + 1 : 0;
+  DeclaredObject& declared = objects_[{id.index, with}];
   if (declared.variable != 0) return declared;
   const Var& var = (*this)[id];
-  const Interface::Object* place = PlaceOfObject(id);
-  if (!place) {
+  if (!place || !place->binding) {
     declared.variable = Lack("an object without a place");
     return declared;
   }
@@ -118,8 +136,7 @@ const DeclaredObject& Writer::DeclaredOf(VarId id) {
   }
   declared.variable = module_.Variable(types_.Pointer(declared.storage, of), declared.storage);
   module_.Name(declared.variable, place->name);
-  module_.Decorate(declared.variable, spv::Decoration::DescriptorSet, {place->set});
-  module_.Decorate(declared.variable, spv::Decoration::Binding, {place->binding});
+  Bind(declared.variable, *place);
   NameType(declared.variable, place->user_type);
   if (place->input_attachment)
     module_.Decorate(declared.variable, spv::Decoration::InputAttachmentIndex,
@@ -144,6 +161,7 @@ std::vector<Ref> Writer::IndicesOf(ExprId path) {
 
 // Whether the object differs between invocations, as NonUniformResourceIndex says.
 bool Writer::IsNonUniform(ExprId path) const {
+  if (options_.is_opengl) return false;
   for (const Index* index = As<Index>(path); index; index = As<Index>(index->base)) {
     const auto* mark = As<IntrinsicCall>(index->index);
     if (mark && mark->op == Intrinsic::kNonUniform) return true;
@@ -163,9 +181,10 @@ void Writer::RequireNonUniform(spv::Capability capability) {
 }
 
 // The pointer to the object that a path names.
-Ref Writer::ObjectPointer(ExprId path) {
+Ref Writer::ObjectPointer(ExprId path, ExprId sampler) {
   const std::vector<Ref> indices = IndicesOf(path);
-  const DeclaredObject& declared = DeclaredOf(RootOf(program_, path));
+  const DeclaredObject& declared =
+      DeclaredOf(RootOf(program_, path), sampler ? RootOf(program_, sampler) : VarId{});
   if (indices.empty()) return declared.variable;
   Words operands{declared.variable};
   operands.insert(operands.end(), indices.begin(), indices.end());
@@ -177,9 +196,10 @@ Ref Writer::ObjectPointer(ExprId path) {
 }
 
 // Loads the object that a path names.
-Ref Writer::Object(ExprId path) {
-  const Ref pointer = ObjectPointer(path);
-  const Ref type = DeclaredOf(RootOf(program_, path)).type;
+Ref Writer::Object(ExprId path, ExprId sampler) {
+  const Ref pointer = ObjectPointer(path, sampler);
+  const Ref type =
+      DeclaredOf(RootOf(program_, path), sampler ? RootOf(program_, sampler) : VarId{}).type;
   return Marked(Emit(spv::Op::OpLoad, type, {pointer}), IsNonUniform(path));
 }
 
@@ -192,7 +212,8 @@ Ref Writer::ObjectCall(TypeId result, const clipc::ir::ObjectCall& node) {
       return info.is_writable ? ImageCall(result, node) : TextureRead(*this, result, node).Write();
     case ObjectCategory::kCombinedSampler: return TextureRead(*this, result, node).Write();
     case ObjectCategory::kStructuredBuffer: return BufferCall(result, node);
-    case ObjectCategory::kSubpass: return SubpassLoad(result, node);
+    case ObjectCategory::kSubpass:
+      return options_.is_opengl ? Lack("a subpass") : SubpassLoad(result, node);
     default: return Lack("an object of another kind");
   }
 }

@@ -44,7 +44,7 @@ Ref TextureRead::Write() {
 }
 
 Ref TextureRead::WriteRead() {
-  image_ = writer_.Object(At(OperandKind::kObject));
+  image_ = writer_.Object(At(OperandKind::kObject), At(OperandKind::kSampler));
   switch (InfoOf(node_.op).result) {
     case ObjectResult::kFourTexels: return Gather();
     case ObjectResult::kElement: return Takes(node_.op, OperandKind::kPlace) ? Fetch() : Sample();
@@ -66,7 +66,7 @@ Ref TextureRead::Narrow(Ref texel) {
 }
 
 Ref TextureRead::Sampled() {
-  if (IsCombinedSampler(type_.object)) return image_;
+  if (IsCombinedSampler(type_.object) || writer_.options_.is_opengl) return image_;
   const ExprId texture = At(OperandKind::kObject), sampler_path = At(OperandKind::kSampler);
   const Ref sampler = writer_.Object(sampler_path);
   const Ref type = writer_.module_.Type(spv::Op::OpTypeSampledImage, {writer_.ImageType(type_)});
@@ -120,6 +120,14 @@ Ref TextureRead::Projected() {
   return writer_.Combine(BinaryOp::kDiv, place,
                          writer_.Components(whole, four, std::span(kFirst).first(axes)),
                          writer_.Splat(place, divisor));
+}
+
+Ref TextureRead::Image() {
+  if (!writer_.options_.is_opengl) return image_;
+  const VarId texture = RootOf(writer_.program_, At(OperandKind::kObject));
+  const Interface::Object* place = writer_.PlaceOfObject(texture, VarId{});
+  const bool is_shadow = place && IsShadow(writer_.program_, place->sampler);
+  return writer_.Emit(spv::Op::OpImage, writer_.ImageType(type_, {}, is_shadow), {image_});
 }
 
 // The instruction that takes the texture with its sampler, and these operands. Both are put
@@ -205,7 +213,7 @@ Ref TextureRead::WriteImageLoad() {
 
 // Reads a texel. The level of a multisampled texture is the number of the sample.
 Ref TextureRead::Fetch() {
-  Words operands{image_, Operand(OperandKind::kPlace)};
+  Words operands{Image(), Operand(OperandKind::kPlace)};
   ImageOperands more;
   const Ref level = Has(OperandKind::kLevel) ? Operand(OperandKind::kLevel) : 0;
   if (level != 0 && !info_.is_multisampled) more.Add(spv::ImageOperandsMask::Lod, {level});
@@ -219,9 +227,10 @@ Ref TextureRead::Query() {
   writer_.module_.Require(spv::Capability::ImageQuery);
   const Ref type = writer_.types_.Of(result_);
   switch (node_.op) {
-    case ObjectOp::kTextureLevels: return writer_.Emit(spv::Op::OpImageQueryLevels, type, {image_});
+    case ObjectOp::kTextureLevels:
+      return writer_.Emit(spv::Op::OpImageQueryLevels, type, {Image()});
     case ObjectOp::kTextureSamples:
-      return writer_.Emit(spv::Op::OpImageQuerySamples, type, {image_});
+      return writer_.Emit(spv::Op::OpImageQuerySamples, type, {Image()});
     case ObjectOp::kLevelOfDetail:
     case ObjectOp::kLevelOfDetailUnclamped: {
       const Ref two = writer_.types_.Of(ShapeOf(Scalar::kFloat, 1, 2));
@@ -233,8 +242,8 @@ Ref TextureRead::Query() {
     default: break;
   }
   const bool has_level = info_.category == ObjectCategory::kTexture && !info_.is_multisampled;
-  if (!has_level) return writer_.Emit(spv::Op::OpImageQuerySize, type, {image_});
-  return writer_.Emit(spv::Op::OpImageQuerySizeLod, type, {image_, Operand(OperandKind::kLevel)});
+  if (!has_level) return writer_.Emit(spv::Op::OpImageQuerySize, type, {Image()});
+  return writer_.Emit(spv::Op::OpImageQuerySizeLod, type, {Image(), Operand(OperandKind::kLevel)});
 }
 
 }  // namespace clipc::spirv

@@ -22,6 +22,9 @@ struct ImageOperands {
   }
 };
 
+// Whether it is a sampler that compares; none is not.
+bool IsShadow(const ir::Program& program, ir::VarId sampler);
+
 // The instruction that gives the status of a read too.
 spv::Op SparseOf(spv::Op read);
 
@@ -57,6 +60,8 @@ class TextureRead {
   // The texel or its first components, as the texture's element has them.
   Ref Narrow(Ref texel);
   Ref Sampled();
+  // The image alone.
+  Ref Image();
   Ref ReadBy(spv::Op op, const Shape& shape, Words operands, const ImageOperands& more);
   // Emits the read; in tiled resources, it writes the texel where the call says, and keeps its
   // status.

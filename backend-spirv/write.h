@@ -11,7 +11,7 @@
 #include "base/span.h"
 #include "ir/program.h"
 
-// SPIR-V for Vulkan, word by word out of a program.
+// SPIR-V for Vulkan or OpenGL, word by word out of a program.
 namespace clipc::spirv {
 
 // Where the interface of the shader lies, which both forms of its output share: the names and
@@ -21,9 +21,11 @@ struct Interface {
     std::string_view name;
     std::optional<std::uint32_t> location;  // none: built in
     bool is_used = true;
+    bool keeps_base = false;  // of a number of a vertex or instance: that of the first is a part
   };
   struct Place {
-    std::uint32_t set = 0, binding = 0;
+    std::uint32_t set = 0;
+    std::optional<std::uint32_t> binding;  // none: the writer lacks it
   };
   struct Block : Place {
     ir::CbufferId cbuffer;
@@ -32,7 +34,8 @@ struct Interface {
     std::string user_type = {};  // "constantbuffer:<Frame>"; empty: none
   };
   struct Object : Place {
-    ir::VarId var;  // a texture, a sampler, or both in one; a buffer
+    ir::VarId var;      // a texture, a sampler, or both in one; a buffer
+    ir::VarId sampler;  // the sampler that OpenGL puts together with the texture
     std::string_view name;
     std::string format = {};  // of an image that is written, in GLSL's spelling
     std::optional<std::uint32_t> input_attachment = {};  // of a subpass
@@ -64,13 +67,13 @@ struct Debug {
 };
 
 struct Options {
-  std::uint32_t minor_version = 3;  // of SPIR-V 1.x
-  std::string entry = "main";       // the name of the entry point
-  bool nan_clamp = false;           // min, max and clamp give the operand that is a number
-  bool invariant = false;           // the position is invariant
-  // The application promises draws without a base vertex or a base instance.
-  bool base_vertex_is_zero = false, base_instance_is_zero = false;
-  bool has_reflection = false;  // variables have their semantics and the names of their types
+  std::uint32_t minor_version = 3;    // of SPIR-V 1.x
+  std::string entry = "main";         // the name of the entry point
+  bool nan_clamp = false;             // min, max and clamp give the operand that is a number
+  bool invariant = false;             // the position is invariant
+  bool is_opengl = false;             // for OpenGL 4.5 and GL_ARB_gl_spirv, else for Vulkan
+  bool has_upper_left_origin = true;  // of pixels; derivatives have the same direction
+  bool has_reflection = false;        // variables have their semantics and the names of their types
   std::optional<Debug> debug = {};
 };
 
@@ -80,7 +83,8 @@ struct Written {
   std::string_view lacks;
 };
 
-// Requires Form::kAddressed for Vulkan. The result depends on nothing but the arguments.
+// Requires Form::kAddressed for Vulkan or for OpenGL from 4.2 on. The result depends on nothing but
+// the arguments.
 Written Write(const ir::Program& program, const Interface& interface, const Options& options);
 
 }  // namespace clipc::spirv

@@ -7,6 +7,22 @@ namespace clipc::spirv {
 
 using namespace ir;
 
+namespace {
+
+// The invocations of a pixel, or of a sample, come one after the other.
+void RequireOrder(Module& module, const Program& program) {
+  const bool is_per_sample = std::ranges::any_of(program.inputs, [](const IoVar& input) {
+    return input.sample || input.builtin == Builtin::kSampleIndex;
+  });
+  module.Require("SPV_EXT_fragment_shader_interlock");
+  module.Require(is_per_sample ? spv::Capability::FragmentShaderSampleInterlockEXT
+                               : spv::Capability::FragmentShaderPixelInterlockEXT);
+  module.Execution(is_per_sample ? spv::ExecutionMode::SampleInterlockOrderedEXT
+                                 : spv::ExecutionMode::PixelInterlockOrderedEXT);
+}
+
+}  // namespace
+
 Writer::Writer(const Program& program, const Interface& interface, const Options& options)
     : program_(program),
       interface_(interface),
@@ -39,26 +55,18 @@ Written Writer::Run() {
   }
   if (!lacks_.empty()) return {{}, lacks_};
   const bool draws_pixels = IsPixelShader();
-  if (draws_pixels) module_.Execution(spv::ExecutionMode::OriginUpperLeft);
-  if (has_order_) RequireOrder();
+  // An image of OpenGL that is upside down has its own origin.
+  const bool is_turned = options_.is_opengl && options_.has_upper_left_origin;
+  if (draws_pixels)
+    module_.Execution(is_turned ? spv::ExecutionMode::OriginLowerLeft
+                                : spv::ExecutionMode::OriginUpperLeft);
+  if (has_order_) RequireOrder(module_, program_);
   if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);
   const auto version =
       static_cast<std::uint32_t>(program_.profile.major * 100 + program_.profile.minor * 10);
   return {module_.Finish(draws_pixels ? spv::ExecutionModel::Fragment : spv::ExecutionModel::Vertex,
                          FunctionRef(program_.main), options_.entry, shared_, version),
           {}};
-}
-
-// The invocations of a pixel, or of a sample, come one after the other.
-void Writer::RequireOrder() {
-  const bool is_per_sample = std::ranges::any_of(program_.inputs, [](const IoVar& input) {
-    return input.sample || input.builtin == Builtin::kSampleIndex;
-  });
-  module_.Require("SPV_EXT_fragment_shader_interlock");
-  module_.Require(is_per_sample ? spv::Capability::FragmentShaderSampleInterlockEXT
-                                : spv::Capability::FragmentShaderPixelInterlockEXT);
-  module_.Execution(is_per_sample ? spv::ExecutionMode::SampleInterlockOrderedEXT
-                                  : spv::ExecutionMode::PixelInterlockOrderedEXT);
 }
 
 Ref Writer::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {

@@ -39,6 +39,7 @@ class Writer {
   Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
   void StartMain();
   Ref BlockVariable(ir::CbufferId id);
+  void Bind(Ref variable, const Interface::Place& place);
   Ref ArrayOfBuffers(Ref block, ir::TypeId type);
 
   // ---- builtins.cpp
@@ -46,7 +47,7 @@ class Writer {
   Ref DeclareBuiltin(ir::Builtin input, Ref type);
   bool DeclareBuiltinOutput(const ir::IoVar& output, std::string_view name);
   Ref LoadBuiltin(ir::Builtin input);
-  Ref ReadBuiltin(const ir::IoVar& input);
+  Ref ReadBuiltin(std::size_t number);
   void NameInput(const ir::IoVar& input);
 
   // ---- parts.cpp
@@ -145,16 +146,16 @@ class Writer {
 
   // ---- objects.cpp: textures, samplers and buffers
   Ref ObjectCall(ir::TypeId type, const ir::ObjectCall& node);
-  const DeclaredObject& DeclaredOf(ir::VarId id);
-  const Interface::Object* PlaceOfObject(ir::VarId id) const;
-  Ref Object(ir::ExprId path);
-  Ref ObjectPointer(ir::ExprId path);
+  const DeclaredObject& DeclaredOf(ir::VarId id, ir::VarId sampler = {});
+  const Interface::Object* PlaceOfObject(ir::VarId id, ir::VarId sampler) const;
+  Ref Object(ir::ExprId path, ir::ExprId sampler = {});
+  Ref ObjectPointer(ir::ExprId path, ir::ExprId sampler = {});
   std::vector<Ref> IndicesOf(ir::ExprId path);
   bool IsNonUniform(ir::ExprId path) const;
   Ref Marked(Ref value, bool is_non_uniform);
   void RequireNonUniform(spv::Capability capability);
   Shape FourTexels(const ir::Type& object) const;
-  Ref ImageType(const ir::Type& object, std::string_view format = {});
+  Ref ImageType(const ir::Type& object, std::string_view format = {}, bool is_shadow = false);
   Ref ObjectType(ir::TypeId type, const Interface::Object& place);
   void RequireDescriptorIndexing();
   // Whether SPIR-V has a storage class for buffers that are written (1.3).
@@ -174,8 +175,6 @@ class Writer {
   Ref ComponentPointer(const StoredPart& part, std::uint32_t number);
   Ref BufferLength(ir::TypeId type, ir::ExprId object);
   Ref Atomic(const ir::ObjectCall& node, Ref pointer);
-
-  void RequireOrder();
 
   // ---- the current block
   Ref Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
@@ -214,11 +213,11 @@ class Writer {
   // By VarId: the value of a variable that is never changed; the pointer to another.
   std::vector<Ref> values_, pointers_;
   std::vector<spv::StorageClass> storages_;
-  std::vector<bool> in_memory_;  // by VarId: it is changed, or an index chooses a part of it
-  std::vector<bool> is_read_;    // by VarId: a function mentions it
-  std::vector<ir::VarId> mentioned_outputs_;                  // in the order in which functions do
-  std::vector<bool> is_precise_var_;                          // by VarId
-  std::map<std::uint32_t, const ir::IoVar*> builtin_inputs_;  // by VarId
+  std::vector<bool> in_memory_;       // by VarId: it is changed, or an index chooses a part of it
+  std::vector<bool> is_read_;         // by VarId: a function mentions it
+  std::vector<ir::VarId> mentioned_outputs_;  // in the order in which functions do
+  std::vector<bool> is_precise_var_;  // by VarId
+  std::map<std::uint32_t, std::size_t> builtin_inputs_;  // by VarId: the number among the inputs
   // By VarId: the path to an input or output that is a part of a variable.
   std::map<std::uint32_t, std::vector<Ref>> part_indices_;
   // The variables that have parts, by their locations.
@@ -227,7 +226,8 @@ class Writer {
   std::set<Ref> described_;                        // the variables that have semantics
   std::set<std::uint32_t> per_vertex_;             // by VarId: inputs that are read at each vertex
   std::map<std::uint32_t, DeclaredBlock> blocks_;  // by CbufferId
-  std::map<std::uint32_t, DeclaredObject> objects_;  // by VarId
+  // By the VarIds of the object and of its sampler.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, DeclaredObject> objects_;
   std::map<std::pair<spv::BuiltIn, spv::StorageClass>, Ref> builtins_;
   std::vector<Ref> shared_;                // the variables that the entry point lists
   std::vector<ir::FunctionId> functions_;  // that `main` reaches, in the order of their first call

@@ -88,12 +88,10 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
   return std::move(insertion.text);
 }
 
-// The SPIR-V of a shader by clipc's own writer; none where that lacks something, or for OpenGL.
+// The SPIR-V of a shader by clipc's own writer; none where that lacks something.
 std::vector<std::uint32_t> OwnSpirv(Job& job, const Lowered& lowered, const glsl::GlslInfo& info) {
-  const ProgramRequest& request = job.request;
-  if (!request.target.IsVulkan()) return {};
-  return WriteSpirv(lowered.program, info, job.plan.write, *request.outputs.spirv, &job.source(),
-                    job.path)
+  return WriteSpirv(lowered.program, info, lowered.target, job.plan.write,
+                    *job.request.outputs.spirv, &job.source(), job.path)
       .words;
 }
 

@@ -53,20 +53,22 @@ spirv::Interface InterfaceOf(const ir::Program& program, const glsl::GlslInfo& i
   const auto add = [](std::vector<spirv::Interface::Variable>& to,
                       const std::vector<glsl::GlslInfo::Variable>& variables) {
     for (const auto& variable : variables)
-      to.push_back({variable.name, variable.location, variable.is_used});
+      to.push_back({variable.name, variable.location, variable.is_used,
+                    variable.needs_base_vertex_zero || variable.needs_base_instance_zero});
   };
   add(interface.inputs, info.inputs);
   add(interface.outputs, info.outputs);
   for (const glsl::GlslInfo::UniformBlock& block : info.blocks) {
-    interface.blocks.push_back({{block.set.value_or(0), block.binding.value_or(0)},
+    interface.blocks.push_back({{block.set.value_or(0), block.binding},
                                 block.cbuffer,
                                 block.name,
                                 block.is_push_constant,
                                 UserType(program, program.cbuffers[block.cbuffer])});
   }
   for (const glsl::GlslInfo::Object& object : info.objects) {
-    interface.objects.push_back({{object.set.value_or(0), object.binding.value_or(0)},
+    interface.objects.push_back({{object.set.value_or(0), object.binding},
                                  object.texture ? object.texture : object.sampler,
+                                 object.texture ? object.sampler : ir::VarId{},
                                  object.name});
     Describe(program, interface.objects.back());
   }
@@ -100,15 +102,20 @@ std::uint32_t MinorVersion(const SpirvRequest& request) {
 }  // namespace
 
 spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
-                          const glsl::WriteOptions& options, const SpirvRequest& request,
-                          const Source* source, std::string_view path) {
+                          const glsl::Target& target, const glsl::WriteOptions& options,
+                          const SpirvRequest& request, const Source* source,
+                          std::string_view path) {
+  constexpr int kFirstVersion = 420;  // that has bindings
+  if (!target.IsVulkan() && (target.IsEs() || target.version() < kFirstVersion))
+    return {{}, "GLSL of an older version"};
   spirv::Options made;
   made.minor_version = MinorVersion(request);
   if (!request.entry.empty()) made.entry = request.entry;
   made.nan_clamp = request.nan_clamp;
   made.invariant = options.invariant;
-  made.base_vertex_is_zero = options.base_vertex_is_zero;
-  made.base_instance_is_zero = options.base_instance_is_zero;
+  made.is_opengl = !target.IsVulkan();
+  if (made.is_opengl) made.minor_version = 0;
+  made.has_upper_left_origin = target.HasUpperLeftOrigin();
   made.has_reflection = request.has_reflection;
   if (request.debug_info && source) made.debug = DebugOf(request, *source, path);
   return spirv::Write(program, InterfaceOf(program, info), made);

@@ -12,11 +12,12 @@
 
 namespace clipc {
 
-// Writes SPIR-V of a program that is lowered for Vulkan, with the names and places of its GLSL;
-// what the writer lacks, it says. `source`, whose main file has that path, is for debug information
-// only.
+// Writes SPIR-V of a program that is lowered for the target, Vulkan or OpenGL, with the names and
+// places of its GLSL; what the writer lacks, it says. `source`, whose main file has that path, is
+// for debug information only.
 spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
-                          const glsl::WriteOptions& options, const SpirvRequest& request,
-                          const Source* source = nullptr, std::string_view path = {});
+                          const glsl::Target& target, const glsl::WriteOptions& options,
+                          const SpirvRequest& request, const Source* source = nullptr,
+                          std::string_view path = {});
 
 }  // namespace clipc

@@ -1,9 +1,9 @@
-// The writer makes SPIR-V for Vulkan, structured buffers of words where no block has their elements at Direct3D's places; OpenGL's
-// SPIR-V is glslang's, of the GLSL.
+// The writer makes SPIR-V for Vulkan, structured buffers of words where no block has their elements at Direct3D's places; SPIR-V of
+// an older GLSL is glslang's.
 // RUN: %clipc -T ps_5_0 -spirv -S %s -o - | FileCheck %s --check-prefix=WRITTEN
 // RUN: %clipc -T ps_5_0 -E plain -spirv -S %s -o - | FileCheck %s --check-prefix=WRITTEN
-// RUN: %clipc -T ps_5_0 -E plain -spirv --target=glsl450 -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
-// TRANSLATED: OpSource GLSL 4{{[56]}}0
+// RUN: %clipc -T ps_5_0 -E plain -spirv --target=glsl330 -S %s -o - | FileCheck %s --check-prefix=TRANSLATED
+// TRANSLATED: OpSource GLSL {{[34]}}{{[356]}}0
 // WRITTEN: OpSource HLSL 500
 StructuredBuffer<float3> points : register(t1);
 

@@ -84,7 +84,7 @@ std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
   if (!spirv.problems.empty()) return spirv.problems[0];
   const std::string problem = ProblemOf(spirv.words);
   if (!problem.empty()) return problem;
-  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, {}, {});
+  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, target, {}, {});
   return own.words.empty() ? "" : ProblemOf(own.words);
 }
 

@@ -4,6 +4,7 @@
 #include "tools/draw/feed.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/opengl/surface.h"
+#include "tools/draw/vulkan/opengl_text.h"
 
 namespace clipc::draw {
 namespace {
@@ -39,9 +40,15 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
   const Inputs inputs =
       MakeInputs(trial.shader.lowered, trial.shader.info, trial.inputs, trial.draw);
   const bool draws_pixels = clipc::InfoOf(trial.shader.typed.stage).draws_pixels;
-  return CompareOutputs(
-      outputs, draws_pixels ? Drawn(text, outputs, trial, inputs) : Capture(text, names, inputs),
-      trial.tolerance);
+  const auto compare = [&](const std::string& of) {
+    return CompareOutputs(
+        outputs, draws_pixels ? Drawn(of, outputs, trial, inputs) : Capture(of, names, inputs),
+        trial.tolerance);
+  };
+  const Comparison of_glsl = compare(text);
+  if (of_glsl.wrong > 0) return of_glsl;
+  const std::string of_spirv = GlslOfSpirv(trial.shader);
+  return of_spirv.empty() ? of_glsl : compare(Capturable(of_spirv));
 }
 
 }  // namespace clipc::draw

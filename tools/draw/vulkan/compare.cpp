@@ -60,7 +60,8 @@ Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
   const Comparison of_glsl =
       compare(SpirvOfGlsl(glsl, draws_pixels ? Stage::kPixel : Stage::kVertex));
   if (of_glsl.wrong > 0 || glsl != shader.glsl) return of_glsl;
-  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, {}, {});
+  const spirv::Written own =
+      WriteSpirv(shader.lowered, shader.info, *glsl::Target::Parse("vulkan"), {}, {});
   return own.words.empty() ? of_glsl : compare(own.words);
 }
 
