@@ -90,7 +90,9 @@ Ref Writer::Specialised(VarId id, std::span<const std::uint64_t> bits) {
     made = module_.OwnConstant(
         bits[0] != 0 ? spv::Op::OpSpecConstantTrue : spv::Op::OpSpecConstantFalse, of, {});
   } else if (IsWide(type.scalar)) {
-    return Lack("a constant of 64 bits");
+    made = module_.OwnConstant(
+        spv::Op::OpSpecConstant, of,
+        {static_cast<std::uint32_t>(bits[0]), static_cast<std::uint32_t>(bits[0] >> 32)});
   } else {
     made = module_.OwnConstant(spv::Op::OpSpecConstant, of, {static_cast<std::uint32_t>(bits[0])});
   }

@@ -86,8 +86,7 @@ Ref Writer::ObjectType(TypeId id, const Interface::Object& place) {
       return is_together ? module_.Type(spv::Op::OpTypeSampledImage, {image}) : image;
     }
     case ObjectCategory::kCombinedSampler:
-      if (info.compares) return Lack("a sampler of Direct3D 9 that compares");
-      return module_.Type(spv::Op::OpTypeSampledImage, {ImageType(type)});
+      return module_.Type(spv::Op::OpTypeSampledImage, {ImageType(type, {}, info.compares)});
     case ObjectCategory::kStructuredBuffer: return BufferBlock(type, place);
     default: return Lack("an object of another kind");
   }

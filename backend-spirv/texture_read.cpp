@@ -154,7 +154,29 @@ Ref TextureRead::ReadTiled(spv::Op op, const Shape& shape, const Words& operands
   return value;
 }
 
+// A read by a sampler of Direct3D 9 whose texture is compared with the third coordinate.
+Ref TextureRead::SampleShadow() {
+  const ExprId operand = At(OperandKind::kCoordinate);
+  const Shape whole = writer_.ShapeAt(operand), three = ShapeOf(Scalar::kFloat, 1, 3);
+  Ref place = writer_.Value(operand);
+  if (node_.op == ObjectOp::kD3d9SampleProjected) {
+    const Ref divisor = writer_.Part(writer_.types_.Of(kNumber), place, 3);
+    place = writer_.Combine(BinaryOp::kDiv, three,
+                            writer_.Components(place, whole, std::span(kFirst).first(3)),
+                            writer_.Splat(three, divisor));
+  }
+  const Shape of = node_.op == ObjectOp::kD3d9SampleProjected ? three : whole;
+  Words operands{writer_.Components(place, of, std::span(kFirst).first(2)),
+                 writer_.Part(writer_.types_.Of(kNumber), place, 2)};
+  ImageOperands more;
+  const bool is_explicit = AddLevel(more);
+  return ReadBy(
+      is_explicit ? spv::Op::OpImageSampleDrefExplicitLod : spv::Op::OpImageSampleDrefImplicitLod,
+      kNumber, std::move(operands), more);
+}
+
 Ref TextureRead::Sample() {
+  if (IsCombinedSampler(type_.object) && info_.compares) return SampleShadow();
   Words operands{node_.op == ObjectOp::kD3d9SampleProjected ? Projected()
                                                             : Operand(OperandKind::kCoordinate)};
   ImageOperands more;

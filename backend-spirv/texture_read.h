@@ -39,6 +39,7 @@ class TextureRead {
  private:
   Ref WriteRead();
   Ref Sample();
+  Ref SampleShadow();
   Ref Compare();
   Ref Gather();
   Ref GatherAt(ir::ExprId offset, Ref coordinate, Ref component);

@@ -213,10 +213,10 @@ class Writer {
   // By VarId: the value of a variable that is never changed; the pointer to another.
   std::vector<Ref> values_, pointers_;
   std::vector<spv::StorageClass> storages_;
-  std::vector<bool> in_memory_;       // by VarId: it is changed, or an index chooses a part of it
-  std::vector<bool> is_read_;         // by VarId: a function mentions it
-  std::vector<ir::VarId> mentioned_outputs_;  // in the order in which functions do
-  std::vector<bool> is_precise_var_;  // by VarId
+  std::vector<bool> in_memory_;  // by VarId: it is changed, or an index chooses a part of it
+  std::vector<bool> is_read_;    // by VarId: a function mentions it
+  std::vector<ir::VarId> mentioned_outputs_;             // in the order in which functions do
+  std::vector<bool> is_precise_var_;                     // by VarId
   std::map<std::uint32_t, std::size_t> builtin_inputs_;  // by VarId: the number among the inputs
   // By VarId: the path to an input or output that is a part of a variable.
   std::map<std::uint32_t, std::vector<Ref>> part_indices_;
