@@ -57,6 +57,16 @@ struct BlockMember {
   // others follow (packed_blocks.h).
   ir::VarId memory = {};
 };
+// Calls visit(first byte, rows) for each of the paddings before a member, which are so many rows or
+// one float: floats up to a row, rows, and floats again. std140 moves none of them.
+template <typename OnPadding>
+void ForEachPadding(const BlockMember& member, OnPadding&& visit) {
+  for (std::uint32_t begin = member.offset - member.padding; begin < member.offset;) {
+    const std::uint32_t rows = begin % kRow == 0 ? (member.offset - begin) / kRow : 0;
+    visit(begin, rows);
+    begin += rows > 0 ? rows * kRow : 4;
+  }
+}
 // A member of a buffer that is read by hand.
 struct ByHand {
   ir::VarId var;

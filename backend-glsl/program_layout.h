@@ -25,8 +25,8 @@ struct LegalStage {
 };
 
 // What the stages of a program declare: the names, locations, bindings and blocks of all of them,
-// which are settled before a function of one is written. In a program one name is one variable and
-// one binding one object, and what stages declare alike they share.
+// which are settled before any text is written. In a program one name is one variable and one
+// binding one object, and what stages declare alike they share.
 class ProgramLayout {
  public:
   // Lays out a program of one or more stages, in the order in which they run; they outlive the

@@ -57,30 +57,30 @@ std::string RegisterText(const ir::Register& reg) {
   return reg.letter + std::to_string(reg.number);
 }
 
-std::string Bind(const WriterContext& context, GlslInfo::Binding& place,
-                 const ir::BlockDeclaration& declared) {
+void Bind(const WriterContext& context, GlslInfo::Binding& place,
+          const ir::BlockDeclaration& declared) {
   if (context.target.IsVulkan()) place.set = declared.set;
   if (context.target.IsVulkan() || context.Has(Feature::kBindings))
     place.binding = declared.binding;
-  const std::string set =
-      place.set ? Concat("set = ", std::to_string(*place.set), place.binding ? ", " : "") : "";
-  return place.binding ? Concat(set, "binding = ", std::to_string(*place.binding)) : set;
 }
 
-std::string Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
-                 Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written) {
-  std::string set;
+void Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
+          Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written) {
   place.count = count;
   if (context.target.IsVulkan()) {
     const ir::Descriptor descriptor = context.descriptors.Of(reg);
     place.set = descriptor.set;
     place.binding = descriptor.binding;
-    set = Concat("set = ", std::to_string(descriptor.set), ", ");
   } else if (context.Has(Feature::kBindings)) {
     place.binding = written ? written->binding : FreeBinding(taken, reg, count);
   }
-  if (!place.binding) return "";
-  return Concat(set, "binding = ", std::to_string(*place.binding));
+}
+
+std::string PlaceText(const GlslInfo::Binding& place) {
+  std::string text;
+  if (place.set) Append(text, "set = ", *place.set, place.binding ? ", " : "");
+  if (place.binding) Append(text, "binding = ", *place.binding);
+  return text;
 }
 
 }  // namespace clipc::glsl

@@ -31,15 +31,17 @@ struct Bindings {
 
 // Decides where `count` blocks or objects of this register are bound: for Vulkan at the set and
 // binding that are written or else follow from the register; for OpenGL at the written binding or
-// else the register's number or, where that is taken or too high, at the first free one. Returns
-// the qualifiers that say so, none where the target cannot say it or none is free.
-// `written` is the place that the other stage of a pair gave it; null if it is written here first.
-std::string Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
-                 Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written = nullptr);
+// else the register's number or, where that is taken or too high, at the first free one; nowhere
+// where the target cannot say it or none is free.
+// `written` is the place that another stage gave it; null if it is written here first.
+void Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
+          Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written = nullptr);
 
-// Binds a block where another stage declares it; returns the qualifiers that say so, none if that
-// stage gives no place.
-std::string Bind(const WriterContext& context, GlslInfo::Binding& place,
-                 const ir::BlockDeclaration& declared);
+// Binds a block where another stage declares it; nowhere if that stage gives no place.
+void Bind(const WriterContext& context, GlslInfo::Binding& place,
+          const ir::BlockDeclaration& declared);
+
+// The qualifiers "set = 0, binding = 2" of a place; empty if it has neither.
+std::string PlaceText(const GlslInfo::Binding& place);
 
 }  // namespace clipc::glsl

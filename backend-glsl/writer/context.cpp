@@ -34,6 +34,21 @@ bool WriterContext::IsWrittenAsUint(ir::VarId member) const {
              : LayoutOf(member).has_uints && !IsByHand(member);
 }
 
+const std::string& WriterContext::NameOf(const BlockMember& member) const {
+  if (member.field < 0) return NameOf(member.var);
+  const ir::Type& type = types[types.Innermost(program.vars[member.var].type)];
+  return names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
+}
+
+std::uint32_t RowsRead(const WriterContext& context, const ir::Cbuffer& cbuffer) {
+  std::uint32_t end = 0;
+  for (const ir::CbufferMember& member : cbuffer.members) {
+    if (OnlyFloats(context.types, context[member.var].type) && context.IsReadInProgram(member.var))
+      end = std::max(end, member.offset + member.size);
+  }
+  return (end + kRow - 1) / kRow;
+}
+
 const GlslInfo::UniformBlock* WriterContext::LaidBlock(ir::CbufferId id) const {
   for (const OtherStage& other : others) {
     const ir::CbufferId theirs = other.cbuffers[id.index];

@@ -44,6 +44,8 @@ struct Names {
   std::vector<std::string> blocks;               // by CbufferId
   std::vector<std::string> instances;            // by CbufferId; empty: members are global
   std::vector<std::string> rows;                 // by CbufferId
+  // By CbufferId: what fills the room before members, in the order of ForEachPadding.
+  std::vector<std::vector<std::string>> paddings;
   std::vector<std::string> groups;  // the instances of Program::output_groups; may be empty
   std::string framebuffer_height;   // of the uniform; empty: the shader does not need it
 };
@@ -113,6 +115,7 @@ struct WriterContext {
   // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
   bool IsWrittenAsUint(ir::VarId member) const;
   const std::string& NameOf(ir::VarId id) const { return names.vars[id.index]; }
+  const std::string& NameOf(const BlockMember& member) const;
 
   // Whether another stage has the block too.
   bool IsShared(ir::CbufferId id) const {
@@ -143,5 +146,9 @@ struct WriterContext {
   }
   void RequireWide(const ir::Type& type);
 };
+
+// The rows of a buffer up to the last that any stage reads, where the target has no blocks. All
+// stages declare the same rows.
+std::uint32_t RowsRead(const WriterContext& context, const ir::Cbuffer& cbuffer);
 
 }  // namespace clipc::glsl

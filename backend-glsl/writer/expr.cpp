@@ -344,11 +344,4 @@ std::string IndexPath(Code& code, ExprId element) {
   return path;
 }
 
-std::string IntIndex(Code& code, ExprId index) {
-  const bool is_int = code.TypeOf(index).scalar == Scalar::kInt || code.As<Literal>(index);
-  const std::string value =
-      code.As<Literal>(index) ? IndexValue(code, index) : Argument(code, index);
-  return is_int ? value : Concat("int(", value, ")");
-}
-
 }  // namespace clipc::glsl

@@ -25,8 +25,6 @@ std::string Argument(Code& code, ir::ExprId id);
 // Writes the expression between the brackets of an index; a literal is an int.
 void WriteIndex(Code& code, ir::ExprId index);
 std::string IndexValue(Code& code, ir::ExprId index);
-// The index as an int, which may be an argument of a call.
-std::string IntIndex(Code& code, ir::ExprId index);
 // The indices "[i][2]" of textures[i][2]; empty if the expression is not an element.
 std::string IndexPath(Code& code, ir::ExprId element);
 

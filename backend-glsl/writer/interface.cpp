@@ -94,36 +94,32 @@ std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
 }
 
 // Names the extensions that a built-in input needs, and declares what must be declared.
-void RequireBuiltin(WriterContext& context, const IoVar& input, Inputs& inputs) {
+void WriteBuiltin(WriterContext& context, const IoVar& input, const GlslInfo::Variable& info,
+                  std::string& text) {
   if (const Requirement* requirement = RequirementOf(input.builtin))
     context.Require(requirement->feature);
-  GlslInfo::Variable& info = inputs.info.back();
   const bool is_vulkan = context.target.IsVulkan();
-  if (input.builtin == Builtin::kVertexId) {
-    info.needs_base_vertex_zero = KeepsBaseVertex(context);
-    if (!is_vulkan && context.Has(Feature::kBaseVertexDraws) && !info.needs_base_vertex_zero)
-      context.Require(Feature::kDrawParameters);
-  }
-  if (input.builtin == Builtin::kInstanceId)
-    info.needs_base_instance_zero = KeepsBaseInstance(context);
+  if (input.builtin == Builtin::kVertexId && !is_vulkan && context.Has(Feature::kBaseVertexDraws) &&
+      !info.needs_base_vertex_zero)
+    context.Require(Feature::kDrawParameters);
   const std::string& height = context.names.framebuffer_height;
   if (input.builtin == Builtin::kPixelPosition && !height.empty()) {
-    Append(inputs.text, context.target.IsEs() ? "uniform highp float " : "uniform float ", height,
+    Append(text, context.target.IsEs() ? "uniform highp float " : "uniform float ", height,
            ";  // of the framebuffer, in pixels\n");
   } else if (input.builtin == Builtin::kPixelPosition && !context.target.HasUpperLeftOrigin() &&
              (ComponentsRead(context.program)[input.var.index] & 0b10) != 0) {
     context.Require(Feature::kUpperLeftOrigin);
     context.has_upper_left_origin = true;
-    inputs.text += "layout(origin_upper_left) in vec4 gl_FragCoord;\n";
+    text += "layout(origin_upper_left) in vec4 gl_FragCoord;\n";
   }
   if (input.builtin == Builtin::kClipDistanceInput ||
       input.builtin == Builtin::kCullDistanceInput) {
-    Append(inputs.text, context.target.IsEs() ? "in highp float " : "in float ",
+    Append(text, context.target.IsEs() ? "in highp float " : "in float ",
            BuiltinInput(context, input.builtin), Dimensions(context, input.var), ";\n");
   }
   const bool has_stage_before = InfoOf(context.program.stage).has_stage_before;
   if (input.builtin == Builtin::kViewId && !is_vulkan && !has_stage_before) {
-    Append(inputs.text, "layout(num_views = ", kViews, ") in;", SemanticComment{input, ""});
+    Append(text, "layout(num_views = ", kViews, ") in;", SemanticComment{input, ""});
   }
 }
 
@@ -170,102 +166,106 @@ std::string AtVertex(std::string_view name, std::string_view vertex) {
 }
 
 // Declares an input that is an output of the stage before, in the same words.
-void WriteVaryingInput(WriterContext& context, const IoVar& input, const std::string& name,
-                       Inputs& inputs) {
-  GlslInfo::Variable& info = inputs.info.back();
-  const bool has_location = context.Has(Feature::kOutputLocations);
-  info.name = name;
-  if (has_location) info.location = input.location;
+void WriteVaryingInput(WriterContext& context, const IoVar& input, const GlslInfo::Variable& info,
+                       std::string& text) {
   if (!IsDeclared(context, input)) return;
   const Shape shape = context.ShapeAt(input.var);
-  AppendPart(inputs.text, LocationText{info.location});
+  AppendPart(text, LocationText{info.location});
   if (IsPerVertex(context, input.var)) {
     context.Require(Feature::kBarycentrics);
     std::string declaration;
-    AppendVarying(context, declaration, input, shape, name);
-    Append(inputs.text, context.target.IsVulkan() ? "pervertexEXT" : "pervertexNV", " in ",
+    AppendVarying(context, declaration, input, shape, info.name);
+    Append(text, context.target.IsVulkan() ? "pervertexEXT" : "pervertexNV", " in ",
            AtVertex(declaration, "3"));
   } else {
-    Append(inputs.text,
+    Append(text,
            InterpolationText(context,
                              {shape.scalar, input.interpolation, input.centroid, input.sample}),
            context.Has(Feature::kInAndOut) ? "in " : "varying ");
-    AppendVarying(context, inputs.text, input, shape, name);
+    AppendVarying(context, text, input, shape, info.name);
   }
-  Append(inputs.text, ";", SemanticComment{input, name});
+  Append(text, ";", SemanticComment{input, info.name});
 }
 
-void WriteInput(WriterContext& context, const IoVar& input, const std::string& attribute,
-                Inputs& inputs) {
-  GlslInfo::Variable& info = inputs.info.emplace_back();
-  info.is_used = context.reached.Has(input.var);
+void WriteInput(WriterContext& context, const IoVar& input, const GlslInfo::Variable& info,
+                std::string& text) {
   if (input.builtin != Builtin::kNone) {
-    if (!info.is_used) return;
-    RequireBuiltin(context, input, inputs);
-    info.name = context.NameOf(input.var);
+    if (info.is_used) WriteBuiltin(context, input, info, text);
     return;
   }
   if (InfoOf(context.program.stage).has_stage_before)
-    return WriteVaryingInput(context, input, attribute, inputs);
-  info.name = attribute;
-  const bool has_location = context.Has(Feature::kInputLocations);
-  if (has_location) info.location = input.location;
+    return WriteVaryingInput(context, input, info, text);
   if (!info.is_used) return;
-  info.integer_as_float = IsIntegerAsFloat(context, input);
   const Shape shape = context.ShapeAt(input.var);
-  Append(inputs.text, LocationText{info.location},
-         context.Has(Feature::kInAndOut) ? "in " : "attribute ");
-  AppendDeclaration(context, inputs.text,
-                    info.integer_as_float ? shape.With(Scalar::kFloat) : shape, attribute);
-  Append(inputs.text, ";", SemanticComment{input, attribute});
+  Append(text, LocationText{info.location}, context.Has(Feature::kInAndOut) ? "in " : "attribute ");
+  AppendDeclaration(context, text, info.integer_as_float ? shape.With(Scalar::kFloat) : shape,
+                    info.name);
+  Append(text, ";", SemanticComment{input, info.name});
 }
 
-// Declares an output that is not built in at its location, or at `location` if that is higher.
-// Returns the location after it.
-std::uint32_t WriteVarying(WriterContext& context, const IoVar& output, Outputs& outputs,
-                           std::uint32_t location) {
-  GlslInfo::Variable& info = outputs.info.back();
-  const Shape shape = context.ShapeAt(output.var);
-  const bool has_out = context.Has(Feature::kInAndOut);
+GlslInfo::Variable LayInput(const WriterContext& context, const IoVar& input,
+                            const std::string& attribute) {
+  GlslInfo::Variable info;
+  info.is_used = context.reached.Has(input.var);
+  if (input.builtin != Builtin::kNone) {
+    if (!info.is_used) return info;
+    info.needs_base_vertex_zero = input.builtin == Builtin::kVertexId && KeepsBaseVertex(context);
+    info.needs_base_instance_zero =
+        input.builtin == Builtin::kInstanceId && KeepsBaseInstance(context);
+    info.name = context.NameOf(input.var);
+    return info;
+  }
+  const bool is_attribute = !InfoOf(context.program.stage).has_stage_before;
+  info.name = attribute;
+  if (context.Has(is_attribute ? Feature::kInputLocations : Feature::kOutputLocations))
+    info.location = input.location;
+  info.integer_as_float = info.is_used && IsIntegerAsFloat(context, input);
+  return info;
+}
+
+// Lays an output that is not built in at its location, or at `location` if that is higher. Returns
+// the location after it.
+std::uint32_t LayVarying(const WriterContext& context, const IoVar& output,
+                         GlslInfo::Variable& info, std::uint32_t location) {
   location = std::max(location, output.location);
   const auto& reader = output.reader;
-  const bool has_location =
-      context.Has(Feature::kOutputLocations) && (!reader || reader->has_location);
-  if (has_location) info.location = location;
-  if (reader && reader->group) {
-    info.name = reader->name;
-    return location + 1;
-  }
-  if (reader && reader->element > 0) return location + 1;  // declared with its first element
-  Append(outputs.text, LocationText{info.location},
-         PreciseText(context, context[output.var].precise),
+  if (context.Has(Feature::kOutputLocations) && (!reader || reader->has_location))
+    info.location = location;
+  if (reader && reader->group) info.name = reader->name;
+  const bool is_part = reader && (reader->group || reader->element > 0);
+  return location + (is_part ? 1 : LocationCount(context.TypeOf(output.var)));
+}
+
+void WriteVarying(WriterContext& context, const IoVar& output, const GlslInfo::Variable& info,
+                  std::string& text) {
+  const auto& reader = output.reader;
+  // It is declared with its block, or with the first of its elements.
+  if (reader && (reader->group || reader->element > 0)) return;
+  const Shape shape = context.ShapeAt(output.var);
+  Append(text, LocationText{info.location}, PreciseText(context, context[output.var].precise),
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
-         has_out ? "out " : "varying ");
-  AppendVarying(context, outputs.text, output, shape, info.name);
-  Append(outputs.text, ";", SemanticComment{output, info.name});
-  return location + LocationCount(context.TypeOf(output.var));
+         context.Has(Feature::kInAndOut) ? "out " : "varying ");
+  AppendVarying(context, text, output, shape, info.name);
+  Append(text, ";", SemanticComment{output, info.name});
 }
 
 // Declares an output to a render target; GLSL without `out` has gl_FragData in its place.
-void WriteTarget(WriterContext& context, const IoVar& output, Outputs& outputs) {
-  GlslInfo::Variable& info = outputs.info.back();
+void WriteTarget(WriterContext& context, const IoVar& output, const GlslInfo::Variable& info,
+                 std::string& text) {
   if (!context.Has(Feature::kInAndOut)) {
     if (output.location > 0) context.Require(Feature::kSeveralTargets);
     return;
   }
-  const bool has_location = context.Has(Feature::kTargetLocations);
-  if (has_location) info.location = output.location;
   if (output.blend_index > 0) {
     context.Require(Feature::kBlendIndices);
-    Append(outputs.text, "layout(location = ", output.location, ", index = ", output.blend_index,
-           ") ");
+    Append(text, "layout(location = ", output.location, ", index = ", output.blend_index, ") ");
   } else {
-    AppendPart(outputs.text, LocationText{info.location});
+    AppendPart(text, LocationText{info.location});
   }
-  outputs.text += "out ";
-  AppendDeclaration(context, outputs.text, context.ShapeAt(output.var), info.name);
-  Append(outputs.text, ";", SemanticComment{output, info.name});
+  text += "out ";
+  AppendDeclaration(context, text, context.ShapeAt(output.var), info.name);
+  Append(text, ";", SemanticComment{output, info.name});
 }
 
 // The elements of an output array that `main` assigns, one bit for each; all if it assigns the
@@ -288,15 +288,14 @@ std::uint32_t WrittenElements(const WriterContext& context, VarId array) {
 // Declares clip and cull distances anew, since they have no size of their own: as members of
 // gl_PerVertex where the interface between separate stages is built from it, otherwise as arrays
 // alone.
-void WritePerVertex(WriterContext& context, Outputs& outputs) {
+void WritePerVertex(WriterContext& context, const GlslInfo& info, std::string& text) {
   const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
   const bool has_block = is_vulkan || (!is_es && context.target.version() >= 410);
   const bool in_block = has_block && (is_vulkan || context.options.separable);
   std::string comments, arrays;
-  const auto declare = [&](Builtin builtin, const char* what, std::uint32_t& mask) {
+  const auto declare = [&](Builtin builtin, const char* what, std::uint32_t mask) {
     const auto output = std::ranges::find(context.program.outputs, builtin, &IoVar::builtin);
     if (output == context.program.outputs.end()) return;
-    mask = WrittenElements(context, output->var);
     comments += fmt::format("// {} distances written: 0x{:x}\n", what, mask);
     Append(arrays, in_block ? "    " : "", PreciseText(context, context[output->var].precise),
            in_block ? ""
@@ -305,10 +304,10 @@ void WritePerVertex(WriterContext& context, Outputs& outputs) {
            "float ", BuiltinOutput(builtin, context.target), Dimensions(context, output->var),
            ";\n");
   };
-  declare(Builtin::kClipDistance, "clip", outputs.clip_distance_mask);
-  declare(Builtin::kCullDistance, "cull", outputs.cull_distance_mask);
+  declare(Builtin::kClipDistance, "clip", info.clip_distance_mask);
+  declare(Builtin::kCullDistance, "cull", info.cull_distance_mask);
   const bool is_asked = in_block && (context.options.separable || !arrays.empty());
-  Append(outputs.text, comments,
+  Append(text, comments,
          is_asked ? "out gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n" : "",
          arrays, is_asked ? "};\n" : "");
 }
@@ -395,35 +394,54 @@ bool IsIntOutput(Builtin builtin) {
   }
 }
 
-Inputs WriteInputs(WriterContext& context) {
-  const std::vector<IoVar>& wanted = context.program.inputs;
-  Inputs inputs;
-  inputs.text.reserve(512);
-  inputs.info.reserve(wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    WriteInput(context, wanted[i], context.names.attributes[i], inputs);
-  return inputs;
+void LayInterface(const WriterContext& context, GlslInfo& info) {
+  const Program& program = context.program;
+  info.inputs.reserve(program.inputs.size());
+  for (std::size_t i = 0; i < program.inputs.size(); ++i)
+    info.inputs.push_back(LayInput(context, program.inputs[i], context.names.attributes[i]));
+  info.outputs.reserve(program.outputs.size());
+  std::uint32_t location = 0;
+  for (const IoVar& output : program.outputs) {
+    GlslInfo::Variable& laid = info.outputs.emplace_back();
+    laid.name = context.NameOf(output.var);
+    if (output.builtin == Builtin::kClipDistance)
+      info.clip_distance_mask = WrittenElements(context, output.var);
+    if (output.builtin == Builtin::kCullDistance)
+      info.cull_distance_mask = WrittenElements(context, output.var);
+    if (output.builtin != Builtin::kNone) continue;
+    if (InfoOf(program.stage).has_stage_after)
+      location = LayVarying(context, output, laid, location);
+    else if (context.Has(Feature::kInAndOut) && context.Has(Feature::kTargetLocations))
+      laid.location = output.location;
+  }
 }
 
-Outputs WriteOutputs(WriterContext& context) {
-  Outputs outputs;
-  outputs.text.reserve(512);
-  outputs.text += GroupsText(context);
-  outputs.info.reserve(context.program.outputs.size());
-  std::uint32_t location = 0;
+std::string WriteInputs(WriterContext& context, const GlslInfo& info) {
+  std::string text;
+  text.reserve(512);
+  for (std::size_t i = 0; i < info.inputs.size(); ++i)
+    WriteInput(context, context.program.inputs[i], info.inputs[i], text);
+  return text;
+}
+
+std::string WriteOutputs(WriterContext& context, const GlslInfo& info) {
+  std::string text;
+  text.reserve(512);
+  text += GroupsText(context);
   const bool has_stage_after = InfoOf(context.program.stage).has_stage_after;
-  for (const IoVar& output : context.program.outputs) {
-    outputs.info.emplace_back().name = context.NameOf(output.var);
+  for (std::size_t i = 0; i < info.outputs.size(); ++i) {
+    const IoVar& output = context.program.outputs[i];
     if (const Requirement* requirement = RequirementOf(output.builtin))
       context.Require(requirement->feature);
-    if (output.builtin == Builtin::kNone && has_stage_after)
-      location = WriteVarying(context, output, outputs, location);
-    else if (output.builtin == Builtin::kNone)
-      WriteTarget(context, output, outputs);
+    if (output.builtin != Builtin::kNone) continue;
+    if (has_stage_after)
+      WriteVarying(context, output, info.outputs[i], text);
+    else
+      WriteTarget(context, output, info.outputs[i], text);
   }
-  WritePerVertex(context, outputs);
-  QualifyBuiltins(context, outputs.text);
-  return outputs;
+  WritePerVertex(context, info, text);
+  QualifyBuiltins(context, text);
+  return text;
 }
 
 }  // namespace clipc::glsl

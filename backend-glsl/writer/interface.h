@@ -11,18 +11,11 @@
 // Inputs, outputs and built-in variables.
 namespace clipc::glsl {
 
-struct Inputs {
-  std::string text;                      // the declarations
-  std::vector<GlslInfo::Variable> info;  // beside Program::inputs
-};
-Inputs WriteInputs(WriterContext& context);
-
-struct Outputs {
-  std::string text;                      // the declarations
-  std::vector<GlslInfo::Variable> info;  // beside Program::outputs
-  std::uint32_t clip_distance_mask = 0, cull_distance_mask = 0;
-};
-Outputs WriteOutputs(WriterContext& context);
+// Lays the inputs and outputs at their locations.
+void LayInterface(const WriterContext& context, GlslInfo& info);
+// The declarations of what is laid so.
+std::string WriteInputs(WriterContext& context, const GlslInfo& info);
+std::string WriteOutputs(WriterContext& context, const GlslInfo& info);
 
 // The text in place of an input: the attribute of this name, or a built-in variable of GLSL,
 // converted to the input's type.

@@ -66,6 +66,7 @@ class Naming {
     names_.fields.resize(context.types.structs().size());
     names_.blocks.resize(program.cbuffers.size());
     names_.rows.resize(program.cbuffers.size());
+    names_.paddings.resize(program.cbuffers.size());
     names_.instances.resize(program.cbuffers.size());
   }
 

@@ -25,6 +25,14 @@ using namespace ir;
 
 namespace {
 
+// The index as an int, as an argument of a call.
+std::string IntIndex(Code& code, ExprId index) {
+  const bool is_int = code.TypeOf(index).scalar == Scalar::kInt || code.As<Literal>(index);
+  const std::string value =
+      code.As<Literal>(index) ? IndexValue(code, index) : Argument(code, index);
+  return is_int ? value : Concat("int(", value, ")");
+}
+
 // The writer of one call of an object's function.
 class ObjectCaller {
  public:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <span>
 #include <tuple>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -52,11 +51,16 @@ std::span<const TextureUse> UsesOf(const std::vector<TextureUse>& uses, VarId te
                                   [](const TextureUse& use) { return use.texture.index; });
 }
 
-class ObjectWriter {
- public:
-  explicit ObjectWriter(WriterContext& context) : context_(context) {}
+const Resource& ResourceOf(const WriterContext& context, VarId var) {
+  return *std::ranges::find(context.program.resources, var, &Resource::var);
+}
 
-  Objects Write() {
+// The giver of bindings.
+class ObjectLayer {
+ public:
+  explicit ObjectLayer(WriterContext& context) : context_(context) {}
+
+  std::vector<GlslInfo::Object> Lay() {
     const bool is_vulkan = context_.target.IsVulkan();
     for (const OtherStage& other : context_.others) {
       if (!other.laid) continue;
@@ -72,24 +76,12 @@ class ObjectWriter {
             .Reserve(resource.reg, CountOf(context_, resource.var));
     }
     for (const Resource& resource : context_.program.resources) {
-      if (!context_.reached.Has(resource.var)) continue;
       const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
-      if (IsStorageBuffer(kind)) {
-        Buffer(resource);
-      } else if (IsImage(kind)) {
-        Image(resource);
-      } else if (is_vulkan) {
-        Separate(resource);
-      }
+      if (context_.reached.Has(resource.var) &&
+          (is_vulkan || IsStorageBuffer(kind) || IsImage(kind)))
+        Separate(resource, kind);
     }
-    if (is_vulkan) return std::move(objects_);
-    std::unordered_map<std::uint32_t, const Resource*> by_var;
-    for (const Resource& resource : context_.program.resources)
-      by_var.emplace(resource.var.index, &resource);
-    for (const TextureUse& use : context_.texture_uses) {
-      Combined(use, *by_var.at(use.texture.index),
-               use.sampler ? by_var.at(use.sampler.index) : nullptr);
-    }
+    Combined();
     return std::move(objects_);
   }
 
@@ -98,6 +90,68 @@ class ObjectWriter {
     return IsStorageBuffer(kind) ? buffers_ : IsImage(kind) ? images_ : textures_;
   }
 
+  void Separate(const Resource& resource, ObjectKind kind) {
+    const TypeId declared =
+        resource.declared_type ? resource.declared_type : context_[resource.var].type;
+    GlslInfo::Object& info = objects_.emplace_back(
+        GlslInfo::Object{{},
+                         resource.var,
+                         {},
+                         context_.NameOf(resource.var),
+                         context_[context_.types.Innermost(declared)].object});
+    if (InfoOf(kind).category == ObjectCategory::kSampler) std::swap(info.texture, info.sampler);
+    const bool is_shared = IsStorageBuffer(kind) || IsImage(kind);
+    Bind(context_, info, resource.reg, BindingsOf(kind),
+         IsImage(kind) ? CountOf(context_, resource.var) : 1,
+         is_shared ? context_.LaidObject(resource.var, {}) : nullptr);
+  }
+
+  // The textures of OpenGL with their samplers.
+  void Combined() {
+    for (const TextureUse& use : context_.texture_uses) {
+      GlslInfo::Object& info = objects_.emplace_back(GlslInfo::Object{
+          {}, use.texture, use.sampler, use.name, ObjectTypeOf(context_, use.texture).object});
+      Bind(context_, info, ResourceOf(context_, use.texture).reg, textures_,
+           CountOf(context_, use.texture), context_.LaidObject(use.texture, use.sampler));
+    }
+  }
+
+  WriterContext& context_;
+  std::vector<GlslInfo::Object> objects_;
+  Bindings textures_{
+      .end = context_.target.TextureUnits(),
+      .base = InfoOf(context_.program.stage).draws_pixels ? context_.target.PixelBase() : 0};
+  Bindings buffers_, images_;
+};
+
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(WriterContext& context) : context_(context) {}
+
+  std::string Write(std::span<const GlslInfo::Object> objects) {
+    for (const GlslInfo::Object& info : objects) {
+      const Resource& resource = ResourceOf(context_, info.texture ? info.texture : info.sampler);
+      const Type& type = ObjectTypeOf(context_, resource.var);
+      if (ir::IsOrdered(type.object)) {
+        context_.has_order = true;
+        context_.Require(Feature::kInterlocks);
+      }
+      const Type& whole = context_.TypeOf(resource.var);
+      if (whole.kind == TypeKind::kArray && whole.count == 0)
+        context_.Require("GL_EXT_nonuniform_qualifier");
+      if (IsStorageBuffer(type.object))
+        Buffer(resource, info);
+      else if (IsImage(type.object))
+        Image(resource, info);
+      else if (context_.target.IsVulkan())
+        Separate(resource, info);
+      else
+        Combined(resource, info);
+    }
+    return std::move(text_);
+  }
+
+ private:
   // The object in HLSL, "tex : t0"; without the name if it is that of the variable.
   std::string PlaceOf(const Resource& resource, const std::string& name) const {
     const std::string& written = context_[resource.var].name;
@@ -105,58 +159,49 @@ class ObjectWriter {
     return written == name ? place : Concat(written, " : ", place);
   }
 
-  void Combined(const TextureUse& use, const Resource& resource, const Resource* sampler) {
-    const ObjectKind kind = ObjectTypeOf(context_, use.texture).object;
-    GlslInfo::Object info{{}, use.texture, use.sampler, use.name, kind};
-    const std::string place =
-        Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture),
-             context_.LaidObject(use.texture, use.sampler));
-    if (const Requirement* requirement = RequirementOf(kind))
+  void Combined(const Resource& resource, const GlslInfo::Object& info) {
+    if (const Requirement* requirement = RequirementOf(info.kind))
       context_.Require(requirement->feature);
-    Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
-           TextureType(context_, use.texture, "sampler"),
-           IsShadow(context_, use.sampler ? use.sampler : use.texture) ? "Shadow " : " ", use.name,
-           Dimensions(context_, use.texture), ";  // ", PlaceOf(resource, use.name));
-    if (sampler) Append(text_, " with ", PlaceOf(*sampler, use.name));
+    Append(text_, LayoutText({PlaceText(info)}),
+           context_.target.IsEs() ? "uniform highp " : "uniform ",
+           TextureType(context_, info.texture, "sampler"),
+           IsShadow(context_, info.sampler ? info.sampler : info.texture) ? "Shadow " : " ",
+           info.name, Dimensions(context_, info.texture), ";  // ", PlaceOf(resource, info.name));
+    if (info.sampler)
+      Append(text_, " with ", PlaceOf(ResourceOf(context_, info.sampler), info.name));
     text_ += "\n";
-    objects_.info.push_back(std::move(info));
   }
 
   // Declares a texture or a sampler of Vulkan.
-  void Separate(const Resource& resource) {
-    const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
-    GlslInfo::Object& info = Add(resource);
-    if (InfoOf(kind).category == ObjectCategory::kSampler) std::swap(info.texture, info.sampler);
+  void Separate(const Resource& resource, const GlslInfo::Object& info) {
+    const Type& object = ObjectTypeOf(context_, resource.var);
+    const ObjectKind kind = object.object;
     const std::string type =
         kind == ObjectKind::kSampler             ? "sampler"
         : kind == ObjectKind::kSamplerComparison ? "samplerShadow"
         : InfoOf(kind).category == ObjectCategory::kSubpass
-            ? Concat(PrefixOf(context_, ObjectTypeOf(context_, resource.var)),
+            ? Concat(PrefixOf(context_, object),
                      InfoOf(kind).is_multisampled ? "subpassInputMS" : "subpassInput")
             : Concat(TextureType(context_, resource.var,
                                  IsCombinedSampler(kind) ? "sampler" : "texture"),
                      InfoOf(kind).compares ? "Shadow" : "");
-    const std::string place = Bind(context_, info, resource.reg, textures_, 1);
     const std::string attachment =
         resource.input_attachment
             ? Concat("input_attachment_index = ", std::to_string(*resource.input_attachment))
             : "";
-    Append(text_, LayoutText({attachment, place}), "uniform ", type, " ", info.name,
+    Append(text_, LayoutText({attachment, PlaceText(info)}), "uniform ", type, " ", info.name,
            Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg), "\n");
   }
 
-  void Buffer(const Resource& resource) {
+  void Buffer(const Resource& resource, const GlslInfo::Object& info) {
     const Var& var = context_[resource.var];
     const Type& type = ObjectTypeOf(context_, resource.var);
-    GlslInfo::Object& info = Add(resource);
-    const std::string place =
-        Bind(context_, info, resource.reg, buffers_, 1, context_.LaidObject(resource.var, {}));
     const auto extent = Std430(context_.types, type.element, var.row_major);
     const std::string element = TypeName(context_, type.element);
     const bool is_turned = extent && extent->matrices == MatrixLayout::kRowMajor;
     const std::string dimensions = Dimensions(context_, resource.var);
     text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
-                         LayoutText({"std430", place, is_turned ? "row_major" : ""}),
+                         LayoutText({"std430", PlaceText(info), is_turned ? "row_major" : ""}),
                          var.coherent                  ? "coherent "
                          : ir::IsWritable(type.object) ? ""
                                                        : "readonly ",
@@ -178,15 +223,11 @@ class ObjectWriter {
   }
 
   // Declares an image. GLSL requires the format of one that is read.
-  void Image(const Resource& resource) {
+  void Image(const Resource& resource, const GlslInfo::Object& info) {
     const Type& type = ObjectTypeOf(context_, resource.var);
-    GlslInfo::Object& info = Add(resource);
-    const std::string place =
-        Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var),
-             context_.LaidObject(resource.var, {}));
     if (InfoOf(type.object).category == ObjectCategory::kTypedBuffer)
       context_.Require(Feature::kTextureBuffers);
-    Append(text_, LayoutText({place, ImageFormat(context_.program, resource)}),
+    Append(text_, LayoutText({PlaceText(info), ImageFormat(context_.program, resource)}),
            context_[resource.var].coherent ? "coherent " : "",
            ImageAccess(context_.program, images_used_, context_.target, resource),
            context_.target.IsEs() ? "uniform highp " : "uniform ", PrefixOf(context_, type),
@@ -194,31 +235,8 @@ class ObjectWriter {
            ";  // ", RegisterText(resource.reg), "\n");
   }
 
-  GlslInfo::Object& Add(const Resource& resource) {
-    const Type& type = context_.TypeOf(resource.var);
-    if (ir::IsOrdered(ObjectTypeOf(context_, resource.var).object)) {
-      context_.has_order = true;
-      context_.Require(Feature::kInterlocks);
-    }
-    if (type.kind == TypeKind::kArray && type.count == 0)
-      context_.Require("GL_EXT_nonuniform_qualifier");
-    const TypeId declared =
-        resource.declared_type ? resource.declared_type : context_[resource.var].type;
-    return objects_.info.emplace_back(
-        GlslInfo::Object{{},
-                         resource.var,
-                         {},
-                         context_.NameOf(resource.var),
-                         context_[context_.types.Innermost(declared)].object});
-  }
-
   WriterContext& context_;
-  Objects objects_;
-  std::string& text_ = objects_.text;
-  Bindings textures_{
-      .end = context_.target.TextureUnits(),
-      .base = InfoOf(context_.program.stage).draws_pixels ? context_.target.PixelBase() : 0};
-  Bindings buffers_, images_;
+  std::string text_;
   const std::vector<ImageUse> images_used_ =
       UsesOfImages(context_.program, context_.reached, context_.target);
 };
@@ -282,7 +300,13 @@ std::vector<TextureUse> FindTextureUses(WriterContext& context) {
   return uses;
 }
 
-Objects WriteObjects(WriterContext& context) { return ObjectWriter(context).Write(); }
+std::vector<GlslInfo::Object> LayObjects(WriterContext& context) {
+  return ObjectLayer(context).Lay();
+}
+
+std::string WriteObjects(WriterContext& context, std::span<const GlslInfo::Object> objects) {
+  return objects.empty() ? "" : ObjectWriter(context).Write(objects);
+}
 
 const std::string& CombinedName(const WriterContext& context, VarId texture, VarId sampler) {
   const TextureUse* found = nullptr;

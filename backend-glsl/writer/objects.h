@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,11 +15,10 @@ namespace clipc::glsl {
 // The textures that are read and the samplers they are read with, with names for the pairs.
 std::vector<TextureUse> FindTextureUses(WriterContext& context);
 
-struct Objects {
-  std::string text;                    // the declarations
-  std::vector<GlslInfo::Object> info;  // in their order
-};
-Objects WriteObjects(WriterContext& context);
+// Binds the objects that are reached. Returns them in the order of their declarations.
+std::vector<GlslInfo::Object> LayObjects(WriterContext& context);
+// The declarations of these objects.
+std::string WriteObjects(WriterContext& context, std::span<const GlslInfo::Object> objects);
 
 // The type of an object, or of the objects in an array.
 const ir::Type& ObjectTypeOf(const WriterContext& context, ir::VarId object);

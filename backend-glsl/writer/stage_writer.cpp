@@ -9,6 +9,7 @@
 #include "backend-glsl/writer/blocks.h"
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/interface.h"
+#include "backend-glsl/writer/lay_blocks.h"
 #include "backend-glsl/writer/naming.h"
 #include "backend-glsl/writer/objects.h"
 #include "backend-glsl/writer/stmt.h"
@@ -74,27 +75,24 @@ StageWriter::StageWriter(const Program& program, const Target& target, const Wri
   code_.names = NameEverything(code_);
   code_.names.functions = NameFunctions(code_);
   code_.texture_uses = FindTextureUses(code_);
-  UniformBlocks blocks = WriteBlocks(code_);
-  Objects objects = WriteObjects(code_);
-  Inputs inputs = WriteInputs(code_);
-  Outputs outputs = WriteOutputs(code_);
-  blocks_ = std::move(blocks.text);
-  objects_ = std::move(objects.text);
-  inputs_ = std::move(inputs.text);
-  outputs_ = std::move(outputs.text);
-  info_ = {std::move(inputs.info),        std::move(outputs.info),    std::move(blocks.info),
-           std::move(objects.info),       outputs.clip_distance_mask, outputs.cull_distance_mask,
-           code_.names.framebuffer_height};
+  info_.blocks = LayBlocks(code_);
+  info_.objects = LayObjects(code_);
+  LayInterface(code_, info_);
+  info_.framebuffer_height = code_.names.framebuffer_height;
 }
 
 std::string StageWriter::Finish(CommentOf comment_of) {
   code_.comment_of = std::move(comment_of);
+  const std::string blocks = WriteBlocks(code_, info_.blocks);
+  std::string objects = WriteObjects(code_, info_.objects);
+  std::string inputs = WriteInputs(code_, info_);
+  std::string outputs = WriteOutputs(code_, info_);
   Globals globals = WriteGlobals(code_);
   const std::string functions = WriteFunctions(code_, globals.late);
-  for (std::string* part : {&objects_, &inputs_, &outputs_, &globals.text}) {
+  for (std::string* part : {&objects, &inputs, &outputs, &globals.text}) {
     if (!part->empty()) *part += "\n";
   }
-  return Concat(Header(code_), code_.structs, blocks_, objects_, inputs_, outputs_, code_.helpers,
+  return Concat(Header(code_), code_.structs, blocks, objects, inputs, outputs, code_.helpers,
                 globals.text, functions);
 }
 

@@ -10,8 +10,8 @@
 
 namespace clipc::glsl {
 
-// The writer of one stage, in two steps: what the stage declares, with all names and places, and
-// then its functions. The arguments outlive it.
+// The writer of one stage, in two steps: all names and places of what the stage declares, and then
+// its text. The arguments outlive it.
 class StageWriter {
  public:
   StageWriter(const ir::Program& program, const Target& target, const WriteOptions& options,
@@ -26,7 +26,6 @@ class StageWriter {
   PackedStage packed_;
   Code code_;
   GlslInfo info_;
-  std::string blocks_, objects_, inputs_, outputs_;  // declarations
 };
 
 }  // namespace clipc::glsl

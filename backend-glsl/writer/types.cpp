@@ -218,28 +218,20 @@ std::string ZeroText(WriterContext& context, TypeId id) {
   }
   CLIPC_CHECK(type.kind == TypeKind::kArray);
   const std::string zero = ElementText(context, type.element, {ZeroText(context, type.element)});
-  const auto element = [&](const auto&) { return zero; };
-  if (type.count < kLongArray) return Called(name, {ListOf(type.count, element)}).text;
-  return Helper(context, "zeros_" + name, "",
-                [&](const std::string& helper) {
-                  return fmt::format("{} {}() {{\n{}}}\n", name, helper,
-                                     FilledArray(context, id, element));
-                }) +
-         "()";
-}
-
-std::string FilledArray(WriterContext& context, TypeId id,
-                        const std::function<std::string(const std::string&)>& element) {
-  if (!context.Has(Feature::kArrayValues)) {
-    const auto value = [&](std::uint32_t i) { return element(std::to_string(i)); };
-    return fmt::format("    return {};\n",
-                       Called(TypeName(context, id), {ListOf(context[id].count, value)}).text);
-  }
-  const std::string array = Fresh(context, "result"), index = Fresh(context, "i");
-  const std::string declaration = Declaration(context, id, array);
-  return fmt::format(
-      "    {0};\n    for (int {2} = 0; {2} < {3}; ++{2}) {1}[{2}] = {4};\n    return {1};\n",
-      declaration, array, index, context[id].count, element(index));
+  const auto all = [&] {
+    return Called(name, {ListOf(type.count, [&](std::uint32_t) { return zero; })}).text;
+  };
+  if (type.count < kLongArray) return all();
+  const auto define = [&](const std::string& helper) {
+    if (!context.Has(Feature::kArrayValues))
+      return fmt::format("{} {}() {{\n    return {};\n}}\n", name, helper, all());
+    const std::string array = Fresh(context, "result"), index = Fresh(context, "i");
+    return fmt::format(
+        "{0} {1}() {{\n    {2};\n    for (int {4} = 0; {4} < {5}; ++{4}) {3}[{4}] = {6};\n"
+        "    return {3};\n}}\n",
+        name, helper, Declaration(context, id, array), array, index, type.count, zero);
+  };
+  return Helper(context, "zeros_" + name, "", define) + "()";
 }
 
 }  // namespace clipc::glsl

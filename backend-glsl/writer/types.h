@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +11,8 @@
 // The types of the program in GLSL. Naming one writes the structs that it is made of.
 namespace clipc::glsl {
 
-// Arrays of this many elements and more are filled by a loop, shorter ones by a constructor.
+// Zeros of arrays of this many elements and more are filled by a loop, shorter ones by a
+// constructor.
 inline constexpr std::uint32_t kLongArray = 17;
 
 std::string TypeName(WriterContext& context, ir::TypeId type);
@@ -53,9 +53,5 @@ std::string RowOf(const WriterContext& context, const Shape& matrix, std::string
 bool IsWrapped(const WriterContext& context, ir::TypeId array_element);
 // An element of an array as an argument of the array's constructor.
 std::string ElementText(WriterContext& context, ir::TypeId element, Text text);
-
-// The body of a function that returns an array of element(index variable).
-std::string FilledArray(WriterContext& context, ir::TypeId array,
-                        const std::function<std::string(const std::string&)>& element);
 
 }  // namespace clipc::glsl

@@ -6,7 +6,7 @@
 #include <spirv_cross/spirv_glsl.hpp>
 
 #include "backend-glsl/target.h"
-#include "compiler/write_spirv.h"
+#include "compiler/compile/write_spirv.h"
 
 namespace clipc::draw {
 namespace {
