@@ -72,18 +72,18 @@ VarId RootOf(const Program& program, ExprId path) {
 std::vector<std::uint32_t> ComponentsRead(const Program& program) {
   std::vector<std::uint32_t> masks(program.vars.size());
   for (const FunctionId function : program.functions.ids()) {
-    std::vector<bool> is_swizzled(program.exprs.size());
+    ExprId swizzled;  // by the swizzle that was visited last
     ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
       if (const auto* swizzle = As<Swizzle>(program, id)) {
         const auto* base = As<VarRef>(program, swizzle->base);
         if (!base) return;
-        is_swizzled[swizzle->base.index] = true;
+        swizzled = swizzle->base;
         const Type& type = program.types[program.exprs[id].type];
         for (std::uint32_t i = 0; i < type.Components(); ++i)
           masks[base->var.index] |= 1u << swizzle->components[i];
       }
       const auto* ref = As<VarRef>(program, id);
-      if (ref && !is_swizzled[id.index]) masks[ref->var.index] = 0xF;
+      if (ref && id != swizzled) masks[ref->var.index] = 0xF;
     });
   }
   return masks;
