@@ -152,9 +152,12 @@ void MethodCheck::WarnOfLevel(std::string_view level) const {
 ExprId MethodCheck::GatherWithStatus(std::size_t first, ObjectOp op, TypeId type) {
   const std::vector<NamedOperand> leading = operands_;
   const ExprId target = status_;
-  const VarId all = temporaries.Make(Make().Uint(0)).var;
+  // The first status has a value before the first read, which writes a texel that is made later:
+  // its declaration cannot be that read.
+  const auto status = temporaries.Make(Make().Uint(0));
+  const VarId all = status.var;
   const VarId one = temporaries.Make(Make().Uint(0)).var;
-  std::vector<ExprId> steps, texels;
+  std::vector<ExprId> steps{status.prologue}, texels;
   for (int i = 0; i < 4; ++i) {
     operands_.clear();
     for (const auto& [kind, operand] : leading)
