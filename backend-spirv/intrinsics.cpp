@@ -15,12 +15,6 @@ using namespace ir;
 
 namespace {
 
-// A function of the set GLSL.std.450 that is HLSL's, for floats and for signed integers; 0 where
-// there is none.
-struct ExtendedFunction {
-  std::uint32_t of_float = 0, of_int = 0;
-};
-
 std::optional<ExtendedFunction> FunctionOf(ir::Intrinsic op) {
   using enum ir::Intrinsic;
   switch (op) {
@@ -195,6 +189,109 @@ Ref Writer::WordsOf(const IntrinsicCall& node) {
   return 0;
 }
 
+// Writes a function of the extended set.
+Ref Writer::FromSet(const ExtendedFunction& function, bool is_sign, const Evaluated& of) {
+  const std::uint32_t number = of.shape.IsFloating() ? function.of_float : function.of_int;
+  if (number == 0 || IsUnsigned(of.shape.scalar)) return Lack("a function of integers");
+  const Shape made = is_sign ? of.shape : of.result;
+  const Ref type = types_.Of(made);
+  Ref value = 0;
+  if (of.count == 1) value = Extended(number, type, {of.values[0]});
+  if (of.count == 2) value = Extended(number, type, {of.values[0], of.values[1]});
+  if (of.count == 3) value = Extended(number, type, {of.values[0], of.values[1], of.values[2]});
+  return Converted(value, made, of.result.scalar);
+}
+
+// Writes a function of bits.
+Ref Writer::OfBits(ir::Intrinsic op, const Evaluated& of) {
+  using enum ir::Intrinsic;
+  switch (op) {
+    case kAsFloat:
+    case kAsInt:
+    case kAsUint:
+      return of.shape.scalar == of.result.scalar
+                 ? of.values[0]
+                 : Emit(spv::Op::OpBitcast, of.type, {of.values[0]});
+    case kAsDouble: {
+      const Ref words =
+          Compose(types_.Of(ShapeOf(Scalar::kUint, 1, 2)), std::span(of.values).first(2));
+      return Emit(spv::Op::OpBitcast, of.type, {words});
+    }
+    case kCheckAccessFullyMapped:
+      module_.Require(spv::Capability::SparseResidency);
+      return Emit(spv::Op::OpImageSparseTexelsResident, of.type, {of.values[0]});
+    case kCountBits: {
+      const Ref count = Emit(spv::Op::OpBitCount, types_.Of(of.shape), {of.values[0]});
+      return Converted(count, of.shape, of.result.scalar);
+    }
+    case kReverseBits: return Emit(spv::Op::OpBitReverse, of.type, {of.values[0]});
+    case kFirstBitHigh: {
+      const std::uint32_t function =
+          IsSigned(of.shape.scalar) ? GLSLstd450FindSMsb : GLSLstd450FindUMsb;
+      return Converted(Extended(function, types_.Of(of.shape), {of.values[0]}), of.shape,
+                       of.result.scalar);
+    }
+    case kFirstBitLow:
+      return Converted(Extended(GLSLstd450FindILsb, types_.Of(of.shape), {of.values[0]}), of.shape,
+                       of.result.scalar);
+    case kF16ToF32: {
+      if (!of.shape.IsScalar()) return Lack("f16tof32 of a vector");
+      const Ref two = types_.Of(ShapeOf(Scalar::kFloat, 1, 2));
+      return Part(of.type, Extended(GLSLstd450UnpackHalf2x16, two, {of.values[0]}), 0);
+    }
+    case kF32ToF16: {
+      if (!of.shape.IsScalar()) return Lack("f32tof16 of a vector");
+      const Ref parts[] = {of.values[0], types_.Float(0)};
+      const Ref two = Compose(types_.Of(ShapeOf(Scalar::kFloat, 1, 2)), parts);
+      return Extended(GLSLstd450PackHalf2x16, of.type, {two});
+    }
+    default: return Lack("a function of another kind");
+  }
+}
+
+// Writes a function of numbers that is no function of the extended set.
+Ref Writer::OfNumbers(ir::Intrinsic op, const Evaluated& of) {
+  using enum ir::Intrinsic;
+  const auto truth = [&](spv::Op all) {
+    const Ref bools = Converted(of.values[0], of.shape, Scalar::kBool);
+    return of.shape.IsScalar() ? bools : Emit(all, types_.Of(Scalar::kBool), {bools});
+  };
+  switch (op) {
+    case kMin: return Minimum(of.shape, of.values[0], of.values[1]);
+    case kMax: return Maximum(of.shape, of.values[0], of.values[1]);
+    case kClamp: return Clamped(of.shape, of.values[0], of.values[1], of.values[2], keeps_numbers_);
+    case kAll: return of.shape.HasRows() ? Lack("all() of a matrix") : truth(spv::Op::OpAll);
+    case kAny: return of.shape.HasRows() ? Lack("any() of a matrix") : truth(spv::Op::OpAny);
+    case kDot:
+      if (of.shape.IsScalar()) return Combine(BinaryOp::kMul, of.shape, of.values[0], of.values[1]);
+      if (!of.shape.IsFloating()) return Lack("a dot product of integers");
+      return Compute(spv::Op::OpDot, of.type, {of.values[0], of.values[1]});
+    case kTranspose:
+      if (!of.shape.HasRows()) return of.values[0];
+      if (of.shape.kind != Shape::kMatrix) return Lack("a transpose of integers");
+      return Emit(spv::Op::OpTranspose, of.type, {of.values[0]});
+    case kDeterminant:
+      return of.shape.HasRows() ? Extended(GLSLstd450Determinant, of.type, {of.values[0]})
+                                : of.values[0];
+    case kSmoothstep: {
+      const Ref range = Combine(BinaryOp::kSub, of.shape, of.values[1], of.values[0]);
+      const Ref from = Combine(BinaryOp::kSub, of.shape, of.values[2], of.values[0]);
+      const Ref t = Saturated(of.shape, Combine(BinaryOp::kDiv, of.shape, from, range));
+      const Ref two = types_.Splat(of.shape, BitsOf(-2.0f)),
+                three = types_.Splat(of.shape, BitsOf(3.0f));
+      const Ref line =
+          Combine(BinaryOp::kAdd, of.shape, Combine(BinaryOp::kMul, of.shape, t, two), three);
+      return Combine(BinaryOp::kMul, of.shape, Combine(BinaryOp::kMul, of.shape, t, t), line);
+    }
+    case kNonUniform:
+      if (options_.is_opengl) return of.values[0];
+      return Marked(Emit(spv::Op::OpCopyObject, of.type, {of.values[0]}), true);
+    case kIsNan: return Emit(spv::Op::OpIsNan, of.type, {of.values[0]});
+    case kIsInf: return Emit(spv::Op::OpIsInf, of.type, {of.values[0]});
+    default: return OfBits(op, of);
+  }
+}
+
 Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
   using enum ir::Intrinsic;
   const auto arguments = (*this)[node.arguments];
@@ -211,95 +308,13 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
   if (node.op == kAsUint && arguments.size() > 1) return WordsOf(node);
   const Shape shape = ShapeAt(arguments[0]);
   const Ref type = types_.Of(id);
-  std::array<Ref, 4> values{};
-  for (std::size_t i = 0; i < arguments.size() && i < values.size(); ++i)
-    values[i] = Value(arguments[i]);
+  Evaluated of{shape, result, type, {}, arguments.size()};
+  for (std::size_t i = 0; i < arguments.size() && i < of.values.size(); ++i)
+    of.values[i] = Value(arguments[i]);
   if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
-    return Derivative(node.op, shape, values[0]);
-  if (const auto function = FunctionOf(node.op)) {
-    const std::uint32_t number = shape.IsFloating() ? function->of_float : function->of_int;
-    if (number == 0 || IsUnsigned(shape.scalar)) return Lack("a function of integers");
-    const Shape made = node.op == kSign ? shape : result;
-    Ref value = 0;
-    if (arguments.size() == 1) value = Extended(number, types_.Of(made), {values[0]});
-    if (arguments.size() == 2) value = Extended(number, types_.Of(made), {values[0], values[1]});
-    if (arguments.size() == 3)
-      value = Extended(number, types_.Of(made), {values[0], values[1], values[2]});
-    return Converted(value, made, result.scalar);
-  }
-  const auto truth = [&](spv::Op all) {
-    const Ref bools = Converted(values[0], shape, Scalar::kBool);
-    return shape.IsScalar() ? bools : Emit(all, types_.Of(Scalar::kBool), {bools});
-  };
-  switch (node.op) {
-    case kMin: return Minimum(shape, values[0], values[1]);
-    case kMax: return Maximum(shape, values[0], values[1]);
-    case kClamp: return Clamped(shape, values[0], values[1], values[2], keeps_numbers_);
-    case kAll: return shape.HasRows() ? Lack("all() of a matrix") : truth(spv::Op::OpAll);
-    case kAny: return shape.HasRows() ? Lack("any() of a matrix") : truth(spv::Op::OpAny);
-    case kDot:
-      if (shape.IsScalar()) return Combine(BinaryOp::kMul, shape, values[0], values[1]);
-      if (!shape.IsFloating()) return Lack("a dot product of integers");
-      return Compute(spv::Op::OpDot, type, {values[0], values[1]});
-    case kTranspose:
-      if (!shape.HasRows()) return values[0];
-      if (shape.kind != Shape::kMatrix) return Lack("a transpose of integers");
-      return Emit(spv::Op::OpTranspose, type, {values[0]});
-    case kDeterminant:
-      return shape.HasRows() ? Extended(GLSLstd450Determinant, type, {values[0]}) : values[0];
-    case kSmoothstep: {
-      const Ref range = Combine(BinaryOp::kSub, shape, values[1], values[0]);
-      const Ref from = Combine(BinaryOp::kSub, shape, values[2], values[0]);
-      const Ref t = Saturated(shape, Combine(BinaryOp::kDiv, shape, from, range));
-      const Ref two = types_.Splat(shape, BitsOf(-2.0f)), three = types_.Splat(shape, BitsOf(3.0f));
-      const Ref line =
-          Combine(BinaryOp::kAdd, shape, Combine(BinaryOp::kMul, shape, t, two), three);
-      return Combine(BinaryOp::kMul, shape, Combine(BinaryOp::kMul, shape, t, t), line);
-    }
-    case kNonUniform:
-      if (options_.is_opengl) return values[0];
-      return Marked(Emit(spv::Op::OpCopyObject, type, {values[0]}), true);
-    case kIsNan: return Emit(spv::Op::OpIsNan, type, {values[0]});
-    case kIsInf: return Emit(spv::Op::OpIsInf, type, {values[0]});
-    case kAsFloat:
-    case kAsInt:
-    case kAsUint:
-      return shape.scalar == result.scalar ? values[0]
-                                           : Emit(spv::Op::OpBitcast, type, {values[0]});
-    case kAsDouble: {
-      const Ref words =
-          Compose(types_.Of(ShapeOf(Scalar::kUint, 1, 2)), std::span(values).first(2));
-      return Emit(spv::Op::OpBitcast, type, {words});
-    }
-    case kCheckAccessFullyMapped:
-      module_.Require(spv::Capability::SparseResidency);
-      return Emit(spv::Op::OpImageSparseTexelsResident, type, {values[0]});
-    case kCountBits: {
-      const Ref count = Emit(spv::Op::OpBitCount, types_.Of(shape), {values[0]});
-      return Converted(count, shape, result.scalar);
-    }
-    case kReverseBits: return Emit(spv::Op::OpBitReverse, type, {values[0]});
-    case kFirstBitHigh: {
-      const std::uint32_t function =
-          IsSigned(shape.scalar) ? GLSLstd450FindSMsb : GLSLstd450FindUMsb;
-      return Converted(Extended(function, types_.Of(shape), {values[0]}), shape, result.scalar);
-    }
-    case kFirstBitLow:
-      return Converted(Extended(GLSLstd450FindILsb, types_.Of(shape), {values[0]}), shape,
-                       result.scalar);
-    case kF16ToF32: {
-      if (!shape.IsScalar()) return Lack("f16tof32 of a vector");
-      const Ref two = types_.Of(ShapeOf(Scalar::kFloat, 1, 2));
-      return Part(type, Extended(GLSLstd450UnpackHalf2x16, two, {values[0]}), 0);
-    }
-    case kF32ToF16: {
-      if (!shape.IsScalar()) return Lack("f32tof16 of a vector");
-      const Ref parts[] = {values[0], types_.Float(0)};
-      const Ref two = Compose(types_.Of(ShapeOf(Scalar::kFloat, 1, 2)), parts);
-      return Extended(GLSLstd450PackHalf2x16, type, {two});
-    }
-    default: return Lack("a function of another kind");
-  }
+    return Derivative(node.op, shape, of.values[0]);
+  if (const auto function = FunctionOf(node.op)) return FromSet(*function, node.op == kSign, of);
+  return OfNumbers(node.op, of);
 }
 
 }  // namespace clipc::spirv

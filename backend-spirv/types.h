@@ -39,6 +39,20 @@ struct Shape {
 Shape ShapeOf(const ir::Type& type);
 Shape ShapeOf(ir::Scalar scalar, std::uint32_t rows, std::uint32_t columns);
 
+// A function of the set GLSL.std.450 that is HLSL's, for floats and for signed integers; 0 where
+// there is none.
+struct ExtendedFunction {
+  std::uint32_t of_float = 0, of_int = 0;
+};
+
+// The operands of a function: the shape of the first, their values, and what the function gives.
+struct Evaluated {
+  Shape shape, result;
+  Ref type = 0;  // of the result
+  std::array<Ref, 4> values{};
+  std::size_t count = 0;
+};
+
 // Where a value lies: at Direct3D's places in a constant buffer, or in an element of a structured
 // buffer, where a bool is a uint; as SPIR-V pleases; or in rows of words (rows.cpp).
 enum class Layout : std::uint8_t { kValue, kConstants, kElements, kRows };

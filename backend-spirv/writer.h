@@ -127,6 +127,9 @@ class Writer {
 
   // ---- intrinsics.cpp
   Ref Intrinsic(ir::TypeId type, const ir::IntrinsicCall& node);
+  Ref FromSet(const ExtendedFunction& function, bool is_sign, const Evaluated& of);
+  Ref OfNumbers(ir::Intrinsic op, const Evaluated& of);
+  Ref OfBits(ir::Intrinsic op, const Evaluated& of);
   Ref Product(ir::ExprId left, ir::ExprId right, const Shape& result);
   Ref Extended(std::uint32_t function, Ref type, std::initializer_list<Ref> arguments);
   Ref Minimum(const Shape& shape, Ref a, Ref b);
@@ -209,7 +212,6 @@ class Writer {
   Module module_;
   Types types_{program_, module_};
   std::string_view lacks_;
-
   // By VarId: the value of a variable that is never changed; the pointer to another.
   std::vector<Ref> values_, pointers_;
   std::vector<spv::StorageClass> storages_;
@@ -220,8 +222,7 @@ class Writer {
   std::map<std::uint32_t, std::size_t> builtin_inputs_;  // by VarId: the number among the inputs
   // By VarId: the path to an input or output that is a part of a variable.
   std::map<std::uint32_t, std::vector<Ref>> part_indices_;
-  // The variables that have parts, by their locations.
-  std::map<std::pair<spv::StorageClass, std::uint32_t>, Ref> wholes_;
+  std::map<std::pair<spv::StorageClass, std::uint32_t>, Ref> wholes_;  // of parts, by location
   std::map<std::size_t, Ref> group_variables_;     // by the number of the output group
   std::set<Ref> described_;                        // the variables that have semantics
   std::set<std::uint32_t> per_vertex_;             // by VarId: inputs that are read at each vertex
@@ -237,14 +238,11 @@ class Writer {
 
   Lines lines_{module_, types_, options_.debug ? &*options_.debug : nullptr};
 
-  // The current function.
-  Words code_, locals_;
+  Words code_, locals_;   // of the current function, as what follows
   Ref block_ = 0;         // the label of the current block
   bool is_open_ = false;  // the current block has no end yet
   bool in_main_ = false;
-  // min, max and clamp give the operand that is a number: in helper functions, which stand for
-  // functions of HLSL, and where the options ask for it
-  bool keeps_numbers_ = false;
+  bool keeps_numbers_ = false;  // min, max and clamp give the operand that is a number
   bool is_precise_ = false;
   std::vector<Loop> loops_;
 };
