@@ -249,7 +249,7 @@ Ref Writer::OfBits(ir::Intrinsic op, const Evaluated& of) {
   }
 }
 
-// Writes a function of numbers that is no function of the extended set.
+// Writes a function of numbers that the extended set lacks.
 Ref Writer::OfNumbers(ir::Intrinsic op, const Evaluated& of) {
   using enum ir::Intrinsic;
   const auto truth = [&](spv::Op all) {

@@ -117,7 +117,12 @@ def seconds(clipc, path):
 
 def instructions(clipc, path):
     """Returns how many instructions a compile takes."""
-    counted = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={os.devnull}", *command(clipc, path)]
+    counted = [
+        "valgrind",
+        "--tool=callgrind",
+        f"--callgrind-out-file={os.devnull}",
+        *command(clipc, path),
+    ]
     done = subprocess.run(counted, capture_output=True, text=True, check=True)
     return int(re.search(r"Collected : (\d+)", done.stderr)[1])
 
