@@ -6,15 +6,14 @@
 // RUN: %clipc -T vs_6_0 -spirv -fspv-debug=vulkan-with-source -S %s -o - | FileCheck %s --check-prefix=SET
 // RUN: %clipc -T vs_6_0 -spirv -fspv-debug=vulkan-with-source %s -o %t.spv && spirv-val --target-env vulkan1.1 %t.spv
 // RUN: %clipc -T vs_6_0 -spirv -fspv-debug=vulkan -fspv-target-env=vulkan1.3 %s -o %t.spv && spirv-val --target-env vulkan1.3 %t.spv
-// RUN: not %clipc -T vs_6_0 -spirv -fspv-debug=all %s -o %t.spv 2>&1 | FileCheck %s --check-prefix=ALL
 // CHECK:      [[FILE:%[0-9]+]] = OpString "lines.hlsl"
 // CHECK-NEXT: OpSource HLSL 600 [[FILE]] "// Debug information
-// CHECK:      OpLine [[FILE]] 38 8
+// CHECK:      OpLine [[FILE]] 36 8
 // CHECK-NEXT: OpFunction %void
-// CHECK:      OpLine [[FILE]] 40
+// CHECK:      OpLine [[FILE]] 38
 // CHECK-NEXT: OpLoad
-// CHECK:      OpLine [[FILE]] 42
-// CHECK:      OpLine [[FILE]] 43
+// CHECK:      OpLine [[FILE]] 40
+// CHECK:      OpLine [[FILE]] 41
 // CHECK-NOT:  OpModuleProcessed
 // NAME:     OpSource HLSL 600 {{%[0-9]+}}
 // NAME-NOT: OpLine
@@ -26,12 +25,11 @@
 // SET:      [[TEXT:%[0-9]+]] = OpString "// Debug information
 // SET:      [[SOURCE:%[0-9]+]] = OpExtInst %void [[DEBUG]] DebugSource [[FILE]] [[TEXT]]
 // SET:      [[UNIT:%[0-9]+]] = OpExtInst %void [[DEBUG]] DebugCompilationUnit %uint_1 %uint_4 [[SOURCE]] %uint_5
-// SET:      [[MAIN:%[0-9]+]] = OpExtInst %void [[DEBUG]] DebugFunction {{.*}} [[SOURCE]] %uint_38 %uint_8 [[UNIT]]
+// SET:      [[MAIN:%[0-9]+]] = OpExtInst %void [[DEBUG]] DebugFunction {{.*}} [[SOURCE]] %uint_36 %uint_8 [[UNIT]]
 // SET:      OpExtInst %void [[DEBUG]] DebugFunctionDefinition [[MAIN]] %main
 // SET:      OpExtInst %void [[DEBUG]] DebugScope [[MAIN]]
-// SET-NEXT: OpExtInst %void [[DEBUG]] DebugLine [[SOURCE]] %uint_40 %uint_40
+// SET-NEXT: OpExtInst %void [[DEBUG]] DebugLine [[SOURCE]] %uint_38 %uint_38
 // SET-NOT:  OpLine
-// ALL: unknown value `all` of -fspv-debug
 float4 light;
 
 // A line before the function.
