@@ -4,7 +4,7 @@
 many instructions. The processor's time, the least of three runs, says quickly that a construct grows as its text does; where
 it does not say so, valgrind counts, since a time differs with what else runs on the machine.
 
-    growth.py CLIPC [NAME...]
+    growth.py CLIPC [-spirv] [NAME...]
 """
 
 import os
@@ -104,24 +104,21 @@ def used():
     return usage.ru_utime + usage.ru_stime
 
 
-def command(clipc, path):
-    return [clipc, "-w", "-T", "ps_6_1", "-E", "main", "--target=vulkan", path, "-o", os.devnull]
-
-
-def seconds(clipc, path):
+def seconds(command, path):
     """Returns the processor's time of a compile, and the message if it fails."""
     before = used()
-    done = subprocess.run(command(clipc, path), capture_output=True, text=True, check=False)
+    done = subprocess.run([*command, path], capture_output=True, text=True, check=False)
     return used() - before, done.stderr[:400] if done.returncode else ""
 
 
-def instructions(clipc, path):
+def instructions(command, path):
     """Returns how many instructions a compile takes."""
     counted = [
         "valgrind",
         "--tool=callgrind",
         f"--callgrind-out-file={os.devnull}",
-        *command(clipc, path),
+        *command,
+        path,
     ]
     done = subprocess.run(counted, capture_output=True, text=True, check=True)
     return int(re.search(r"Collected : (\d+)", done.stderr)[1])
@@ -131,28 +128,30 @@ def grows_faster(few, many, rest=0.0):
     return many > GROWTH * COUNTS[1] / COUNTS[0] * few + rest
 
 
-def mistake(clipc, name, folder):
+def mistake(command, name, folder):
     paths = [pathlib.Path(folder) / f"{count}.hlsl" for count in COUNTS]
     times = []
     for count, path in zip(COUNTS, paths, strict=True):
         path.write_text(text(name, count), encoding="ascii")
-        runs = [seconds(clipc, path) for _ in range(3)]
+        runs = [seconds(command, path) for _ in range(3)]
         if runs[0][1]:
             return f"{name}: {runs[0][1]}"
         times.append(min(run[0] for run in runs))
     if not grows_faster(*times, REST):
         return None
-    few, many = (instructions(clipc, path) for path in paths)
+    few, many = (instructions(command, path) for path in paths)
     if grows_faster(few, many):
         return f"{name}: {few:,} instructions for {COUNTS[0]}, {many:,} for {COUNTS[1]}"
     return None
 
 
 def main():
-    clipc, *names = sys.argv[1:]
-    names = names or list(CONSTRUCTS)
+    clipc, *words = sys.argv[1:]
+    options = [word for word in words if word.startswith("-")]
+    names = [word for word in words if not word.startswith("-")] or list(CONSTRUCTS)
+    command = [clipc, "-w", "-T", "ps_6_1", "--target=vulkan", *options, "-o", os.devnull]
     with tempfile.TemporaryDirectory() as folder:
-        mistakes = [what for name in names if (what := mistake(clipc, name, folder))]
+        mistakes = [what for name in names if (what := mistake(command, name, folder))]
     print("\n".join(mistakes) or f"{len(names)} constructs grow as their text does")
     return bool(mistakes)
 
