@@ -32,9 +32,9 @@ class Fit {
       const TypeKind kind = types_[part.type].kind;
       end = std::uint64_t{part.offset} + PackedExtent(types_, part.type, part.row_major).size;
       const Type& type = types_[part.type];
-      // The last column of a matrix has its whole stride, as spirv-val counts; not so the last row.
-      const bool has_columns = type.IsNumeric() && ShapeOf(type).HasRows() && part.row_major;
-      if (kind == TypeKind::kArray || kind == TypeKind::kStruct || has_columns)
+      // Of matrices spirv-val sees that where the order is ColMajor alone.
+      const bool is_matrix = type.IsNumeric() && ShapeOf(type).HasRows();
+      if (kind == TypeKind::kArray || kind == TypeKind::kStruct || is_matrix)
         end = RoundUp(end, kRow);
     }
     return true;

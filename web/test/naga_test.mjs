@@ -18,9 +18,13 @@ const REFUSED = {
   'skinning.hlsl': /Function .* is invalid/,
   'images.hlsl': /ImageBuffer/, // RWBuffer, which WGSL lacks
   'matrices.hlsl': /UnsupportedMatrixStride/, // of two components in each register of 16 bytes
+  'packing.hlsl': /not a multiple of the required alignment/, // from Vulkan 1.1 on, vectors lie at any component of a row
+  'packing_rules.hlsl': /not a multiple of the required alignment/,
   'matrix.hlsl': /cannot be used for user-defined entry point inputs or outputs/,
 };
 const OTHERWISE = {
+  'packing.hlsl': ['-fspv-target-env=vulkan1.0'],
+  'packing_rules.hlsl': ['-fspv-target-env=vulkan1.0'],
   'matrix.hlsl': ['--names=hlslcc'], // vectors between the stages, where WGSL has no matrices
 };
 
