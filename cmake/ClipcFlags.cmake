@@ -9,6 +9,7 @@ endif()
 option(CLIPC_STATIC "link the release executable fully static: it starts in less than half the time" ${static_by_default})
 set(CLIPC_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize= takes them: address,undefined")
 set(CLIPC_PROFILE "" CACHE STRING "`record`: programs note what they run; `use`: they are compiled by these notes (cmake/build_profiled.sh)")
+set(CLIPC_LINK_ORDER "" CACHE FILEPATH "the symbols of the functions that a short run calls, a line each: lld links them side by side")
 option(CLIPC_FUZZ "instrument everything for libFuzzer and build tools/fuzz/ (needs Clang)" OFF)
 
 get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)

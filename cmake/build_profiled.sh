@@ -1,19 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Builds clipc as it is packaged, in build/profiled: compiled by what an earlier build of it ran on the shaders of
-# examples/gallery, and on the pixel shaders and pairs of testdata/draw/pairs. Needs g++.
+# examples/gallery, and on the pixel shaders and pairs of testdata/draw/pairs; linked with the functions that a short run calls
+# side by side, so that a start reads few pages. Needs g++.
 #   cmake/build_profiled.sh [TARGET...]      all targets of the build, or these
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/setup.sh
-install_packages "${build_packages[@]}"
+install_packages "${build_packages[@]}" "lld-$llvm" valgrind
 
 folder=build/profiled
-# configure record|use
+order=$PWD/$folder/link_order.txt
+# configure record|use ORDER
 configure() {
-  quietly cmake --preset release -B "$folder" -DBUILD_TESTING=OFF -DCLIPC_LLVM="$llvm" -DCLIPC_PROFILE="$1"
+  quietly cmake --preset release -B "$folder" -DBUILD_TESTING=OFF -DCLIPC_LLVM="$llvm" -DCLIPC_PROFILE="$1" -DCLIPC_LINK_ORDER="$2"
 }
-configure record
+configure record ""
 find "$folder" -name '*.gcda' -delete
 build_preset profiled --target clipc -- --quiet >&2
 
@@ -35,6 +37,22 @@ done
   exit 1
 }
 
-configure use
+configure use ""
+build_preset profiled --target clipc -- --quiet >&2
+
+# functions_of ARGUMENT...: the symbols of what `clipc ARGUMENT...` calls.
+functions_of() {
+  valgrind --quiet --tool=callgrind --demangle=no --callgrind-out-file="$scratch/calls" "$folder/bin/clipc" "$@" -o "$scratch/out" >&2
+  sed -nE "s/^c?fn=\([0-9]+\) ([^']+).*/\1/p" "$scratch/calls"
+}
+shaders=tools/checks/instructions
+{
+  functions_of -T vs_5_0 "$shaders/vertex.hlsl"
+  functions_of -T ps_5_0 "$shaders/pixel.hlsl"
+  functions_of -spirv -T vs_5_0 "$shaders/vertex.hlsl"
+  functions_of -spirv -T ps_5_0 "$shaders/pixel.hlsl"
+} | awk '!seen[$0]++' >"$order"
+
+configure use "$order"
 [ $# -gt 0 ] || set -- all
 build_preset profiled --target "$@" -- --quiet >&2
