@@ -90,6 +90,20 @@ std::vector<std::string_view> AfterMains(std::string_view text,
   return mains;
 }
 
+// The test whether one of the distances is below zero, or is not a number. GLSL gives comparisons
+// with what is not a number no meaning, and drivers make `any(lessThan())` of
+// `!all(greaterThanEqual())`: the second half is asked by itself.
+std::string IsOutside(const std::string& distances, const std::string& type, const Target& target) {
+  const bool has_isnan = target.Has(Feature::kRounding);
+  if (type == "float") {
+    const std::string is_nan = has_isnan ? "isnan({0})" : "{0} != {0}";
+    return fmt::format(fmt::runtime(is_nan + " || {0} < 0.0"), distances);
+  }
+  const std::string is_nan = has_isnan ? "isnan({0})" : "notEqual({0}, {0})";
+  return fmt::format(fmt::runtime("any(" + is_nan + ") || any(lessThan({0}, {1}(0.0)))"), distances,
+                     type);
+}
+
 }  // namespace
 
 DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const GlslInfo& info,
@@ -113,16 +127,13 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
       Append(code.declarations, target.Has(Feature::kInAndOut) ? "in " : "varying ",
              target.IsEs() ? "highp " : "", type, " ", variable.name, ";\n");
     }
-    const std::string kept =
-        count == 1 ? variable.name + " >= 0.0"
-                   : fmt::format("all(greaterThanEqual({}, {}(0.0)))", variable.name, type);
-    tests += (tests.empty() ? "" : " && ") + kept;
+    tests += (tests.empty() ? "" : " || ") + IsOutside(variable.name, type, target);
   }
   if (tests.empty()) return code;
   code.function = "clip_planes";
   while (std::ranges::find(taken, code.function) != taken.end()) code.function += "_";
   code.declarations +=
-      fmt::format("\nvoid {}() {{\n    if (!({})) discard;\n}}\n", code.function, tests);
+      fmt::format("\nvoid {}() {{\n    if ({}) discard;\n}}\n", code.function, tests);
   return code;
 }
 

@@ -10,7 +10,7 @@
 #include "ir/program.h"
 
 // The fragment shader's part of the lowering `discard`: it reads the distances that the vertex
-// shader interpolates, and discards where one is not >= 0 (NaN is clipped, as in Direct3D).
+// shader interpolates, and discards where one is below 0 or not a number, as Direct3D clips.
 namespace clipc::glsl {
 
 struct DiscardCode {

@@ -27,7 +27,8 @@ std::uint32_t LocationAfterInputs(const Program& program) {
   return next;
 }
 
-// Adds an input with the distances to `count` planes, and returns whether all of them are kept.
+// Adds an input with the distances to `count` planes, and returns whether one of them is below zero
+// or not a number. Each is asked by itself: drivers make `any(x < 0)` of `!all(x >= 0)`.
 ExprId AddDistances(Program& program, std::uint32_t index, int count) {
   IoVar input;
   const TypeId type =
@@ -40,9 +41,15 @@ ExprId AddDistances(Program& program, std::uint32_t index, int count) {
   input.index = index;
   program.inputs.push_back(input);
   Builder b(program);
-  const ExprId kept = b.BinaryOf(BinaryOp::kGreaterEqual, b.Ref(input.var), b.ZeroOf(type));
-  return count == 1 ? kept
-                    : b.IntrinsicOf(Intrinsic::kAll, program.types.Make(Scalar::kBool), {kept});
+  const auto any = [&](ExprId of) {
+    return b.IntrinsicOf(Intrinsic::kAny, program.types.Make(Scalar::kBool), {of});
+  };
+  const TypeId truths =
+      count == 1 ? program.types.Make(Scalar::kBool) : program.types.Vector(Scalar::kBool, count);
+  const ExprId is_nan = b.IntrinsicOf(Intrinsic::kIsNan, truths, {b.Ref(input.var)});
+  const ExprId is_below = b.BinaryOf(BinaryOp::kLess, b.Ref(input.var), b.ZeroOf(type));
+  return count == 1 ? b.BinaryOf(BinaryOp::kLogicalOr, is_nan, is_below)
+                    : b.BinaryOf(BinaryOp::kLogicalOr, any(is_nan), any(is_below));
 }
 
 }  // namespace
@@ -51,15 +58,14 @@ void DiscardPlanes(Program& program, std::size_t planes) {
   CLIPC_CHECK(program.form == Form::kInlined);
   if (planes == 0) return;
   Builder b(program);
-  ExprId kept;
+  ExprId is_outside;
   for (std::size_t first = 0; first < planes; first += 4) {
     const auto count = static_cast<int>(std::min<std::size_t>(planes - first, 4));
     const ExprId part = AddDistances(program, static_cast<std::uint32_t>(first / 4), count);
-    kept = kept ? b.BinaryOf(BinaryOp::kLogicalAnd, kept, part) : part;
+    is_outside = is_outside ? b.BinaryOf(BinaryOp::kLogicalOr, is_outside, part) : part;
   }
   const StmtId discard = b.Stmt(Discard{});
-  std::vector<StmtId> body{
-      b.Stmt(If{b.UnaryOf(UnaryOp::kNot, kept), b.BlockOf({&discard, 1}), {}})};
+  std::vector<StmtId> body{b.Stmt(If{is_outside, b.BlockOf({&discard, 1}), {}})};
   body.insert(body.end(), MainBody(program).begin(), MainBody(program).end());
   SetMainBody(program, body);
 }

@@ -12,8 +12,8 @@ namespace clipc::passes {
 // each of those, of the semantic ir::kClipPlaneDistance. A distance that is not a number is
 // outside.
 //
-//   color = tint;                          =>    if (!(clip_plane_distance0 >= 0.0)) discard;
-//                                                color = tint;
+//   color = tint;    =>    if (isnan(clip_plane_distance0) || clip_plane_distance0 < 0.0) discard;
+//                          color = tint;
 //
 // Requires and ensures Form::kInlined.
 void DiscardPlanes(ir::Program& program, std::size_t planes);

@@ -65,10 +65,12 @@ std::string WritePixelWrapper(const EntryPoint& entry, const PixelForm& form,
   for (const DistanceParameter& distances : DistanceParameters(form.planes, entry.prefix, planes)) {
     signature.Add(fmt::format("{}{} {}{}", distances.before, distances.type, distances.name,
                               distances.semantic));
-    const std::string kept = fmt::format("{} >= 0.0", distances.name);
-    discards +=
-        fmt::format("    if (!{}) discard;\n", distances.width == 1 ? fmt::format("({})", kept)
-                                                                    : fmt::format("all({})", kept));
+    // Without /Gis fxc leaves isnan() out, and keeps what a comparison says of NaN; drivers of
+    // Vulkan and OpenGL do the opposite.
+    const char* discard = distances.width == 1
+                              ? "    if (isnan({0}) || !({0} >= 0.0)) discard;\n"
+                              : "    if (any(isnan({0})) || !all({0} >= 0.0)) discard;\n";
+    discards += fmt::format(fmt::runtime(discard), distances.name);
   }
   return signature.Write(name, inner, form.discards_first ? discards : "",
                          form.discards_first ? "" : discards);

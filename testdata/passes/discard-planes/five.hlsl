@@ -9,5 +9,5 @@ float4 ps() : SV_Target { return 1; }
 // CHECK:      input float4 clip_plane_distance0 : SV_ClipPlaneDistance0
 // CHECK-NEXT: input float clip_plane_distance1 : SV_ClipPlaneDistance1
 // CHECK:      main void main() {
-// CHECK-NEXT:   if (!(all(clip_plane_distance0 >= zero<float4>) && (clip_plane_distance1 >= zero<float>))) {
+// CHECK-NEXT:   if ((any(isnan(clip_plane_distance0)) || any(clip_plane_distance0 < zero<float4>)) || (isnan(clip_plane_distance1) || (clip_plane_distance1 < zero<float>))) {
 // CHECK-NEXT:     discard

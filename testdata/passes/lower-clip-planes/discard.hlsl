@@ -37,7 +37,7 @@ float4 main(float4 position : POSITION, out float4 color : COLOR) : SV_Position 
 // INCLUDE-NEXT: layout(location = 2) in float vs_SV_CLIPPLANEDISTANCE1;
 // INCLUDE-EMPTY:
 // INCLUDE-NEXT: void clip_planes() {
-// INCLUDE-NEXT:     if (!(all(greaterThanEqual(vs_SV_CLIPPLANEDISTANCE0, vec4(0.0))) && vs_SV_CLIPPLANEDISTANCE1 >= 0.0)) discard;
+// INCLUDE-NEXT:     if (any(isnan(vs_SV_CLIPPLANEDISTANCE0)) || any(lessThan(vs_SV_CLIPPLANEDISTANCE0, vec4(0.0))) || isnan(vs_SV_CLIPPLANEDISTANCE1) || vs_SV_CLIPPLANEDISTANCE1 < 0.0) discard;
 // INCLUDE-NEXT: }
 
 // FRAG: #version 450
@@ -56,7 +56,7 @@ float4 main(float4 position : POSITION, out float4 color : COLOR) : SV_Position 
 // TABLE: "enable_mask": 0
 
 // OLD: varying float vs_SV_CLIPPLANEDISTANCE0;
-// OLD: if (!(vs_SV_CLIPPLANEDISTANCE0 >= 0.0)) discard;
+// OLD: if (vs_SV_CLIPPLANEDISTANCE0 != vs_SV_CLIPPLANEDISTANCE0 || vs_SV_CLIPPLANEDISTANCE0 < 0.0) discard;
 // ES: in highp float vs_SV_CLIPPLANEDISTANCE0;
 
 // ES2: #version 100
