@@ -14,6 +14,7 @@
 #include "compiler/command/show_messages.h"
 #include "compiler/compile/plan.h"
 #include "compiler/compile/suggest.h"
+#include "compiler/effect/check_states.h"
 #include "compiler/effect/effect_json.h"
 #include "compiler/effect/effect_passes.h"
 #include "compiler/effect/gl_effect.h"
@@ -122,7 +123,8 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   loaded.is_read = !diagnostics.has_errors();
   if (loaded.is_read) loaded.effect = ast::ReadEffect(file);
   if (loaded.is_read) loaded.names = CheckNames(loaded.effect, command);
-  if (loaded.names) loaded.programs = FindPrograms(loaded.effect, command, diagnostics);
+  if (loaded.is_read) CheckStates(file, loaded.effect, diagnostics);
+  if (loaded.names) loaded.programs = FindPrograms(file, loaded.effect, command, diagnostics);
   loaded.messages = MessagesOf(diagnostics, source, command);
   loaded.messages.dependencies = source.Dependencies();
   loaded.code = !diagnostics.has_errors() ? kExitOk

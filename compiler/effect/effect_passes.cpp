@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/effect/effect_passes.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -8,9 +9,11 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
+#include "compiler/compile/suggest.h"
 #include "ir/profile.h"
 
 namespace clipc {
@@ -35,8 +38,13 @@ std::string_view StateOf(Stage stage) {
 
 class ProgramFinder {
  public:
-  ProgramFinder(const ast::Effect& effect, const CommandLine& command, Diagnostics& diagnostics)
+  ProgramFinder(const ast::File& file, const ast::Effect& effect, const CommandLine& command,
+                Diagnostics& diagnostics)
       : effect_(effect), command_(command), diagnostics_(diagnostics) {
+    for (const ast::DeclId decl : file.top_level) {
+      if (const auto* function = std::get_if<ast::FunctionDecl>(&file.decls[decl].node))
+        functions_.push_back(file.names[function->name]);
+    }
     for (const ast::EffectParameter& parameter : effect.parameters) {
       if (!parameter.shaders.empty()) variables_.emplace(parameter.name, &parameter.shaders);
     }
@@ -95,6 +103,30 @@ class ProgramFinder {
                         text.size() > kMost ? fmt::format("{}..", text.substr(0, kMost)) : text);
   }
 
+  // Reports a shader that is of another stage, or of a function that the effect does not have.
+  bool IsFor(Stage stage, const EffectShader& shader) {
+    const auto profile = ir::ParseProfile(shader.profile);
+    if (!profile) {
+      const std::vector<std::string> known = ir::ProfilesOf(stage);
+      diagnostics_.Report(
+          shader.span, diag::UnknownProfile, shader.profile,
+          Suggest(shader.profile, std::vector<std::string_view>(known.begin(), known.end())));
+      return false;
+    }
+    if (profile->stage && *profile->stage != stage) {
+      diagnostics_.Report(shader.span, diag::EffectShaderStage, shader.profile,
+                          InfoOf(*profile->stage).name, StateOf(stage), InfoOf(stage).prefix);
+      return false;
+    }
+    // A name with `::` is looked up where the function is compiled.
+    const bool is_plain = shader.function.find(':') == std::string::npos;
+    if (!is_plain || std::ranges::find(functions_, shader.function) != functions_.end())
+      return true;
+    diagnostics_.Report(shader.span, diag::EntryNotFound, shader.function,
+                        Suggest(shader.function, functions_));
+    return false;
+  }
+
   // The shaders that the pass may use in a stage; leaves the pass out if one of them is not to be
   // compiled.
   std::vector<EffectStage> ShadersOf(PassPrograms& added, const ast::EffectPass& pass, Stage stage,
@@ -102,7 +134,9 @@ class ProgramFinder {
     std::vector<EffectStage> shaders;
     const auto add = [&](const EffectShader& one, std::optional<std::size_t> element) {
       if (one.kind == EffectShader::Kind::kNone) return;
-      if (one.kind == EffectShader::Kind::kCompiled) {
+      if (one.kind == EffectShader::Kind::kCompiled && !IsFor(stage, one)) {
+        added.is_left_out = true;
+      } else if (one.kind == EffectShader::Kind::kCompiled) {
         shaders.push_back({stage, &one, element, ProfileFor(one)});
       } else if (!added.is_left_out) {
         LeaveOut(added, pass, StateOf(stage), one.text);
@@ -172,6 +206,7 @@ class ProgramFinder {
   const CommandLine& command_;
   Diagnostics& diagnostics_;
   Variables variables_;
+  std::vector<std::string_view> functions_;
   std::map<std::string, std::size_t> by_key_;
   std::size_t count_ = 0;  // of programs
   EffectPrograms found_;
@@ -179,9 +214,9 @@ class ProgramFinder {
 
 }  // namespace
 
-EffectPrograms FindPrograms(const ast::Effect& effect, const CommandLine& command,
-                            Diagnostics& diagnostics) {
-  return ProgramFinder(effect, command, diagnostics).Find();
+EffectPrograms FindPrograms(const ast::File& file, const ast::Effect& effect,
+                            const CommandLine& command, Diagnostics& diagnostics) {
+  return ProgramFinder(file, effect, command, diagnostics).Find();
 }
 
 }  // namespace clipc

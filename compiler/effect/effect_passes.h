@@ -38,9 +38,10 @@ struct EffectPrograms {
   std::vector<ShaderGroup> groups;   // what is compiled
 };
 
-// Finds the programs of the passes. Reports passes with shaders that clipc does not compile, and
-// text that is not understood.
-EffectPrograms FindPrograms(const ast::Effect& effect, const CommandLine& command,
-                            Diagnostics& diagnostics);
+// Finds the programs of the passes. Reports passes with shaders that clipc does not compile,
+// shaders of another stage or of a function that `file` does not have, and text that is not
+// understood.
+EffectPrograms FindPrograms(const ast::File& file, const ast::Effect& effect,
+                            const CommandLine& command, Diagnostics& diagnostics);
 
 }  // namespace clipc

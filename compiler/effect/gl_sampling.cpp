@@ -17,6 +17,13 @@ using ast::EffectValue;
 
 enum class Filter : std::uint8_t { kNone, kPoint, kLinear, kAnisotropic };  // as gl_words.def
 
+// The name in capitals and without `_`.
+std::string PlainName(const EffectState& state) {
+  std::string name = ToUpper(state.word);
+  std::erase(name, '_');
+  return name;
+}
+
 // How a value is understood.
 enum class Answer : std::uint8_t { kRead, kNotConstant, kUnknownState };
 
@@ -140,7 +147,7 @@ GlSampling ReadGlSampling(const std::vector<EffectState>& states, bool is_old,
                           Diagnostics& diagnostics) {
   SamplingReader reader(is_old);
   for (const EffectState& state : states) {
-    if (NamesTexture(state)) continue;
+    if (NamesTexture(state) || state.is_wrong) continue;
     const Answer answer = reader.Add(state);
     if (answer == Answer::kUnknownState)
       diagnostics.Report(state.span, diag::EffectStateUnknown, state.name);

@@ -7,6 +7,7 @@
 
 #include "base/spelling.h"
 #include "compiler/effect/gl_words.h"
+#include "compiler/effect/state_values.h"
 
 namespace clipc {
 namespace {
@@ -15,57 +16,21 @@ using ast::EffectState;
 using ast::EffectValue;
 using enum GlStateKind;
 
-constexpr std::uint32_t kClockwise = 0x900, kCounterclockwise = 0x901;
-
-// ---- the readings of gl_states.def
-
-using ValueReading = std::optional<std::uint32_t> (*)(const EffectValue& value);
-
-template <GlWords kList>
-std::optional<std::uint32_t> Word(const EffectValue& value) {
-  return ReadWord(kList, value);
-}
-template <GlWords kList>
-std::optional<std::uint32_t> Mask(const EffectValue& value) {
-  return ReadMask(kList, value);
-}
-std::optional<std::uint32_t> Chosen(const EffectValue& value, std::uint32_t if_true,
-                                    std::uint32_t if_false) {
-  const std::optional<bool> flag = ReadFlag(value);
-  return flag ? std::optional(*flag ? if_true : if_false) : std::nullopt;
-}
-std::optional<std::uint32_t> Flag(const EffectValue& value) { return Chosen(value, 1, 0); }
-std::optional<std::uint32_t> NoFlag(const EffectValue& value) { return Chosen(value, 0, 1); }
-std::optional<std::uint32_t> FrontFace(const EffectValue& value) {
-  return Chosen(value, kCounterclockwise, kClockwise);
-}
-std::optional<std::uint32_t> DepthWrites(const EffectValue& value) {
-  return value.IsNumber() ? Flag(value) : ReadWord(GlWords::kDepthWrites, value);
-}
-std::optional<std::uint32_t> Scaled(const EffectValue& value, double factor) {
-  return value.IsNumber() ? std::optional(FloatBits(value.number * factor)) : std::nullopt;
-}
-std::optional<std::uint32_t> Float(const EffectValue& value) { return Scaled(value, 1); }
-// Direct3D 9 gives a part of the depth range, OpenGL steps of a buffer of 24 bits.
-std::optional<std::uint32_t> DepthPart(const EffectValue& value) { return Scaled(value, 1 << 24); }
-
-// Where a state is given: in a pass as in Direct3D 9, or in a block of Direct3D 10.
-enum class Block : std::uint8_t { kPass, kBlendState, kDepthStencilState, kRasterizerState };
-
 struct Rule {
-  Block block;
+  StatePlace place;
   std::string_view name;
   GlStateKind state;
   ValueReading read;
 };
 constexpr Rule kRules[] = {
-#define GL_RULE(Where, Name, State, Read) {Block::k##Where, Name, GlStateKind::k##State, Read},
+#define GL_RULE(Place, Name, State, Read) {StatePlace::k##Place, Name, GlStateKind::k##State, Read},
 #include "compiler/effect/gl_states.def"
 };
 
-const Rule* FindRule(Block block, std::string_view name) {
-  const auto found = std::ranges::find_if(
-      kRules, [&](const Rule& rule) { return rule.block == block && rule.name == name; });
+const Rule* FindRule(StatePlace place, std::string_view name) {
+  const auto found = std::ranges::find_if(kRules, [&](const Rule& rule) {
+    return rule.place == place && IsSameState(rule.name, name);
+  });
   return found == std::end(kRules) ? nullptr : found;
 }
 
@@ -73,15 +38,15 @@ const Rule* FindRule(Block block, std::string_view name) {
 // Direct3D 10's default is another one than that of Direct3D 9.
 struct ObjectCall {
   std::string_view name;
-  Block block;
+  StatePlace place;
   std::vector<GlState> defaults;
 };
 const ObjectCall* FindCall(std::string_view name) {
   static const ObjectCall kCalls[] = {
-      {"SETBLENDSTATE", Block::kBlendState, {{kBlendSeparateAlpha, 1}}},
-      {"SETRASTERIZERSTATE", Block::kRasterizerState, {{kMultisample, 0}}},
+      {"SETBLENDSTATE", StatePlace::kBlendState, {{kBlendSeparateAlpha, 1}}},
+      {"SETRASTERIZERSTATE", StatePlace::kRasterizerState, {{kMultisample, 0}}},
       {"SETDEPTHSTENCILSTATE",
-       Block::kDepthStencilState,
+       StatePlace::kDepthStencilState,
        {{kDepthFunc, 0x201},
         {kStencilTwoSided, 1},
         {kStencilReadMask, 255},
@@ -103,7 +68,7 @@ class StateReader {
       if (const ObjectCall* call = FindCall(name)) {
         AddCall(*call, state);
       } else {
-        Add(Block::kPass, state);
+        Add(StatePlace::kPass, state);
       }
     }
   }
@@ -127,23 +92,23 @@ class StateReader {
   }
 
   void NotConstant(const EffectState& state) {
+    if (state.is_wrong) return;
     diagnostics_.Report(state.span, diag::EffectStateValue, state.text, state.name);
   }
 
-  void Add(Block block, const EffectState& state) {
-    const std::string name = PlainName(state);
-    const Rule* rule = FindRule(block, name);
+  void Add(StatePlace place, const EffectState& state) {
+    const Rule* rule = FindRule(place, state.word);
     // RenderTargetWriteMask[1] is a state of its own; BlendEnable[1] is that of another render
     // target, and OpenGL 3.3 has one for all.
     if (state.index > 0) {
-      const Rule* const numbered = FindRule(block, name + std::to_string(state.index));
+      const Rule* const numbered = FindRule(place, state.word + std::to_string(state.index));
       if (!numbered && rule) return;
       rule = numbered;
     }
-    if (block == Block::kPass && name == "BLENDFACTOR" && state.index == 0)
+    if (place == StatePlace::kPass && IsSameState(state.word, "BlendFactor") && state.index == 0)
       return AddBlendFactor(state);
     if (!rule) {
-      diagnostics_.Report(state.span, diag::EffectStateUnknown, state.name);
+      if (!state.is_wrong) diagnostics_.Report(state.span, diag::EffectStateUnknown, state.name);
       return;
     }
     if (const auto value = rule->read(state.value)) {
@@ -171,14 +136,15 @@ class StateReader {
     const std::string name = arguments.empty() ? "" : arguments[0].word;
     if (!EqualIgnoringCase(name, "NULL")) {
       const EffectParameterFact* const block = effect_.FindParameter(name);
+      if (state.is_wrong) return;
       if (!block || block->text.states.empty()) {
         diagnostics_.Report(state.span, diag::EffectStateBlock, state.name, state.text);
       } else {
-        for (const EffectState& inner : block->text.states) Add(call.block, inner);
+        for (const EffectState& inner : block->text.states) Add(call.place, inner);
       }
     }
-    const bool is_read = call.block == Block::kBlendState ? AddBlendArguments(arguments)
-                         : call.block == Block::kDepthStencilState && arguments.size() > 1
+    const bool is_read = call.place == StatePlace::kBlendState ? AddBlendArguments(arguments)
+                         : call.place == StatePlace::kDepthStencilState && arguments.size() > 1
                              ? AddUnsigned(kStencilReference, arguments[1])
                              : true;
     if (!is_read) NotConstant(state);
@@ -222,12 +188,6 @@ std::vector<GlState> ReadGlStates(const EffectFacts& effect, const ast::EffectPa
   reader.AddPass(pass);
   if (flips) reader.Flip();
   return reader.Finish();
-}
-
-std::string PlainName(const ast::EffectState& state) {
-  std::string name = ToUpper(state.word);
-  std::erase(name, '_');
-  return name;
 }
 
 }  // namespace clipc

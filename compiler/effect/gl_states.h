@@ -30,7 +30,4 @@ struct GlState {
 std::vector<GlState> ReadGlStates(const EffectFacts& effect, const ast::EffectPass& pass,
                                   bool flips, Diagnostics& diagnostics);
 
-// The name of a state in capitals and without `_`, as the tables have it.
-std::string PlainName(const ast::EffectState& state);
-
 }  // namespace clipc

@@ -39,7 +39,12 @@ constexpr std::string_view kPrefixes[] = {"BLENDOP_",
                                           "TEXF_",
                                           "DEPTH_WRITE_MASK_",
                                           "COLORWRITEENABLE_",
-                                          "COLOR_WRITE_ENABLE_"};
+                                          "COLOR_WRITE_ENABLE_",
+                                          "SHADE_",
+                                          "FOG_",
+                                          "MCS_",
+                                          "TOP_",
+                                          "ZB_"};
 
 bool RemovePrefix(std::string_view& text, std::string_view prefix) {
   const bool is_there = text.starts_with(prefix);
@@ -77,6 +82,12 @@ std::optional<std::uint32_t> ReadWord(GlWords list, const EffectValue& value) {
   const auto found = std::ranges::find_if(
       kWords, [&](const GlWord& row) { return row.list == list && row.word == plain; });
   return found == std::end(kWords) ? std::nullopt : std::optional(found->value);
+}
+
+std::vector<std::string_view> Words() {
+  std::vector<std::string_view> words;
+  for (const GlWord& row : kWords) words.push_back(row.word);
+  return words;
 }
 
 std::optional<std::uint32_t> ReadMask(GlWords list, const EffectValue& value) {

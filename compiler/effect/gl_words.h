@@ -32,6 +32,9 @@ enum class GlWords : std::uint8_t {
 // The word as gl_words.def has it: `D3DBLEND_SRC_ALPHA`, `Src_Alpha` and `SRCALPHA` are one.
 std::string PlainWord(std::string_view word);
 
+// The words of all lists.
+std::vector<std::string_view> Words();
+
 // A word of the list.
 std::optional<std::uint32_t> ReadWord(GlWords list, const ast::EffectValue& value);
 // RED | GREEN, 0x7: words of the list and numbers.

@@ -25,6 +25,7 @@ struct EffectState {
   std::uint32_t index = 0;  // of a name with a number in brackets
   EffectValue value;
   Span span;
+  bool is_wrong = false;  // it says what Direct3D does not know, and that has been reported
 };
 struct Annotation {
   std::string type, name, value;
@@ -43,6 +44,7 @@ struct EffectShader {
   std::string profile, function;  // of kCompiled
   std::string call;               // of kCompiled, with arguments: EffectParts::entry_call
   std::string variable, index;    // of kVariable
+  Span span;
 };
 
 struct EffectPass {
@@ -53,6 +55,7 @@ struct EffectPass {
   std::vector<NamedText> other_shaders;  // SetGeometryShader and the like, unless NULL
   std::vector<EffectState> states;
   std::vector<std::string> not_read;  // statements of no known form
+  std::vector<Span> unended;          // the last tokens of statements without a `;` before the next
 };
 
 struct EffectTechnique {
@@ -68,6 +71,7 @@ struct EffectParameter {
   std::vector<Annotation> annotations;
   std::string value;                  // the default value; empty without one
   std::vector<EffectState> states;    // of a block of states
+  std::vector<Span> unended;          // as EffectPass::unended, of that block
   std::vector<EffectShader> shaders;  // of a shader variable: one, or the elements of an array
 };
 

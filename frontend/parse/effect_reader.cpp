@@ -93,6 +93,8 @@ class EffectReader {
 
   std::string Text(TokenSpan tokens) const { return TextOf(tokens, names_); }
 
+  std::vector<Span> TakeUnended() { return std::exchange(unended_, {}); }
+
  private:
   bool AtEnd() const { return pos_ >= tokens_.size(); }
   bool At(TokenKind kind) const { return !AtEnd() && tokens_[pos_].kind == kind; }
@@ -115,9 +117,28 @@ class EffectReader {
     return tokens_.subspan(start, pos_ - start);
   }
 
+  // Takes tokens up to a `;`, a `}`, or what begins the next statement: a name and `=` after those
+  // of this one.
+  TokenSpan TakeAssignment() {
+    const std::size_t start = pos_;
+    bool has_equal = false;
+    for (int depth = 0; !AtEnd(); Take()) {
+      if (depth == 0 && (At(kSemicolon) || At(kRightBrace))) break;
+      const bool is_equal = depth == 0 && At(kEqual);
+      if (is_equal && has_equal && tokens_[pos_ - 1].kind == kIdentifier) {
+        --pos_;
+        break;
+      }
+      has_equal = has_equal || is_equal;
+      depth += BracketStep(tokens_[pos_].kind);
+    }
+    return tokens_.subspan(start, pos_ - start);
+  }
+
   // Takes `Name = value;`, `Name[0] = value;` or `Name(value);`. None for a lone `;`.
   std::optional<Statement> TakeStatement() {
-    const TokenSpan all = TakeUntil(kRightBrace);
+    const TokenSpan all = TakeAssignment();
+    if (At(kIdentifier)) unended_.push_back(all.back().span());
     if (At(kSemicolon)) Take();
     if (all.empty()) return std::nullopt;
     const auto at = std::ranges::find_if(
@@ -187,6 +208,7 @@ class EffectReader {
     while (!AtEnd() && !At(kRightBrace)) {
       if (auto statement = TakeStatement()) AddStatement(pass, std::move(*statement));
     }
+    pass.unended = TakeUnended();
     if (!AtEnd()) Take();
     return pass;
   }
@@ -226,6 +248,7 @@ class EffectReader {
     using enum EffectShader::Kind;
     EffectShader shader;
     shader.text = Text(tokens);
+    if (!tokens.empty()) shader.span = Cover(tokens.front().span(), tokens.back().span());
     // (A[i]), <vs>; more brackets than one pair have no use.
     if (IsIn(tokens, kLeftParen, kRightParen) || IsIn(tokens, kLess, kGreater))
       tokens = tokens.subspan(1, tokens.size() - 2);
@@ -266,6 +289,7 @@ class EffectReader {
   const Names& names_;
   TokenSpan tokens_;
   std::size_t pos_ = 0;
+  std::vector<Span> unended_;
 };
 
 // Whether a value begins as that of a shader variable does.
@@ -303,7 +327,9 @@ EffectParameter ReadParameter(const EffectVariable& variable, TokenSpan tokens,
   if (IsShader(value, names)) {
     parameter.shaders = EffectReader(names, value).ReadShaders();
   } else if (has_states) {
-    parameter.states = EffectReader(names, value).ReadStates();
+    EffectReader reader(names, value);
+    parameter.states = reader.ReadStates();
+    parameter.unended = reader.TakeUnended();
   } else {
     parameter.value = TextOf(value, names);
   }
