@@ -32,7 +32,7 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
                            : "clipc compiles no others, use dxc or glslang for them");
     return {};
   }
-  Tokens tokens = Lex(source, diagnostics);
+  Tokens tokens = Lex(source, diagnostics, options.entry);
   if (diagnostics.has_errors() || (wants && !wants(tokens))) return {};
   const int errors = diagnostics.error_count();
   const ast::File file = Parse(std::move(tokens), diagnostics, FunctionBodies::kParse,

@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Clang's preprocessor as clipc's: its world, the include files, and the conversion of each of
-// Clang's tokens to one of clipc's.
+// Clang's preprocessor as clipc's: the include files, and the conversion of each of Clang's tokens
+// to one of clipc's.
 #include <algorithm>
 #include <array>
-#include <set>
+#include <iterator>
+#include <optional>
 #include <utility>
 
-#include <clang/Basic/Diagnostic.h>
-#include <clang/Basic/DiagnosticOptions.h>
-#include <clang/Basic/FileManager.h>
-#include <clang/Basic/LangOptions.h>
-#include <clang/Basic/SourceManager.h>
-#include <clang/Basic/TargetBuiltins.h>
-#include <clang/Basic/TargetInfo.h>
-#include <clang/Basic/Version.inc>
 #include <clang/Lex/HeaderSearch.h>
-#include <clang/Lex/HeaderSearchOptions.h>
 #include <clang/Lex/ModuleLoader.h>
 #include <clang/Lex/Preprocessor.h>
-#include <clang/Lex/PreprocessorOptions.h>
 #include <fmt/format.h>
 #include <llvm/ADT/StringSet.h>
 #include <llvm/Support/MemoryBuffer.h>
-#include <llvm/Support/VirtualFileSystem.h>
 
 #include "base/path.h"
-#include "frontend/lex/clang_bridge.h"
-#include "frontend/lex/files_clang.h"
-#include "frontend/lex/include_search.h"
-#include "frontend/lex/preprocess_guard.h"
-#include "frontend/lex/source.h"
+#include "frontend/lex/bodies_clang.h"
+#include "frontend/lex/source_state_clang.h"
 #include "frontend/lex/source_text.h"
 #include "frontend/lex/token_writer.h"
 
@@ -40,122 +27,6 @@ namespace tok = clang::tok;
 using clang::SourceLocation;
 
 using Limit = PreprocessGuard::Limit;
-
-// ---- the world as Clang sees it
-
-// Options as the constructors of this version of Clang take them.
-template <typename Options>
-decltype(auto) ForClang(const std::shared_ptr<Options>& options) {
-#if CLANG_VERSION_MAJOR >= 21
-  return (*options);
-#else
-  return options;
-#endif
-}
-
-// A target that the preprocessor asks only for the widths of integers and characters.
-class ShaderTarget : public clang::TargetInfo {
- public:
-  ShaderTarget() : TargetInfo(llvm::Triple("dxil-pc-shadermodel6.0-vertex")) {
-    NoAsmVariants = true;
-    PointerWidth = PointerAlign = 32;
-    LongWidth = LongAlign = 64;
-#if CLANG_VERSION_MAJOR >= 22
-    resetDataLayout("e-m:e-p:32:32");
-#else
-    resetDataLayout("e-m:e-p:32:32", "");
-#endif
-  }
-  void getTargetDefines(const clang::LangOptions&, clang::MacroBuilder&) const override {}
-#if CLANG_VERSION_MAJOR >= 20
-  llvm::SmallVector<clang::Builtin::InfosShard> getTargetBuiltins() const override { return {}; }
-#else
-  clang::ArrayRef<clang::Builtin::Info> getTargetBuiltins() const override { return {}; }
-#endif
-  BuiltinVaListKind getBuiltinVaListKind() const override { return VoidPtrBuiltinVaList; }
-  bool validateAsmConstraint(const char*&, TargetInfo::ConstraintInfo&) const override {
-    return false;
-  }
-  std::string_view getClobbers() const override { return ""; }
-  clang::ArrayRef<const char*> getGCCRegNames() const override { return {}; }
-  clang::ArrayRef<TargetInfo::GCCRegAlias> getGCCRegAliases() const override { return {}; }
-};
-
-}  // namespace
-
-struct FrontendContext::State {
-  llvm::IntrusiveRefCntPtr<clang::FileManager> files;
-  llvm::IntrusiveRefCntPtr<clang::DiagnosticIDs> ids{new clang::DiagnosticIDs};
-#if CLANG_VERSION_MAJOR >= 21
-  clang::DiagnosticOptions options;
-  clang::DiagnosticOptions& Options() { return options; }
-#else
-  llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> options{new clang::DiagnosticOptions};
-  clang::DiagnosticOptions& Options() { return *options; }
-#endif
-  clang::LangOptions language;
-  ShaderTarget target;
-  std::shared_ptr<clang::HeaderSearchOptions> search_options =
-      std::make_shared<clang::HeaderSearchOptions>();
-  std::shared_ptr<clang::PreprocessorOptions> preprocessor_options =
-      std::make_shared<clang::PreprocessorOptions>();
-
-  std::string sandbox;
-
-  State(Files on_disk, std::string only_folder) : sandbox(std::move(only_folder)) {
-    llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> system;
-    if (on_disk == Files::kNone) {
-      system = new llvm::vfs::InMemoryFileSystem;
-    } else {
-      system = RegularFilesIn(sandbox);
-    }
-    files = new clang::FileManager(clang::FileSystemOptions(), system);
-    language.HLSL = 1;
-    language.C99 = 1;
-    language.LineComment = 1;
-    language.Half = 1;
-    language.CPlusPlus = 0;
-    language.GNUMode = 0;
-    language.DollarIdents = 0;
-    preprocessor_options->SourceDateEpoch = 0;  // __DATE__ and __TIME__: same input, same output
-  }
-};
-
-struct Source::State {
-  FrontendContext::State& shared;
-  SourceInput input;
-  std::string main_text;
-  bool main_file_read = false;
-  Diagnostics* diagnostics = nullptr;
-  PreprocessGuard guard;
-  std::unique_ptr<clang::DiagnosticConsumer> consumer;
-  clang::DiagnosticsEngine engine;
-  clang::SourceManager sources;
-  std::vector<EnteredFile> include_stack;
-  std::vector<std::string> dependencies;
-  std::vector<Include> includes;
-  std::set<std::string> macros_used;
-  TextLine line;  // the line that LineOf was asked for last
-
-  State(FrontendContext::State& context, SourceInput what)
-      : shared(context),
-        input(std::move(what)),
-        consumer(ReportInto(&diagnostics, guard, [this] { StopInclude(); })),
-        engine(shared.ids, shared.options, consumer.get(), /*ShouldOwnClient=*/false),
-        // Volatile files are never mapped: a file may shrink while it is read.
-        sources(engine, *shared.files, /*UserFilesAreVolatile=*/true) {}
-
-  ClangText Text() { return {sources, shared.language, shared.Options()}; }
-  bool MainFileIsOnDisk() const { return !input.text && input.path != "-"; }
-  bool EnterMainFile();
-  EnteredFile Describe(clang::FileID file) const;
-  void StopInclude() {
-    ReportIncludeTooDeep(include_stack, *diagnostics);
-    guard.Stop(Limit::kReported, 0);
-  }
-};
-
-namespace {
 
 // Whether a file can have this name. clang::FileManager reads freed memory when it is given the
 // name of a folder for a file, and systems cut a name off at a NUL.
@@ -204,6 +75,7 @@ class Callbacks : public clang::PPCallbacks {
                         clang::SrcMgr::CharacteristicKind, clang::FileID,
                         SourceLocation where) override {
     auto& stack = source_.include_stack;
+    if (source_.bodies && source_.bodies->is_reading()) return;
     if (reason == LexedFileChangeReason::EnterFile) {
       const EnteredFile& entered = stack.emplace_back(source_.Describe(file));
       if (stack.size() > 1 || source_.MainFileIsOnDisk()) AddDependency(entered.name);
@@ -366,8 +238,9 @@ EnteredFile Source::State::Describe(clang::FileID file) const {
 
 namespace {
 
-// Enters the main file and calls on_token(token, preprocessor) for each token up to the end, which
-// it returns. Returns an end token without a place if the file cannot be read.
+// Enters the main file and calls on_token(token, preprocessor) for each token, then for those of
+// the bodies that are reached and the `}` after each. Returns the end of the main file; an end
+// token without a place if it cannot be read.
 template <typename OnToken>
 clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnToken&& on_token) {
   state.diagnostics = &diagnostics;
@@ -396,6 +269,7 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
   preprocessor.Initialize(shared.target);
   preprocessor.setPredefines(Predefines(state.input));
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
+  if (state.bodies) state.bodies->Watch(preprocessor);
 
   if (state.input.record_macros)
     preprocessor.addPPCallbacks(RecordMacros(state.sources, state.macros_used));
@@ -405,29 +279,62 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
   const GuardScope guarded(state.guard);
   const PasteScope pasting(state.input.pasted, state.guard, diagnostics);
   preprocessor.EnterMainSourceFile();
+  const auto goes_on = [&] { return !state.guard.stopped() && !diagnostics.TooManyErrors(); };
   const auto read = [&] { guarded.Read(preprocessor, token); };
-  for (read(); token.isNot(tok::eof); read()) {
-    if (state.guard.stopped() || diagnostics.TooManyErrors()) break;
-    on_token(token, preprocessor);
+  LazyBodies* const bodies = state.bodies;
+  std::optional<clang::Token> end;
+  for (read(); goes_on(); read()) {
+    if (token.isNot(tok::eof)) {
+      on_token(token, preprocessor);
+      if (!bodies || !bodies->IsEnd(token)) continue;
+    } else if (!end) {
+      end = token;
+    }
+    if (!bodies || !bodies->GoOn(token, preprocessor)) break;
   }
-  return token;
+  return goes_on() ? *end : token;
+}
+
+// Lexes all of a source, or what `functions` reach. None where a body among these was read too
+// late: the names of all that are reached are added to `functions`, so that the next time they are
+// read in their places.
+std::optional<Tokens> LexFrom(Source::State& state, Diagnostics& diagnostics,
+                              std::vector<std::string>& functions) {
+  Tokens tokens;
+  std::optional<LazyBodies> bodies;
+  if (!functions.empty()) state.bodies = &bodies.emplace(tokens, functions);
+  TokenWriter writer(tokens, diagnostics, state.input.shader_model_major >= 6);
+  const clang::Token end = RunPreprocessor(
+      state, diagnostics, [&](const clang::Token& token, clang::Preprocessor& preprocessor) {
+        if (tokens.list.empty())  // untouched pages cost nothing
+          tokens.list.reserve(state.main_text.size() / 3 + 64);
+        AddToken(token, preprocessor, tokens.names, writer);
+        if (bodies) bodies->After(token, preprocessor);
+      });
+  state.bodies = nullptr;
+  if (bodies && !bodies->are_right()) {
+    std::ranges::move(bodies->ReachedFunctions(), std::back_inserter(functions));
+    return std::nullopt;
+  }
+  if (bodies) bodies->Merge();
+  writer.AddEnd(end.getLocation().getRawEncoding());
+  state.guard.Report(diagnostics);
+  return tokens;
 }
 
 }  // namespace
 
-Tokens Lex(Source& source, Diagnostics& diagnostics) {
-  Source::State& state = source.state();
-  Tokens tokens;
-  TokenWriter writer(tokens, diagnostics, state.input.shader_model_major >= 6);
-  const clang::Token end = RunPreprocessor(
-      state, diagnostics, [&](const clang::Token& token, const clang::Preprocessor& preprocessor) {
-        if (tokens.list.empty())  // untouched pages cost nothing
-          tokens.list.reserve(state.main_text.size() / 3 + 64);
-        AddToken(token, preprocessor, tokens.names, writer);
-      });
-  writer.AddEnd(end.getLocation().getRawEncoding());
-  state.guard.Report(diagnostics);
-  return tokens;
+Tokens Lex(Source& source, Diagnostics& diagnostics, std::string_view entry) {
+  constexpr int kMostTries = 3;
+  std::vector<std::string> functions;
+  if (!entry.empty()) functions.emplace_back(entry);
+  const Diagnostics before = diagnostics;
+  for (int tries = 1;; ++tries) {
+    if (auto tokens = LexFrom(source.state(), diagnostics, functions)) return *std::move(tokens);
+    if (tries == kMostTries) functions.clear();
+    diagnostics = before;
+    source.Restart();
+  }
 }
 
 std::string Preprocess(Source& source, Diagnostics& diagnostics) {
@@ -436,7 +343,7 @@ std::string Preprocess(Source& source, Diagnostics& diagnostics) {
   unsigned line = 0;
   llvm::SmallString<64> buffer;
   RunPreprocessor(
-      state, diagnostics, [&](const clang::Token& token, const clang::Preprocessor& preprocessor) {
+      state, diagnostics, [&](const clang::Token& token, clang::Preprocessor& preprocessor) {
         constexpr unsigned kFewLines = 8;
         const clang::PresumedLoc place = state.sources.getPresumedLoc(token.getLocation());
         const bool is_elsewhere =
@@ -471,6 +378,9 @@ FrontendContext::~FrontendContext() = default;
 Source::Source(FrontendContext& context, SourceInput input)
     : state_(std::make_unique<State>(context.state(), std::move(input))) {}
 Source::~Source() = default;
+void Source::Restart() {
+  state_ = std::make_unique<State>(state_->shared, std::move(state_->input));
+}
 
 Place Source::Resolve(Span span) const { return clipc::Resolve(state_->Text(), span); }
 std::vector<std::uint32_t> Source::PlaceInText(Span span) const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -35,6 +36,7 @@ class FrontendContext {
 
   struct State;
   State& state() { return *state_; }
+  void Restart();  // forgets what was read
 
  private:
   std::unique_ptr<State> state_;
@@ -157,6 +159,7 @@ class Source {
 
   struct State;
   State& state() { return *state_; }
+  void Restart();  // forgets what was read
 
  private:
   std::unique_ptr<State> state_;
@@ -165,7 +168,11 @@ class Source {
 // Preprocesses a source; the tokens end in one kEnd. Call it once for each Source. It is linear in
 // the text read, and bounded: include cycles, macros that grow without end and deep nesting inside
 // directives are errors. After an error the sequence may be cut short and is not worth parsing.
-Tokens Lex(Source& source, Diagnostics& diagnostics);
+//
+// With the name of an `entry`, the bodies of functions that it does not reach are left out: `{`
+// is followed by `}`. A function is reached by its name, which is a word outside of bodies or of
+// the body of a function that is reached. Nothing is reported of what is left out.
+Tokens Lex(Source& source, Diagnostics& diagnostics, std::string_view entry = {});
 
 // Returns the text after preprocessing, for people and other compilers: with the lines where they
 // were, and #line where a file begins or many lines are left out. It is called instead of Lex, and

@@ -1,6 +1,6 @@
 // Qualifiers where they have no place, and pairs that contradict each other. What fxc says of each at
 // each kind of declaration is in DXC's varmods-syntax.hlsl and typemods-syntax_noerr.hlsl.
-// RUN: not %clipc -T vs_5_0 %s 2>&1 | grep -v '^ ' | FileCheck %s
+// RUN: not %clipc -T vs_5_0 -E helper %s 2>&1 | grep -v '^ ' | FileCheck %s
 
 // CHECK: [[#@LINE+1]]:11: error: a global variable cannot be `in` [qualifier-misplaced, X3006]
 in float4 read;
