@@ -56,6 +56,8 @@ constexpr Since Subgroup(std::string_view extension, int first) {
 // Sources: the GLSL specifications 1.20 to 4.60, GLSL ES 1.00 to 3.20, KHR_vulkan_glsl, and the
 // extensions named.
 constexpr FeatureRow kFeatures[] = {
+    // GL_ARB_gl_spirv needs an OpenGL that is older, but a module has all bindings in it.
+    {Feature::kSpirv, {420}, {}},
     {Feature::kInAndOut, {130}, {300}},
     {Feature::kInputLocations, {330}, {300}},
     {Feature::kOutputLocations, {410}, {310}},

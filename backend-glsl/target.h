@@ -24,6 +24,7 @@ enum class Api : std::uint8_t {
 
 // A part of GLSL that some versions lack. The rows of target.cpp say which versions have it.
 enum class Feature : std::uint8_t {
+  kSpirv,  // the application may give SPIR-V in place of GLSL
   // ---- the interface
   kInAndOut,         // `in` and `out`; else `attribute` and `varying`
   kInputLocations,   // layout(location = 0) of an input

@@ -115,10 +115,7 @@ void Writer::StoreInBuffer(const clipc::ir::ObjectCall& node) {
   if (part.first == 0) {
     Place place = part.place;
     place.type = type;  // of a row, that of the row
-    const Ref pointer = PointerTo(place);
-    Do(spv::Op::OpStore,
-       {pointer, Recast(value, type, place.row_major, Layout::kValue, Layout::kElements)});
-    return;
+    return StoreElement(place, value);
   }
   const Shape shape = ShapeOf(program_.types[type]);
   const Shape component = shape.Component();

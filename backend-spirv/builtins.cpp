@@ -27,7 +27,6 @@ using Cap = spv::Capability;
 using In = spv::BuiltIn;
 
 constexpr std::string_view kDrawParameters = "SPV_KHR_shader_draw_parameters",
-                           kBarycentric = "SPV_KHR_fragment_shader_barycentric",
                            kShadingRate = "SPV_KHR_fragment_shading_rate",
                            kLayers = "SPV_EXT_shader_viewport_index_layer";
 
@@ -51,9 +50,9 @@ constexpr Row kInputs[] = {
     {Builtin::kViewportInput, In::ViewportIndex, "gl_ViewportIndex", Scalar::kInt,
      Cap::MultiViewport},
     {Builtin::kBarycentrics, In::BaryCoordKHR, "gl_BaryCoordEXT", Scalar::kFloat,
-     Cap::FragmentBarycentricKHR, kBarycentric},
+     Cap::FragmentBarycentricKHR},
     {Builtin::kBarycentricsNoPerspective, In::BaryCoordNoPerspKHR, "gl_BaryCoordNoPerspEXT",
-     Scalar::kFloat, Cap::FragmentBarycentricKHR, kBarycentric},
+     Scalar::kFloat, Cap::FragmentBarycentricKHR},
     {Builtin::kFullyCovered, In::FullyCoveredEXT, "gl_FragFullyCoveredNV", Scalar::kBool,
      Cap::FragmentFullyCoveredEXT, "SPV_EXT_fragment_fully_covered"},
     {Builtin::kHelperLane, In::HelperInvocation, "gl_HelperInvocation", Scalar::kBool},
@@ -100,19 +99,6 @@ const Row* RowOf(std::span<const Row> rows, Builtin builtin) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-// Whether OpenGL has nothing of the kind, or not in SPIR-V.
-bool IsOfVulkan(Builtin input) {
-  switch (input) {
-    case Builtin::kViewId:
-    case Builtin::kBarycentrics:
-    case Builtin::kBarycentricsNoPerspective:
-    case Builtin::kShadingRateInput:
-    case Builtin::kLaneCount:
-    case Builtin::kLaneIndex: return true;
-    default: return false;
-  }
-}
-
 void Require(Module& module, const Row& row) {
   module.Require(row.capability);
   if (!row.extension.empty() && module.minor_version() < row.core) module.Require(row.extension);
@@ -139,9 +125,8 @@ Ref Writer::BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref
 Ref Writer::DeclareBuiltin(Builtin input, Ref type) {
   const Row* row = options_.is_opengl ? RowOf(kOpenGlInputs, input) : nullptr;
   if (!row) row = RowOf(kInputs, input);
-  if (!row || (options_.is_opengl && IsOfVulkan(input))) return Lack("an input that no module has");
-  if (row->capability == Cap::GroupNonUniform && module_.minor_version() < 3)
-    return Lack("waves before SPIR-V 1.3");
+  if (!row) return Lack("an input that no module has");
+  if (row->capability == Cap::FragmentBarycentricKHR) RequireBarycentrics();
   Require(module_, *row);
   const bool is_new = !builtins_.contains({row->which, spv::StorageClass::Input});
   const Ref variable = BuiltinVariable(row->which, spv::StorageClass::Input, type, row->name);

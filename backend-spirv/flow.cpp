@@ -26,23 +26,6 @@ std::uint32_t LoopControlOf(Hint hint) {
 
 }  // namespace
 
-void Writer::Label(Ref label) {
-  Do(spv::Op::OpLabel, {label});
-  block_ = label;
-  is_open_ = true;
-  lines_.EndBlock();
-}
-
-void Writer::Branch(Ref label) {
-  if (is_open_) Do(spv::Op::OpBranch, {label});
-  is_open_ = false;
-}
-
-void Writer::Branch(Ref condition, Ref when_true, Ref when_false) {
-  Do(spv::Op::OpBranchConditional, {condition, when_true, when_false});
-  is_open_ = false;
-}
-
 Ref Writer::FunctionRef(FunctionId id) {
   Ref& ref = function_refs_[id.index];
   if (ref == 0) {

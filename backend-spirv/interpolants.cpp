@@ -15,8 +15,6 @@ Ref Writer::Interpolant(const IntrinsicCall& node) {
   const auto* swizzle = As<Swizzle>(arguments[0]);
   const ExprId input = swizzle ? swizzle->base : arguments[0];
   const auto* ref = As<VarRef>(input);
-  if (options_.is_opengl && node.op == ir::Intrinsic::kAttributeAtVertex)
-    return Lack("an input at a vertex");
   if (!ref || pointers_[ref->var.index] == 0) return Lack("a part of an input at another place");
   Place place = PlaceOfVariable(ref->var);
   const Ref type = types_.Of(place.type);

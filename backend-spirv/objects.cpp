@@ -12,9 +12,10 @@ using namespace ir;
 
 namespace {
 
-spv::Dim DimensionOf(const ObjectInfo& info) {
+// OpenGL has no subpasses: what was drawn is bound as a texture.
+spv::Dim DimensionOf(const ObjectInfo& info, bool is_opengl) {
   if (info.category == ObjectCategory::kTypedBuffer) return spv::Dim::Buffer;
-  if (info.category == ObjectCategory::kSubpass) return spv::Dim::SubpassData;
+  if (info.category == ObjectCategory::kSubpass && !is_opengl) return spv::Dim::SubpassData;
   if (info.is_cube) return spv::Dim::Cube;
   if (info.axes == 1) return spv::Dim::Dim1D;
   return info.axes == 3 ? spv::Dim::Dim3D : spv::Dim::Dim2D;
@@ -51,7 +52,7 @@ Shape Writer::FourTexels(const Type& object) const {
 // The type of an image, of the format where it is written, else as a texture.
 Ref Writer::ImageType(const Type& object, std::string_view format, bool is_shadow) {
   const ObjectInfo& info = InfoOf(object.object);
-  const spv::Dim dimension = DimensionOf(info);
+  const spv::Dim dimension = DimensionOf(info, options_.is_opengl);
   if (object.element && IsInteger(program_.types[object.element].scalar) &&
       IsWide(program_.types[object.element].scalar))
     return Lack("texels of 64 bits");
@@ -137,7 +138,7 @@ const DeclaredObject& Writer::DeclaredOf(VarId id, VarId sampler) {
   module_.Name(declared.variable, place->name);
   Bind(declared.variable, *place);
   NameType(declared.variable, place->user_type);
-  if (place->input_attachment)
+  if (place->input_attachment && !options_.is_opengl)
     module_.Decorate(declared.variable, spv::Decoration::InputAttachmentIndex,
                      {*place->input_attachment});
   if (var.coherent && IsImage(object.object))
@@ -212,7 +213,8 @@ Ref Writer::ObjectCall(TypeId result, const clipc::ir::ObjectCall& node) {
     case ObjectCategory::kCombinedSampler: return TextureRead(*this, result, node).Write();
     case ObjectCategory::kStructuredBuffer: return BufferCall(result, node);
     case ObjectCategory::kSubpass:
-      return options_.is_opengl ? Lack("a subpass") : SubpassLoad(result, node);
+      return options_.is_opengl ? TextureRead(*this, result, node).WriteSubpassLoad()
+                                : SubpassLoad(result, node);
     default: return Lack("an object of another kind");
   }
 }

@@ -44,11 +44,6 @@ Ref WholeType(Module& module, Types& types, Ref column, std::uint32_t columns,
   return type;
 }
 
-void RequireBarycentrics(Module& module) {
-  module.Require(spv::Capability::FragmentBarycentricKHR);
-  module.Require("SPV_KHR_fragment_shader_barycentric");
-}
-
 std::vector<spv::Decoration> InterpolationOf(Module& module, const Interpolated& io) {
   std::vector<spv::Decoration> decorations;
   const bool is_flat = BaseOf(io.scalar) != Scalar::kFloat;
@@ -65,6 +60,13 @@ std::vector<spv::Decoration> InterpolationOf(Module& module, const Interpolated&
 }
 
 }  // namespace
+
+// OpenGL's extension is that of NVIDIA, with the same numbers.
+void Writer::RequireBarycentrics() {
+  module_.Require(spv::Capability::FragmentBarycentricKHR);
+  module_.Require(options_.is_opengl ? "SPV_NV_fragment_shader_barycentric"
+                                     : "SPV_KHR_fragment_shader_barycentric");
+}
 
 // Declares what an input or an output is, or is a part of. Inputs that are read at each vertex are
 // arrays of three.
@@ -94,7 +96,7 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
     module_.Decorate(variable, spv::Decoration::Location, {location});
     if (io.blend_index > 0) module_.Decorate(variable, spv::Decoration::Index, {io.blend_index});
     if (is_per_vertex) {
-      RequireBarycentrics(module_);
+      RequireBarycentrics();
       module_.Decorate(variable, spv::Decoration::PerVertexKHR);
     } else if (is_input == IsPixelShader()) {
       const Scalar scalar = program_.types[(*this)[io.var].type].scalar;

@@ -122,17 +122,7 @@ Place Writer::PlaceOf(ExprId path) {
   if (const auto* ref = As<VarRef>(path)) return PlaceOfVariable(ref->var);
   if (const auto* element = As<clipc::ir::ObjectCall>(path)) return ElementPlace(*element);
   if (const auto* field = As<FieldRef>(path)) {
-    Place place = PlaceOf(field->base);
-    if (place.layout != Layout::kValue)
-      place.row_major = program_.types.StructOf(place.type).fields[field->field].row_major;
-    if (place.layout == Layout::kRows)
-      place.offset +=
-          FieldOffset(program_.types, program_.types[place.type].structure, field->field);
-    else
-      place.indices.push_back(types_.Int(static_cast<std::int32_t>(field->field)));
-    place.type = (*this)[path].type;
-    place.is_buffer = false;
-    return place;
+    return PlaceOfField(PlaceOf(field->base), field->field);
   }
   if (const auto* index = As<Index>(path)) {
     Place place = PlaceOf(index->base);
@@ -199,7 +189,6 @@ Ref Writer::Recast(Ref value, TypeId id, bool row_major, Layout from, Layout to)
     for (std::uint32_t i = 0; i < shape.rows; ++i)
       parts.push_back(Converted(Part(types_.Of(shape.Row()), value, i), shape.Row(), scalar));
   } else if (type.kind == TypeKind::kArray) {
-    if (type.count > kLongArray) return Lack("a long array of a buffer as a value");
     const Ref element = types_.InMemory(type.element, row_major, from);
     for (std::uint32_t i = 0; i < type.count; ++i)
       parts.push_back(Recast(Part(element, value, i), type.element, row_major, from, to));
@@ -216,6 +205,8 @@ Ref Writer::Recast(Ref value, TypeId id, bool row_major, Layout from, Layout to)
 Ref Writer::Load(const Place& place) {
   const TypeId type = place.count > 0 ? place.vector : place.type;
   if (place.is_buffer) return LoadBuffer(place);
+  const bool is_memory = place.layout == Layout::kConstants || place.layout == Layout::kElements;
+  if (is_memory && place.count == 0 && IsLong(type)) return LoadLong(place);
   Ref value = 0;
   if (place.layout == Layout::kRows) {
     Place whole = place;
@@ -258,15 +249,7 @@ Ref Writer::LoadBuffer(const Place& place) {
     return Compose(types_.Of(place.type), parts);
   }
   if (place.layout == Layout::kRows) return LoadInRows(place);
-  for (const Field& field : program_.types.StructOf(place.type).fields) {
-    Place part = place;
-    part.is_buffer = false;
-    part.indices.push_back(types_.Int(static_cast<std::int32_t>(parts.size())));
-    part.type = field.type;
-    part.row_major = field.row_major;
-    parts.push_back(Load(part));
-  }
-  return Compose(types_.Of(place.type), parts);
+  return LoadLong(place);
 }
 
 void Writer::Store(const Place& place, Ref value) {

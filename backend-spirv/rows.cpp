@@ -55,9 +55,12 @@ void Writer::MoveInRows(Place& place, ExprId index, std::uint32_t bytes) {
     place.offset += static_cast<std::uint32_t>(number->bits) * bytes;
     return;
   }
+  StepInRows(place, Converted(Value(index), ShapeAt(index), Scalar::kInt), bytes);
+}
+
+void Writer::StepInRows(Place& place, Ref steps, std::uint32_t bytes) {
   const Ref type = types_.Of(Scalar::kInt);
   const std::uint32_t unit = bytes % kRow == 0 ? kRow : kWord;
-  Ref steps = Converted(Value(index), ShapeAt(index), Scalar::kInt);
   if (bytes != unit) {
     const Ref each = types_.Int(static_cast<std::int32_t>(bytes / unit));
     steps = Emit(spv::Op::OpIMul, type, {steps, each});
@@ -149,18 +152,12 @@ Ref RowReader::Load(const Place& place) {
   const Type& type = writer_.program_.types[place.type];
   std::vector<Ref> parts;
   if (type.kind == TypeKind::kStruct) {
-    for (const Field& field : writer_.program_.types.StructOf(place.type).fields) {
-      Place part = place;
-      part.offset += FieldOffset(writer_.program_.types, type.structure,
-                                 static_cast<std::uint32_t>(parts.size()));
-      part.type = field.type;
-      part.row_major = field.row_major;
-      parts.push_back(Load(part));
-    }
+    const auto count = writer_.program_.types.StructOf(place.type).fields.size();
+    for (std::uint32_t i = 0; i < count; ++i) parts.push_back(Load(writer_.PlaceOfField(place, i)));
     return writer_.Compose(writer_.types_.Of(place.type), parts);
   }
   if (type.kind == TypeKind::kArray) {
-    if (type.count > kLongArray) return writer_.Lack("a long array of a buffer as a value");
+    if (writer_.IsLong(place.type)) return writer_.LoadLong(place);
     Place element = place;
     element.type = type.element;
     for (std::uint32_t i = 0; i < type.count; ++i) {

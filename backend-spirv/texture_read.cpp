@@ -233,6 +233,34 @@ Ref TextureRead::WriteImageLoad() {
   return node_.has_texel ? status_ : texel;
 }
 
+// The pixel's own texel. The texture's rows are counted as OpenGL counts those of the window.
+Ref TextureRead::WriteSubpassLoad() {
+  image_ = writer_.Object(At(OperandKind::kObject));
+  const Shape whole = ShapeOf(Scalar::kFloat, 1, 4), two = ShapeOf(Scalar::kFloat, 1, 2);
+  const Ref image = Image(), int2 = writer_.types_.Of(two.With(Scalar::kInt));
+  Ref pixel = writer_.Components(writer_.LoadBuiltin(Builtin::kPixelPosition), whole,
+                                 std::span(kFirst).first(2));
+  if (!writer_.options_.has_upper_left_origin) {
+    writer_.module_.Require(spv::Capability::ImageQuery);
+    const Ref size = info_.is_multisampled ? writer_.Emit(spv::Op::OpImageQuerySize, int2, {image})
+                                           : writer_.Emit(spv::Op::OpImageQuerySizeLod, int2,
+                                                          {image, writer_.types_.Int(0)});
+    const Ref number = writer_.types_.Of(kNumber);
+    const Ref rows =
+        writer_.Part(number, writer_.Converted(size, two.With(Scalar::kInt), Scalar::kFloat), 1);
+    const Ref row = writer_.Emit(spv::Op::OpFSub, number, {rows, writer_.Part(number, pixel, 1)});
+    pixel = writer_.Emit(spv::Op::OpCompositeInsert, writer_.types_.Of(two), {row, pixel, 1});
+  }
+  Words operands{image, writer_.Emit(spv::Op::OpConvertFToS, int2, {pixel})};
+  ImageOperands more;
+  if (Has(OperandKind::kSample))
+    more.Add(spv::ImageOperandsMask::Sample, {Operand(OperandKind::kSample)});
+  else
+    more.Add(spv::ImageOperandsMask::Lod, {writer_.types_.Int(0)});
+  more.AppendTo(operands);
+  return Narrow(writer_.Emit(spv::Op::OpImageFetch, writer_.types_.Of(four_), operands));
+}
+
 // Reads a texel. The level of a multisampled texture is the number of the sample.
 Ref TextureRead::Fetch() {
   Words operands{Image(), Operand(OperandKind::kPlace)};

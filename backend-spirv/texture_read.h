@@ -35,6 +35,8 @@ class TextureRead {
   Ref Write();
   // Reads a texel of an image that may be written, which has one level.
   Ref WriteImageLoad();
+  // Reads what an earlier subpass drew, where that is a texture.
+  Ref WriteSubpassLoad();
 
  private:
   Ref WriteRead();

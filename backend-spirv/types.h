@@ -14,8 +14,6 @@
 namespace clipc::spirv {
 
 inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a constant buffer
-// The number of elements from which on a whole array is not read out of a buffer.
-inline constexpr std::uint32_t kLongArray = 1024;
 
 // The form of a numeric type of HLSL in SPIR-V. float1 is a scalar, and a matrix of one row or one
 // column a vector; other matrices of floats are matrices whose column i is HLSL's row i, and those

@@ -86,7 +86,6 @@ Ref Writer::OfWave(spv::Op op, spv::Capability capability, Ref type,
 
 Ref Writer::Wave(TypeId id, const IntrinsicCall& node) {
   using enum ir::Intrinsic;
-  if (module_.minor_version() < 3) return Lack("waves before SPIR-V 1.3");
   const auto arguments = (*this)[node.arguments];
   const Ref type = types_.Of(id);
   Ref value = Value(arguments[0]);

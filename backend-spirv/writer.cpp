@@ -24,19 +24,14 @@ void RequireOrder(Module& module, const Program& program) {
 }  // namespace
 
 Writer::Writer(const Program& program, const Interface& interface, const Options& options)
-    : program_(program),
+    : Emitter(program, options),
       interface_(interface),
-      options_(options),
-      module_(options.minor_version),
       values_(program.vars.size()),
       pointers_(program.vars.size()),
       storages_(program.vars.size(), spv::StorageClass::Function),
       in_memory_(program.vars.size()),
       is_read_(program.vars.size()),
-      is_precise_var_(program.vars.size()) {
-  code_.reserve(1024);
-  locals_.reserve(128);
-}
+      is_precise_var_(program.vars.size()) {}
 
 Written Writer::Run() {
   functions_.push_back(program_.main);
@@ -67,40 +62,6 @@ Written Writer::Run() {
   return {module_.Finish(draws_pixels ? spv::ExecutionModel::Fragment : spv::ExecutionModel::Vertex,
                          FunctionRef(program_.main), options_.entry, shared_, version),
           {}};
-}
-
-Ref Writer::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {
-  if (lines_.has_any()) lines_.Put(code_);
-  const Ref result = module_.NewRef();
-  code_.push_back(static_cast<std::uint32_t>(operands.size() + 3) << 16 | NumberOf(op));
-  code_.push_back(type);
-  code_.push_back(result);
-  code_.insert(code_.end(), operands.begin(), operands.end());
-  return result;
-}
-
-Ref Writer::Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands) {
-  return Emit(op, type, std::span(operands.begin(), operands.size()));
-}
-
-Ref Writer::Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands) {
-  const Ref result = Emit(op, type, operands);
-  if (is_precise_) module_.Decorate(result, spv::Decoration::NoContraction);
-  return result;
-}
-
-Ref Writer::Compose(Ref type, std::span<const Ref> parts) {
-  if (parts.empty()) return module_.Constant(spv::Op::OpConstantNull, type);  // an empty struct
-  return Emit(spv::Op::OpCompositeConstruct, type, parts);
-}
-
-Ref Writer::Part(Ref type, Ref of, std::uint32_t number) {
-  return Emit(spv::Op::OpCompositeExtract, type, {of, number});
-}
-
-Ref Writer::Lack(std::string_view what) {
-  if (lacks_.empty()) lacks_ = what;
-  return module_.NewRef();
 }
 
 Written Write(const Program& program, const Interface& interface, const Options& options) {

@@ -10,18 +10,15 @@
 #include <string_view>
 #include <vector>
 
-#include "backend-spirv/lines.h"
-#include "backend-spirv/module.h"
+#include "backend-spirv/emitter.h"
 #include "backend-spirv/place.h"
-#include "backend-spirv/types.h"
-#include "backend-spirv/write.h"
 #include "ir/access.h"
 
 namespace clipc::spirv {
 
 // The writing of one module. Its functions are spread over the files of this folder by subject;
 // each writes instructions into the current block of the current function, and returns the result.
-class Writer {
+class Writer : private Emitter {
  public:
   Writer(const ir::Program& program, const Interface& interface, const Options& options);
   Written Run();
@@ -51,6 +48,7 @@ class Writer {
   void NameInput(const ir::IoVar& input);
 
   // ---- parts.cpp
+  void RequireBarycentrics();
   void DeclareShared(const ir::IoVar& io, const Interface::Variable& place, spv::StorageClass as);
   void DeclareMember(const ir::IoVar& output);
   void NameSemantic(Ref variable, const ir::IoVar& io);
@@ -72,9 +70,17 @@ class Writer {
   Place NewLocal(ir::TypeId type, std::string_view name = {});
   bool IsOnlyElement(const ir::Index& node) const;
 
+  // ---- long_arrays.cpp
+  bool IsLong(ir::TypeId type) const;
+  Place PlaceOfField(Place place, std::uint32_t number);
+  Place PlaceOfElement(Place place, Ref number);
+  Ref LoadLong(const Place& place);
+  void StoreElement(const Place& place, Ref value);
+
   // ---- rows.cpp
   Ref RowsBlock(const ir::Cbuffer& cbuffer, std::string_view name);
   void MoveInRows(Place& place, ir::ExprId index, std::uint32_t bytes);
+  void StepInRows(Place& place, Ref index, std::uint32_t bytes);
   void ElementInRows(Place& place, ir::ExprId index);
   Ref LoadInRows(const Place& place);
 
@@ -95,9 +101,6 @@ class Writer {
   void WriteSwitch(const ir::Switch& node, ir::Hint hint);
   void WriteReturn(const ir::Return& node);
   void WriteDiscard();
-  void Label(Ref label);
-  void Branch(Ref label);
-  void Branch(Ref condition, Ref when_true, Ref when_false);
   Ref FunctionRef(ir::FunctionId id);
 
   // ---- expr.cpp: values
@@ -179,20 +182,6 @@ class Writer {
   Ref BufferLength(ir::TypeId type, ir::ExprId object);
   Ref Atomic(const ir::ObjectCall& node, Ref pointer);
 
-  // ---- the current block
-  Ref Emit(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
-  Ref Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands);
-  // The same for an instruction that computes with floats: NoContraction for a precise value.
-  Ref Compute(spv::Op op, Ref type, std::initializer_list<std::uint32_t> operands);
-  void Do(spv::Op op, std::initializer_list<std::uint32_t> operands) {
-    if (lines_.has_any() && op != spv::Op::OpLabel) lines_.Put(code_);
-    Put(code_, op, operands);
-  }
-  Ref Compose(Ref type, std::span<const Ref> parts);
-  Ref Part(Ref type, Ref of, std::uint32_t number);
-  // Says what the writer lacks; the module is not finished then. Returns a result to go on with.
-  Ref Lack(std::string_view what);
-
   const ir::Expr& operator[](ir::ExprId id) const { return program_.exprs[id]; }
   const ir::Var& operator[](ir::VarId id) const { return program_.vars[id]; }
   const ir::Type& TypeAt(ir::ExprId id) const { return program_.types[program_.exprs[id].type]; }
@@ -206,12 +195,7 @@ class Writer {
   }
   bool IsPixelShader() const { return program_.stage == Stage::kPixel; }
 
-  const ir::Program& program_;
   const Interface& interface_;
-  const Options& options_;
-  Module module_;
-  Types types_{program_, module_};
-  std::string_view lacks_;
   // By VarId: the value of a variable that is never changed; the pointer to another.
   std::vector<Ref> values_, pointers_;
   std::vector<spv::StorageClass> storages_;
@@ -236,14 +220,8 @@ class Writer {
   bool has_order_ = false;       // objects are accessed in the order of the primitives
   std::vector<ir::VarId> late_;  // static variables whose value `main` computes
 
-  Lines lines_{module_, types_, options_.debug ? &*options_.debug : nullptr};
-
-  Words code_, locals_;   // of the current function, as what follows
-  Ref block_ = 0;         // the label of the current block
-  bool is_open_ = false;  // the current block has no end yet
   bool in_main_ = false;
   bool keeps_numbers_ = false;  // min, max and clamp give the operand that is a number
-  bool is_precise_ = false;
   std::vector<Loop> loops_;
 };
 

@@ -37,17 +37,20 @@ endif()
 add_library(spirv_headers INTERFACE)
 target_include_directories(spirv_headers SYSTEM INTERFACE ${SPIRV_HEADERS_INCLUDE})
 
-# `glslang_spirv`: what makes SPIR-V of it; not there where these archives are not.
-clipc_find_archive(GLSLANG_SPIRV SPIRV)
-clipc_find_archive(SPIRV_TOOLS_OPT SPIRV-Tools-opt)
+# `spirv_listing`: SPIRV-Tools' listing of SPIR-V; not there where its archive is not.
 clipc_find_archive(SPIRV_TOOLS SPIRV-Tools)
-if(GLSLANG_SPIRV AND SPIRV_TOOLS_OPT AND SPIRV_TOOLS)
-  add_library(glslang_spirv INTERFACE)
-  target_link_libraries(glslang_spirv INTERFACE ${GLSLANG_SPIRV} glslang_slice ${SPIRV_TOOLS_OPT} ${SPIRV_TOOLS})
-  # `spirv_listing`: SPIRV-Tools' listing of it.
+if(SPIRV_TOOLS)
   add_library(spirv_listing INTERFACE)
   target_include_directories(spirv_listing SYSTEM INTERFACE ${GLSLANG_INCLUDE})
   target_link_libraries(spirv_listing INTERFACE ${SPIRV_TOOLS})
+endif()
+
+# `glslang_spirv`: what makes SPIR-V of GLSL, for tools; not there where these archives are not.
+clipc_find_archive(GLSLANG_SPIRV SPIRV)
+clipc_find_archive(SPIRV_TOOLS_OPT SPIRV-Tools-opt)
+if(GLSLANG_SPIRV AND SPIRV_TOOLS_OPT AND SPIRV_TOOLS)
+  add_library(glslang_spirv INTERFACE)
+  target_link_libraries(glslang_spirv INTERFACE ${GLSLANG_SPIRV} glslang_slice ${SPIRV_TOOLS_OPT} ${SPIRV_TOOLS})
 endif()
 clipc_find_archive(SPIRV_CROSS_GLSL spirv-cross-glsl)
 clipc_find_archive(SPIRV_CROSS_CORE spirv-cross-core)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# `clang_slice`, `glslang_slice`, `glslang_spirv` and `spirv_listing`, compiled from Debian's sources; cmake/cross/libraries.cmake includes this file.
-if(NOT EXISTS ${LLVM_SOURCE}/clang/lib/Lex/Lexer.cpp OR NOT EXISTS ${GLSLANG_SOURCE}/SPIRV/GlslangToSpv.cpp)
+# `clang_slice`, `glslang_slice` and `spirv_listing`, compiled from Debian's sources; cmake/cross/libraries.cmake includes this file.
+if(NOT EXISTS ${LLVM_SOURCE}/clang/lib/Lex/Lexer.cpp OR NOT EXISTS ${GLSLANG_SOURCE}/glslang/GenericCodeGen/CodeGen.cpp)
   message(FATAL_ERROR "no sources of LLVM and glslang in ${CLIPC_SOURCES}; cmake/cross/fetch_sources.sh puts them there")
 endif()
 
@@ -64,15 +64,10 @@ add_library(glslang_slice STATIC ${machine}
   ${GLSLANG_SOURCE}/glslang/GenericCodeGen/CodeGen.cpp ${GLSLANG_SOURCE}/glslang/GenericCodeGen/Link.cpp
   ${GLSLANG_SOURCE}/OGLCompilersDLL/InitializeDll.cpp ${GLSLANG_SOURCE}/StandAlone/ResourceLimits.cpp
   ${glslang_system})
-add_library(glslang_spirv STATIC ${GLSLANG_SOURCE}/SPIRV/GlslangToSpv.cpp ${GLSLANG_SOURCE}/SPIRV/InReadableOrder.cpp
-  ${GLSLANG_SOURCE}/SPIRV/Logger.cpp ${GLSLANG_SOURCE}/SPIRV/SpvBuilder.cpp ${GLSLANG_SOURCE}/SPIRV/SpvPostProcess.cpp)
-target_link_libraries(glslang_spirv PUBLIC glslang_slice)
-foreach(library glslang_slice glslang_spirv)
-  set_target_properties(${library} PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
-  target_compile_options(${library} PRIVATE -w -fno-exceptions -fno-rtti)
-  target_include_directories(${library} PRIVATE ${GLSLANG_SOURCE} ${GLSLANG_SOURCE}/StandAlone)
-  target_compile_definitions(${library} PRIVATE ENABLE_OPT=0)
-endforeach()
+set_target_properties(glslang_slice PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
+target_compile_options(glslang_slice PRIVATE -w -fno-exceptions -fno-rtti)
+target_include_directories(glslang_slice PRIVATE ${GLSLANG_SOURCE} ${GLSLANG_SOURCE}/StandAlone)
+target_compile_definitions(glslang_slice PRIVATE ENABLE_OPT=0)
 
 # ---- SPIRV-Tools' listing, whose tables are made of the grammar that Debian's spirv-headers has
 

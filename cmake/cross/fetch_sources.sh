@@ -35,7 +35,7 @@ unpack() {
 unpack "$places"/download/llvm-toolchain-19_*.orig.tar.xz llvm-toolchain-19 '*/llvm/lib/Support/*' '*/llvm/lib/Demangle/*' \
   '*/llvm/lib/TargetParser/*' '*/clang/lib/Basic/*' '*/clang/lib/Lex/*' '*/clang/lib/Edit/*' '*/clang/lib/Frontend/*' \
   '*/libcxx/src/*' '*/libcxxabi/*' '*/libunwind/*'
-unpack "$places"/download/glslang_*.orig.tar.gz glslang '*/glslang/*' '*/SPIRV/*' '*/StandAlone/*' '*/OGLCompilersDLL/*'
+unpack "$places"/download/glslang_*.orig.tar.gz glslang '*/glslang/*' '*/StandAlone/*' '*/OGLCompilersDLL/*'
 unpack "$places"/download/spirv-tools_*.orig.tar.gz spirv-tools '*/include/*' '*/source/*' '*/utils/*'
 rm -r "$places"
 touch "$folder/complete"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# For WebAssembly and for Windows: `clang_slice`, `glslang_slice`, `glslang_spirv` and `spirv_listing`, which a native build takes
+# For WebAssembly and for Windows: `clang_slice`, `glslang_slice` and `spirv_listing`, which a native build takes
 # from installed archives, compiled from Debian's sources, and the header-only libraries. What is compiled is kept by ccache, by content.
 # CLIPC_SOURCES is where cmake/cross/fetch_sources.sh has unpacked the sources. With CLIPC_COMPILE_ONLY, which takes half a minute,
 # nobody needs them: clipc's own sources are compiled with the headers of LLVM and glslang, and no program is linked.
@@ -16,7 +16,7 @@ endif()
 
 if(CLIPC_COMPILE_ONLY)
   set(CMAKE_CXX_FLAGS_RELEASE "-O0 -DNDEBUG")
-  foreach(library clang_slice glslang_slice glslang_spirv spirv_listing)
+  foreach(library clang_slice glslang_slice spirv_listing)
     add_library(${library} INTERFACE)
   endforeach()
   target_include_directories(clang_slice SYSTEM INTERFACE ${CLIPC_LLVM_CONFIG} ${CLIPC_LLVM_PREFIX}/include)

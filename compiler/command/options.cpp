@@ -315,6 +315,8 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
     command.request.link.keep_outputs = true;
   FinishPreprocess(reading);
   FinishTarget(reading);
+  if (reading.validate == true && command.request.outputs.spirv)
+    reading.without_effect.push_back({"--validate", "it is for GLSL; `spirv-val` is for SPIR-V"});
   // A remark about the options is a warning even where the shader's warnings are errors.
   WarningOptions warnings = command.request.warnings;
   warnings.warnings_are_errors = false;

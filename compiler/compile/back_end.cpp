@@ -11,7 +11,6 @@
 
 #include "backend-glsl/discard.h"
 #include "backend-glsl/program_layout.h"
-#include "base/path.h"
 #include "clip-table/write.h"
 #include "compiler/compile/lower_program.h"
 #include "compiler/compile/make_clip_table.h"
@@ -88,23 +87,13 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
   return std::move(insertion.text);
 }
 
-// The SPIR-V of a shader by clipc's own writer; none where that lacks something.
-std::vector<std::uint32_t> OwnSpirv(Job& job, const Lowered& lowered, const glsl::GlslInfo& info) {
-  return WriteSpirv(lowered.program, info, lowered.target, job.plan.write,
-                    *job.request.outputs.spirv, &job.source(), job.path)
-      .words;
-}
-
-// The SPIR-V that glslang makes of the GLSL.
-std::vector<std::uint32_t> TranslatedSpirv(Job& job, Stage stage, const std::string& glsl) {
-  const ProgramRequest& request = job.request;
-  // The name has no folder, so that it does not matter where a shader is compiled.
-  const std::string name =
-      fmt::format("{}{}", job.path.substr(NameBegin(job.path)), InfoOf(stage).extension);
-  Spirv spirv = MakeSpirv(glsl, request.target, stage, *request.outputs.spirv, name);
-  for (const std::string& problem : spirv.problems)
-    job.diagnostics.Report({}, diag::NoSpirv, problem);
-  return std::move(spirv.words);
+std::vector<std::uint32_t> ModuleOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& info) {
+  spirv::Written written = WriteSpirv(lowered.program, info, lowered.target, job.plan.write,
+                                      *job.request.outputs.spirv, &job.source(), job.path);
+  if (!written.lacks.empty())
+    job.diagnostics.Report({}, diag::InternalError,
+                           fmt::format("SPIR-V is not written of {}", written.lacks));
+  return std::move(written.words);
 }
 
 // Writes and validates the shaders, and adds the fragment shader's part where none of them
@@ -115,16 +104,12 @@ Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
   Finished finished;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     ShaderOutput& shader = finished.shaders.emplace_back();
-    if (wanted.spirv) shader.spirv = OwnSpirv(jobs[i], lowered[i], layout.InfoOf(i));
-    const bool is_translated = wanted.spirv && shader.spirv.empty();
-    if (!wanted.glsl && !wanted.validate && !is_translated) continue;
+    if (wanted.spirv) shader.spirv = ModuleOf(jobs[i], lowered[i], layout.InfoOf(i));
+    if (!wanted.glsl) continue;
     shader.text = WriteGlsl(jobs, i, layout, wanted.source_lines);
-    if (wanted.validate) {
-      const std::string_view unjudged = ValidateShader(jobs[i], lowered[i], shader.text);
-      if (finished.unjudged.empty()) finished.unjudged = unjudged;
-    }
-    if (is_translated)
-      shader.spirv = TranslatedSpirv(jobs[i], lowered[i].program.stage, shader.text);
+    if (!wanted.validate) continue;
+    const std::string_view unjudged = ValidateShader(jobs[i], lowered[i], shader.text);
+    if (finished.unjudged.empty()) finished.unjudged = unjudged;
   }
   if (lowered.back().lowering == Lowering::kDiscard) {
     const glsl::GlslInfo& info = layout.InfoOf(jobs.size() - 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile/list_spirv.h"
 
-#if CLIPC_HAS_SPIRV
+#if CLIPC_HAS_LISTING
 #include <fmt/format.h>
 #include <spirv-tools/libspirv.h>
 #endif
@@ -9,7 +9,7 @@
 namespace clipc {
 
 std::string ListSpirv([[maybe_unused]] const std::vector<std::uint32_t>& words) {
-#if CLIPC_HAS_SPIRV
+#if CLIPC_HAS_LISTING
   const spv_context context = spvContextCreate(SPV_ENV_UNIVERSAL_1_6);
   spv_text text = nullptr;
   spv_diagnostic problem = nullptr;

@@ -9,6 +9,7 @@
 
 #include "compiler/compile/check_lowering.h"
 #include "compiler/compile/link_program.h"
+#include "compiler/compile/write_spirv.h"
 #include "ir/print.h"
 #include "link/whole.h"
 
@@ -56,13 +57,15 @@ LowerOptions OptionsOf(Job& job, ir::VarId position_input, std::string& dump) {
 }
 
 // Runs all passes, unless one stops them or the target cannot express the program.
-Lowered LowerAlone(LinkedShader&& shader, const StyleOptions& style, Diagnostics& diagnostics) {
+Lowered LowerAlone(LinkedShader&& shader, const ProgramRequest& request, Diagnostics& diagnostics) {
   const ClipDistances distances = ClipDistancesOf(shader.program);
   Lowered lowered = Lower(std::move(shader.program), shader.options);
   if (!lowered.is_complete) return lowered;
   ReportLeftOut(distances, lowered.program, diagnostics);
-  CheckTarget(lowered, style.blocks, diagnostics);
-  CheckBufferLayout(lowered.program, style.layout, diagnostics);
+  CheckTarget(lowered, request.style.blocks, diagnostics);
+  CheckBufferLayout(lowered.program, request.style.layout, diagnostics);
+  if (const auto& spirv = request.outputs.spirv; spirv && !diagnostics.has_errors())
+    CheckSpirv(lowered.program, lowered.target, *spirv, diagnostics);
   if (!diagnostics.has_errors()) Legalize(lowered, shader.options.passes);
   return lowered;
 }
@@ -101,7 +104,7 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
     LinkedShader shader{std::move(program), std::move(options)};
     if (request.planes.variants) lowered.linked.insert(lowered.linked.begin(), shader);
     lowered.shaders.insert(lowered.shaders.begin(),
-                           LowerAlone(std::move(shader), request.style, job.diagnostics));
+                           LowerAlone(std::move(shader), request, job.diagnostics));
     if (job.diagnostics.has_errors() || job.IsStopped()) return std::nullopt;
   }
   const Lowered& first = lowered.shaders.front();

@@ -148,6 +148,10 @@ void CheckProgram(const ProgramRequest& request, const Plan& plan, Diagnostics& 
   CheckPassNames(request.debug, diagnostics);
   CheckRequest(plan.lowering, diagnostics);
   if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
+  if (request.outputs.spirv && !request.target.Has(glsl::Feature::kSpirv)) {
+    diagnostics.Report({}, diag::NoSpirv, request.target.name())
+        .Note({}, diag::TargetNearest, request.target.NearestWith(glsl::Feature::kSpirv));
+  }
   CheckStage(request, plan.check.profile, diagnostics);
   if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
     diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);

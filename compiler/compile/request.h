@@ -12,8 +12,8 @@
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "clip-table/vocabulary.h"
+#include "compiler/compile/spirv_request.h"
 #include "compiler/compile/token_digest.h"
-#include "compiler/compile/validate.h"
 #include "frontend/check/check.h"
 #include "passes/adjust_clip_space.h"
 

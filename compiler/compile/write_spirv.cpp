@@ -5,9 +5,13 @@
 #include <cctype>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/images.h"
+#include "backend-glsl/reach.h"
 #include "base/path.h"
+#include "ir/access.h"
 
 namespace clipc {
 namespace {
@@ -93,28 +97,65 @@ spirv::Debug DebugOf(const SpirvRequest& request, const Source& source, std::str
   return debug;
 }
 
-// The minor version of the SPIR-V that a version of Vulkan has.
-std::uint32_t MinorVersion(const SpirvRequest& request) {
+// The minor version of the SPIR-V: for OpenGL 0, for Vulkan that of its version.
+std::uint32_t MinorVersion(const glsl::Target& target, const SpirvRequest& request) {
   constexpr std::uint32_t kMinor[] = {0, 3, 5, 6, 4};  // by VulkanVersion
+  if (!target.IsVulkan()) return 0;
   return request.version.value_or(kMinor[static_cast<std::size_t>(request.vulkan)]);
 }
 
+bool IsOfWave(ir::Builtin input) {
+  return input == ir::Builtin::kLaneCount || input == ir::Builtin::kLaneIndex;
+}
+
 }  // namespace
+
+void CheckSpirv(const ir::Program& program, const glsl::Target& target, const SpirvRequest& request,
+                Diagnostics& diagnostics) {
+  using ir::IntrinsicCategory;
+  constexpr std::uint32_t kFirstWithWaves = 3;
+  const std::uint32_t minor = MinorVersion(target, request);
+  const bool has_waves = minor >= kFirstWithWaves;
+  const auto report = [&](Span span, std::string_view name) -> Diagnostic& {
+    return diagnostics.Report(span, diag::NotInSpirv, name, fmt::format("1.{}", minor),
+                              target.IsVulkan() ? "Vulkan" : "OpenGL");
+  };
+  const auto report_wave = [&](Span span, std::string_view name) {
+    Diagnostic& of = report(span, name);
+    if (target.IsVulkan())
+      of.Note({}, diag::PlainNote, "`-fspv-target-env=vulkan1.1` has it");
+    else
+      of.Note({}, diag::TargetNearest, "vulkan");
+  };
+  const glsl::Reached reached = glsl::Reach(program);
+  for (const ir::IoVar& input : program.inputs) {
+    if (!reached.Has(input.var)) continue;
+    const Span span = program.vars[input.var].span;
+    if (IsOfWave(input.builtin) && !has_waves) report_wave(span, input.semantic);
+    if (input.builtin == ir::Builtin::kSampleCount) report(span, input.semantic);
+  }
+  if (has_waves) return;
+  for (const ir::FunctionId function : reached.functions) {
+    ir::ForEachExpr(program, program.functions[function].body, [&](ir::ExprId id) {
+      const auto* call = ir::As<ir::IntrinsicCall>(program, id);
+      if (!call) return;
+      const IntrinsicCategory category = ir::CategoryOf(call->op);
+      if (category == IntrinsicCategory::kWave || category == IntrinsicCategory::kQuad)
+        report_wave(program.exprs[id].span, ir::NameOf(call->op));
+    });
+  }
+}
 
 spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
                           const glsl::Target& target, const glsl::WriteOptions& options,
                           const SpirvRequest& request, const Source* source,
                           std::string_view path) {
-  constexpr int kFirstVersion = 420;  // that has bindings
-  if (!target.IsVulkan() && (target.IsEs() || target.version() < kFirstVersion))
-    return {{}, "GLSL of an older version"};
   spirv::Options made;
-  made.minor_version = MinorVersion(request);
+  made.minor_version = MinorVersion(target, request);
   if (!request.entry.empty()) made.entry = request.entry;
   made.nan_clamp = request.nan_clamp;
   made.invariant = options.invariant;
   made.is_opengl = !target.IsVulkan();
-  if (made.is_opengl) made.minor_version = 0;
   made.has_upper_left_origin = target.HasUpperLeftOrigin();
   made.has_reflection = request.has_reflection;
   if (request.debug_info && source) made.debug = DebugOf(request, *source, path);

@@ -7,10 +7,16 @@
 
 #include "backend-glsl/write.h"
 #include "backend-spirv/write.h"
-#include "compiler/compile/validate.h"
+#include "base/diagnostics.h"
+#include "compiler/compile/spirv_request.h"
 #include "frontend/lex/source.h"
 
 namespace clipc {
+
+// Reports what the program has and the SPIR-V that is asked for lacks. Requires that CheckTarget
+// has reported no error.
+void CheckSpirv(const ir::Program& program, const glsl::Target& target, const SpirvRequest& request,
+                Diagnostics& diagnostics);
 
 // Writes SPIR-V of a program that is lowered for the target, Vulkan or OpenGL, with the names and
 // places of its GLSL; what the writer lacks, it says. `source`, whose main file has that path, is

@@ -10,6 +10,15 @@
 // RUN: %clipc -T ps_6_4 -E places -spirv %s -o %t.spv && spirv-val --target-env vulkan1.1 %t.spv
 // RUN: %clipc -T ps_6_4 -E ordered -spirv -S %s -o - | FileCheck %s --check-prefix=ORDERED
 // RUN: %clipc -T ps_6_4 -E ordered -spirv %s -o %t.spv && spirv-val --target-env vulkan1.1 %t.spv
+// RUN: %clipc -T vs_6_4 -E vertex -G -S %s -o - | FileCheck %s --check-prefix=OPENGL
+// RUN: %clipc -T vs_6_4 -E vertex -G %s -o %t.spv && spirv-val --target-env opengl4.5 %t.spv
+// RUN: %clipc -T ps_6_4 -E pixel -G -S %s -o - | FileCheck %s --check-prefix=OPENGL-PIXEL
+// RUN: %clipc -T ps_6_4 -E pixel -G %s -o %t.spv && spirv-val --target-env opengl4.5 %t.spv
+// RUN: %clipc -T ps_6_4 -E places -G %s -o %t.spv && spirv-val --target-env opengl4.5 %t.spv
+// OPENGL-DAG: OpExtension "SPV_KHR_multiview"
+// OPENGL-DAG: BuiltIn ViewIndex
+// OPENGL-PIXEL-DAG: OpExtension "SPV_NV_fragment_shader_barycentric"
+// OPENGL-PIXEL-DAG: OpExtension "SPV_KHR_fragment_shading_rate"
 // VERTEX-DAG: OpCapability ShaderViewportIndexLayerEXT
 // VERTEX-DAG: OpCapability FragmentShadingRateKHR
 // VERTEX-DAG: OpCapability MultiView

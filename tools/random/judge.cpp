@@ -10,13 +10,13 @@
 #include <spirv-tools/libspirv.hpp>
 
 #include "backend-glsl/target.h"
-#include "compiler/compile/validate.h"
 #include "compiler/compile/write_spirv.h"
 #include "tools/draw/build.h"
 #include "tools/draw/compare.h"
 #include "tools/draw/draw_call.h"
 #include "tools/draw/opengl/compare.h"
 #include "tools/draw/vulkan/compare.h"
+#include "tools/draw/vulkan/glslang.h"
 #include "tools/random/check_layout.h"
 
 namespace clipc::random {
@@ -80,12 +80,15 @@ std::string ProblemOf(const std::vector<std::uint32_t>& words) {
 
 // What is wrong with the SPIR-V of the shader, glslang's and clipc's own; empty if nothing is.
 std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
-  const Spirv spirv = MakeSpirv(shader.glsl, target, shader.typed.stage, {}, "program");
-  if (!spirv.problems.empty()) return spirv.problems[0];
-  const std::string problem = ProblemOf(spirv.words);
+  std::string problem;
+  try {
+    problem = ProblemOf(draw::vulkan::SpirvOfGlsl(shader.glsl, shader.typed.stage));
+  } catch (const draw::DrawError& error) {
+    problem = error.what();
+  }
   if (!problem.empty()) return problem;
   const spirv::Written own = WriteSpirv(shader.lowered, shader.info, target, {}, {});
-  return own.words.empty() ? "" : ProblemOf(own.words);
+  return own.lacks.empty() ? ProblemOf(own.words) : "clipc lacks " + std::string(own.lacks);
 }
 
 }  // namespace

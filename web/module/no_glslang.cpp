@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What the page's first module has in place of glslang, which is half of the whole module and which
-// SPIR-V, --validate and pixel shaders in GLSL need. A compile that needs it is made again by the
+// What the page's first module has in place of glslang, which is a third of the whole module and
+// which --validate and pixel shaders in GLSL need. A compile that needs it is made again by the
 // whole module, which the page loads then.
 #include "compiler/compile/list_spirv.h"
 #include "compiler/compile/validate.h"
@@ -32,11 +32,6 @@ std::vector<std::string> Validate(const std::string&, const glsl::Target&, Stage
 }
 
 std::string_view UnknownToValidator(std::string_view, const glsl::Target&) { return {}; }
-
-Spirv MakeSpirv(const std::string&, const glsl::Target&, Stage, const SpirvRequest&,
-                const std::string&) {
-  return {{}, Missing()};
-}
 
 std::string ListSpirv(const std::vector<std::uint32_t>&) { return {}; }
 

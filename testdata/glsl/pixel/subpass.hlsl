@@ -3,6 +3,13 @@
 // RUN: %clipc -T ps_5_0 --validate --verify %s -o - | FileCheck %s
 // RUN: %clipc -T ps_5_0 -DUPPER --validate --verify %s -o - | FileCheck %s --check-prefix=UPPER
 // RUN: %clipc -T ps_5_0 --target=essl310 --validate --verify %s -o - | FileCheck %s --check-prefix=ES
+// RUN: %clipc -T ps_5_0 -G -S %s -o - | FileCheck %s --check-prefix=MODULE
+// RUN: %clipc -T ps_5_0 -G %s -o %t.spv && spirv-val --target-env opengl4.5 %t.spv
+// RUN: %clipc -T ps_5_0 -G --flip-y %s -o %t.spv && spirv-val --target-env opengl4.5 %t.spv
+// MODULE: OpImageQuerySizeLod
+// MODULE: OpConvertFToS %v2int
+// MODULE: OpImageFetch %v4float {{.*}} Lod
+// MODULE: OpImageFetch %v4uint {{.*}} Sample
 [[vk::input_attachment_index(2), vk::binding(4, 1)]] SubpassInput<float2> normals;
 [[vk::input_attachment_index(0)]] SubpassInputMS<uint4> ids : register(t3);
 [[vk::input_attachment_index(1)]] SubpassInput colors;
