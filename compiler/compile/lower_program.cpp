@@ -45,9 +45,12 @@ ir::VarId Fit(std::span<Job> jobs, std::size_t number, const std::vector<Lowered
 
 LowerOptions OptionsOf(Job& job, ir::VarId position_input, std::string& dump) {
   const ProgramRequest& request = job.request;
-  LowerOptions options{request.target, {}};
+  LowerOptions options{request.target, {}, {}};
   // The shaders of a program are numbered together.
   if (request.shaders.size() > 1) options.target.bindings.pixel_base = 0;
+  const OutputOptions& outputs = request.outputs;
+  if (outputs.spirv && !outputs.glsl && !outputs.listing)
+    options.needs = SpirvNeeds(options.target);
   passes::PipelineOptions& passes = options.passes;
   passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
   passes.clip_space = request.style.clip_space;

@@ -48,10 +48,12 @@ Lowered Lower(ir::Program program, const LowerOptions& options) {
   const bool is_complete = passes::RunPipeline(program, pipeline);
   glsl::Target target = options.target;
   target.flips_y = pipeline.clip_space.flip_y;
-  Lowered lowered{std::move(program), std::move(target), pipeline.clip_planes.lowering,
-                  pipeline.clip_planes.space, is_complete};
+  const legalize::Needs needs = options.needs.value_or(target.Needs());
+  Lowered lowered{
+      std::move(program),         std::move(target), needs, pipeline.clip_planes.lowering,
+      pipeline.clip_planes.space, is_complete};
   if (is_complete) {
-    lowered.long_loops = legalize::UnrollLoops(lowered.program, lowered.target.Needs());
+    lowered.long_loops = legalize::UnrollLoops(lowered.program, needs);
     lowered.is_complete =
         ir::FinishPass(lowered.program, kUnrollLoops, ir::Form::kInlined, options.passes);
   }
@@ -67,7 +69,7 @@ std::vector<std::string_view> PassNames() {
 }
 
 void Legalize(Lowered& lowered, const ir::PassOptions& options) {
-  lowered.is_complete = legalize::Legalize(lowered.program, lowered.target.Needs(), options);
+  lowered.is_complete = legalize::Legalize(lowered.program, lowered.needs, options);
 }
 
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics) {

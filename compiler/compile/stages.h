@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "frontend/parse/ast.h"
 #include "ir/program.h"
 #include "legalize/es100/long_loop.h"
+#include "legalize/needs.h"
 #include "passes/pipeline.h"
 
 // The chain that every shader takes from HLSL to GLSL. Each stage takes a value and gives a value;
@@ -43,6 +45,8 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
 
 struct LowerOptions {
   glsl::Target target;
+  // What the writer needs of the legalising passes; none: what the target's GLSL needs.
+  std::optional<legalize::Needs> needs;
   // Lower itself decides about clip_planes.write_clip_vertex and hoist_loop_bounds, by the target.
   passes::PipelineOptions passes;
 };
@@ -51,6 +55,7 @@ struct LowerOptions {
 struct Lowered {
   ir::Program program;
   glsl::Target target;
+  legalize::Needs needs;
   Lowering lowering;
   PlaneSpace plane_space;
   bool is_complete = true;                          // no pass stopped it early
@@ -69,7 +74,7 @@ std::vector<std::string_view> PassNames();
 // also for the same shader with fewer clip planes: LowerClipPlanes only adds to the shader.
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics);
 
-// Runs the passes that take apart what the target's GLSL cannot express. Requires that CheckTarget
+// Runs the passes that take apart what the target's writer cannot express. Requires that CheckTarget
 // reports no error. Afterwards `lowered` is complete unless `options` stopped it.
 void Legalize(Lowered& lowered, const ir::PassOptions& options);
 

@@ -10,6 +10,7 @@
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/images.h"
 #include "backend-glsl/reach.h"
+#include "backend-spirv/needs.h"
 #include "base/path.h"
 #include "ir/access.h"
 
@@ -109,6 +110,10 @@ bool IsOfWave(ir::Builtin input) {
 }
 
 }  // namespace
+
+legalize::Needs SpirvNeeds(const glsl::Target& target) {
+  return spirv::NeedsOf(!target.IsVulkan(), target.Needs().split_arrays);
+}
 
 void CheckSpirv(const ir::Program& program, const glsl::Target& target, const SpirvRequest& request,
                 Diagnostics& diagnostics) {

@@ -13,6 +13,9 @@
 
 namespace clipc {
 
+// What the target's SPIR-V needs of the legalising passes.
+legalize::Needs SpirvNeeds(const glsl::Target& target);
+
 // Reports what the program has and the SPIR-V that is asked for lacks. Requires that CheckTarget
 // has reported no error.
 void CheckSpirv(const ir::Program& program, const glsl::Target& target, const SpirvRequest& request,

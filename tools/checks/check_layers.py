@@ -47,7 +47,7 @@ ROOMS = {
     "passes": {"base", "ir", VOCABULARY},
     "legalize": {"base", "ir"},
     "backend-glsl": {"base", "ir", "legalize"},
-    "backend-spirv": {"base", "ir"},
+    "backend-spirv": {"base", "ir", "legalize"},
     "clip-table": {VOCABULARY},
     "link": {"base", "ir", "frontend/signature"},
     "rewrite": {

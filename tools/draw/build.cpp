@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <regex>
 
+#include "backend-glsl/program_layout.h"
 #include "compiler/compile/check_lowering.h"
 #include "compiler/compile/stages.h"
+#include "compiler/compile/write_spirv.h"
 
 namespace clipc::draw {
 // The text of a shader, and the diagnostics about it.
@@ -67,9 +69,30 @@ CheckedShader::~CheckedShader() = default;
 
 const ir::Program& CheckedShader::typed() const { return state_->typed; }
 
+namespace {
+
+// The SPIR-V of a program, which has needs of its own; empty where the target has none of it.
+std::vector<std::uint32_t> SpirvOf(const ir::Program& typed, LowerOptions options) {
+  if (!options.target.Has(glsl::Feature::kSpirv)) return {};
+  options.needs = SpirvNeeds(options.target);
+  Lowered lowered = Lower(typed, options);
+  Diagnostics diagnostics;
+  CheckSpirv(lowered.program, lowered.target, {}, diagnostics);
+  if (diagnostics.has_errors()) return {};
+  Legalize(lowered, options.passes);
+  const glsl::LegalStage stage[] = {{lowered.program, lowered.target, {}}};
+  const glsl::ProgramLayout layout(stage);
+  spirv::Written written =
+      WriteSpirv(lowered.program, layout.InfoOf(0), lowered.target, {}, SpirvRequest{});
+  if (!written.lacks.empty()) throw DrawError("no SPIR-V of " + std::string(written.lacks));
+  return std::move(written.words);
+}
+
+}  // namespace
+
 Shader CheckedShader::BuildFor(const std::string& target) const {
   const BuildOptions& options = state_->options;
-  LowerOptions lower_options{Known(glsl::Target::Parse(target), "target", target), {}};
+  LowerOptions lower_options{Known(glsl::Target::Parse(target), "target", target), {}, {}};
   lower_options.passes.clip_planes = {options.lowering, options.plane_space,
                                       state_->position_input};
   lower_options.passes.clip_space = options.clip_space;
@@ -91,6 +114,7 @@ Shader CheckedShader::BuildFor(const std::string& target) const {
   shader.lowered = std::move(lowered.program);
   shader.glsl = std::move(written.glsl);
   shader.info = std::move(written.info);
+  shader.spirv = SpirvOf(shader.typed, lower_options);
   return shader;
 }
 

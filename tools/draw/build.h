@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,7 +37,8 @@ struct Shader {
   ir::Program typed;    // the checked program, before any pass
   ir::Program lowered;  // the program after the passes
   std::string glsl;
-  GlslInfo info;  // beside `lowered`
+  GlslInfo info;                     // beside `lowered`
+  std::vector<std::uint32_t> spirv;  // of clipc's writer; empty where the target has none
   // Whether the target has no uint, so that values from 2^31 on are negative there, as clipc warns.
   bool has_int_for_uint = false;
   bool flips_y = false;  // compiled with --flip-y

@@ -10,7 +10,7 @@
 #include <spirv-tools/libspirv.hpp>
 
 #include "backend-glsl/target.h"
-#include "compiler/compile/write_spirv.h"
+#include "compiler/compile/validate.h"
 #include "tools/draw/build.h"
 #include "tools/draw/compare.h"
 #include "tools/draw/draw_call.h"
@@ -79,7 +79,7 @@ std::string ProblemOf(const std::vector<std::uint32_t>& words) {
 }
 
 // What is wrong with the SPIR-V of the shader, glslang's and clipc's own; empty if nothing is.
-std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
+std::string SpirvProblem(const Shader& shader) {
   std::string problem;
   try {
     problem = ProblemOf(draw::vulkan::SpirvOfGlsl(shader.glsl, shader.typed.stage));
@@ -87,8 +87,7 @@ std::string SpirvProblem(const Shader& shader, const glsl::Target& target) {
     problem = error.what();
   }
   if (!problem.empty()) return problem;
-  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, target, {}, {});
-  return own.lacks.empty() ? ProblemOf(own.words) : "clipc lacks " + std::string(own.lacks);
+  return ProblemOf(shader.spirv);
 }
 
 }  // namespace
@@ -178,7 +177,7 @@ void Judge::State::CheckTarget(const draw::CheckedShader& checked, const std::st
       Report(Fault::kInvalid, target, problems[0] + "\n" + shader.glsl);
     if (!parsed.IsVulkan()) return;
     Step("SPIR-V");
-    const std::string problem = SpirvProblem(shader, parsed);
+    const std::string problem = SpirvProblem(shader);
     if (!problem.empty()) Report(Fault::kInvalid, target, problem + "\n" + shader.glsl);
   } catch (const draw::NotForTarget&) {
     return;  // the target lacks something, and clipc said so

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <regex>
 
-#include "compiler/compile/write_spirv.h"
 #include "tools/draw/feed.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"
@@ -60,9 +59,7 @@ Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
   const Comparison of_glsl =
       compare(SpirvOfGlsl(glsl, draws_pixels ? Stage::kPixel : Stage::kVertex));
   if (of_glsl.wrong > 0 || glsl != shader.glsl) return of_glsl;
-  const spirv::Written own =
-      WriteSpirv(shader.lowered, shader.info, *glsl::Target::Parse("vulkan"), {}, {});
-  return own.words.empty() ? of_glsl : compare(own.words);
+  return compare(shader.spirv);
 }
 
 }  // namespace clipc::draw::vulkan

@@ -5,9 +5,6 @@
 
 #include <spirv_cross/spirv_glsl.hpp>
 
-#include "backend-glsl/target.h"
-#include "compiler/compile/write_spirv.h"
-
 namespace clipc::draw {
 namespace {
 
@@ -56,14 +53,10 @@ std::string WithOrigin(std::string text, const Shader& shader) {
 
 std::string GlslOfSpirv(const Shader& shader) {
   constexpr int kVersion = 450;
-  const std::string name = "glsl" + std::to_string(kVersion);
   if (!shader.glsl.starts_with("#version " + std::to_string(kVersion))) return "";
-  glsl::Target target = *glsl::Target::Parse(name);
-  target.flips_y = shader.flips_y;
-  const spirv::Written own = WriteSpirv(shader.lowered, shader.info, target, {}, {});
-  if (own.words.empty() || !IsForSpirvCross(shader.lowered)) return "";
+  if (shader.spirv.empty() || !IsForSpirvCross(shader.lowered)) return "";
   try {
-    spirv_cross::CompilerGLSL compiler(own.words);
+    spirv_cross::CompilerGLSL compiler(shader.spirv);
     spirv_cross::CompilerGLSL::Options options;
     options.version = kVersion;
     compiler.set_common_options(options);
