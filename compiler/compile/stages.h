@@ -74,8 +74,8 @@ std::vector<std::string_view> PassNames();
 // also for the same shader with fewer clip planes: LowerClipPlanes only adds to the shader.
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics);
 
-// Runs the passes that take apart what the target's writer cannot express. Requires that CheckTarget
-// reports no error. Afterwards `lowered` is complete unless `options` stopped it.
+// Runs the passes that take apart what the target's writer cannot express. Requires that
+// CheckTarget reports no error. Afterwards `lowered` is complete unless `options` stopped it.
 void Legalize(Lowered& lowered, const ir::PassOptions& options);
 
 using glsl::WrittenGlsl;
