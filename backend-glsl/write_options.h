@@ -17,6 +17,8 @@ struct WriteOptions {
   // SV_VertexID and SV_InstanceID need no draw parameters.
   bool base_vertex_is_zero = false, base_instance_is_zero = false;
   bool invariant = false;  // gl_Position is invariant: passes that compute it alike agree on depth
+  // Values of half and of the types of minimum precision may have 16 bits; else they have 32.
+  bool relaxed_precision = false;
   BlockStyle blocks = BlockStyle::kNamed;
   NameStyle names = {};
 };

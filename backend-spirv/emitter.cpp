@@ -9,7 +9,7 @@ Emitter::Emitter(const ir::Program& program, const Options& options)
     : program_(program),
       options_(options),
       module_(options.minor_version),
-      types_(program, module_),
+      types_(program, module_, options.relaxed_precision),
       lines_(module_, types_, options.debug ? &*options.debug : nullptr) {
   code_.reserve(1024);
   locals_.reserve(128);
@@ -17,7 +17,7 @@ Emitter::Emitter(const ir::Program& program, const Options& options)
 
 Ref Emitter::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {
   if (lines_.has_any()) lines_.Put(code_);
-  const Ref result = module_.NewRef();
+  const Ref result = last_ = module_.NewRef();
   code_.push_back(static_cast<std::uint32_t>(operands.size() + 3) << 16 | NumberOf(op));
   code_.push_back(type);
   code_.push_back(result);

@@ -50,6 +50,7 @@ class Emitter {
   Ref block_ = 0;         // the label of the current block
   bool is_open_ = false;  // the current block has no end yet
   bool is_precise_ = false;
+  Ref last_ = 0;  // the result of the last instruction
 };
 
 }  // namespace clipc::spirv

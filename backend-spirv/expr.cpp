@@ -14,12 +14,17 @@ using namespace ir;
 
 Ref Writer::Value(ExprId id) {
   const Expr& expr = (*this)[id];
-  if (!lines_.has_any()) return ValueOf(id, expr);
-  // What is around the expression goes on in its own line.
-  const SourcePlace around = lines_.wanted();
-  lines_.Want(expr.span);
-  const Ref value = ValueOf(id, expr);
-  lines_.Restore(around);
+  Ref value = 0;
+  if (lines_.has_any()) {
+    // What is around the expression goes on in its own line.
+    const SourcePlace around = lines_.wanted();
+    lines_.Want(expr.span);
+    value = ValueOf(id, expr);
+    lines_.Restore(around);
+  } else {
+    value = ValueOf(id, expr);
+  }
+  if (options_.relaxed_precision) RelaxResult(value, expr.type);
   return value;
 }
 
@@ -214,7 +219,9 @@ Ref Writer::Called(const Call& node) {
     copies.push_back(std::move(copy));
   }
   const Ref result = Emit(spv::Op::OpFunctionCall, types_.Of(function.return_type), operands);
+  Relax(result, function.return_type);
   for (const Copy& copy : copies) Store(copy.to, Load(copy.from));
+  judged_ = result;
   return result;
 }
 

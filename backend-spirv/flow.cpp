@@ -51,6 +51,7 @@ void Writer::WriteFunction(FunctionId id) {
     type.push_back(value_type);
     const Ref ref = module_.NewRef();
     module_.Name(ref, var.name);
+    Relax(ref, var.type);
     Put(parameters, spv::Op::OpFunctionParameter, {value_type, ref});
     (is_out ? pointers_ : values_)[parameter.index] = ref;
   }

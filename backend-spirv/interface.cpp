@@ -126,6 +126,7 @@ void Writer::DeclareStatic(VarId id) {
   const Ref variable =
       module_.Variable(types_.Pointer(kStorage, types_.Of(var.type)), kStorage, initial);
   module_.Name(variable, var.name);
+  Relax(variable, var.type);
   if (module_.minor_version() >= 4) shared_.push_back(variable);
   pointers_[id.index] = variable;
   storages_[id.index] = kStorage;

@@ -7,24 +7,11 @@ namespace clipc::spirv {
 
 using namespace ir;
 
-namespace {
-
-// The number from which on the parts of a value are copied by a loop.
-constexpr std::uint64_t kLong = 1024;
-
-// The numbers, vectors and matrices in a value.
-std::uint64_t CountOf(const TypeTable& types, TypeId id) {
-  const Type& type = types[id];
-  if (type.kind == TypeKind::kArray) return type.count * CountOf(types, type.element);
-  if (type.kind != TypeKind::kStruct) return 1;
-  std::uint64_t count = 0;
-  for (const Field& field : types.StructOf(id).fields) count += CountOf(types, field.type);
-  return count;
+// Whether the value takes more than 1,024 registers of a constant buffer.
+bool Writer::IsLong(TypeId type) const {
+  constexpr std::uint32_t kLong = 1024 * kRow;
+  return PackedExtent(program_.types, type, false).size > kLong;
 }
-
-}  // namespace
-
-bool Writer::IsLong(TypeId type) const { return CountOf(program_.types, type) > kLong; }
 
 Place Writer::PlaceOfField(Place place, std::uint32_t number) {
   const Field& field = program_.types.StructOf(place.type).fields[number];

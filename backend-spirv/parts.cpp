@@ -94,6 +94,8 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
     variable = module_.Variable(types_.Pointer(storage, type), storage);
     module_.Name(variable, name);
     module_.Decorate(variable, spv::Decoration::Location, {location});
+    if (options_.relaxed_precision && io.has_min_precision)
+      module_.Decorate(variable, spv::Decoration::RelaxedPrecision);
     if (io.blend_index > 0) module_.Decorate(variable, spv::Decoration::Index, {io.blend_index});
     if (is_per_vertex) {
       RequireBarycentrics();

@@ -276,6 +276,7 @@ Place Writer::NewLocal(TypeId type, std::string_view name) {
   Put(locals_, spv::Op::OpVariable,
       {types_.Pointer(storage, types_.Of(type)), variable, static_cast<std::uint32_t>(storage)});
   module_.Name(variable, name);
+  Relax(variable, type);
   return {variable, storage, {}, type};
 }
 

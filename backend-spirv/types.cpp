@@ -114,8 +114,11 @@ Ref Types::Of(TypeId id) {
   const Ref made = module_.OwnType(spv::Op::OpTypeStruct, members);
   structs_.emplace(type.structure.index, made);
   module_.Name(made, structure.name);
-  for (std::uint32_t i = 0; i < structure.fields.size(); ++i)
+  for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
     module_.NameMember(made, i, structure.fields[i].name);
+    if (IsRelaxed(structure.fields[i].type))
+      module_.DecorateMember(made, i, spv::Decoration::RelaxedPrecision);
+  }
   return made;
 }
 

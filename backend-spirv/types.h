@@ -58,7 +58,13 @@ enum class Layout : std::uint8_t { kValue, kConstants, kElements, kRows };
 // The types and constants of a module, by those of the program.
 class Types {
  public:
-  Types(const ir::Program& program, Module& module) : program_(program), module_(module) {}
+  // `is_relaxed`: numbers of minimum precision may have 16 bits.
+  Types(const ir::Program& program, Module& module, bool is_relaxed)
+      : program_(program), module_(module), is_relaxed_(is_relaxed) {}
+
+  bool IsRelaxed(ir::TypeId type) const {
+    return is_relaxed_ && program_.types.HasMinPrecision(type);
+  }
 
   // ---- types of values
   Ref Void() { return module_.Type(spv::Op::OpTypeVoid, {}); }
@@ -112,6 +118,7 @@ class Types {
 
   const ir::Program& program_;
   Module& module_;
+  const bool is_relaxed_;
   // The types of shapes: by scalar, rows, components of a row, and kind. 0: not made yet.
   std::array<std::array<std::array<std::array<Ref, 4>, 4>, 4>, kScalars> shapes_{};
   std::map<std::uint32_t, Ref> structs_;                                 // by StructId

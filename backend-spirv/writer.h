@@ -87,6 +87,10 @@ class Writer : private Emitter {
   // ---- precise.cpp
   void FindPrecise();
 
+  // ---- relaxed.cpp
+  void Relax(Ref of, ir::TypeId type);
+  void RelaxResult(Ref value, ir::TypeId type);
+
   // ---- flow.cpp: functions and statements
   struct Loop {
     Ref merge = 0, next = 0;  // of a switch, `next` is that of the loop around it
@@ -223,6 +227,7 @@ class Writer : private Emitter {
   bool in_main_ = false;
   bool keeps_numbers_ = false;  // min, max and clamp give the operand that is a number
   std::vector<Loop> loops_;
+  Ref judged_ = 0;  // the value of the last expression
 };
 
 }  // namespace clipc::spirv

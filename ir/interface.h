@@ -190,6 +190,7 @@ struct IoVar {
   bool may_be_unwritten = false;      // of an output: a path does not write it, which is reported
   // Of an output of a pixel shader: 1 for the second of the two colors that are blended.
   std::uint32_t blend_index = 0;
+  bool has_min_precision = false;  // its type in the HLSL is half, min16float or the like
 };
 
 // The locations that an input or output of this scalar or vector type needs: two for three or four

@@ -36,6 +36,8 @@ constexpr Scalar BaseOf(Scalar kind) {
     default: return kind;
   }
 }
+// Whether the kind needs no more than 16 bits: half, and those of minimum precision.
+constexpr bool IsMinPrecision(Scalar kind) { return BaseOf(kind) != kind; }
 // Whether the kind is half, float, double or min*float.
 constexpr bool IsFloat(Scalar kind) {
   return BaseOf(kind) == Scalar::kFloat || BaseOf(kind) == Scalar::kDouble;
@@ -165,6 +167,11 @@ class TypeTable {
   TypeId Innermost(TypeId id) const {
     while ((*this)[id].kind == TypeKind::kArray) id = (*this)[id].element;
     return id;
+  }
+  // Whether the type is one of numbers of minimum precision, or an array of such.
+  bool HasMinPrecision(TypeId id) const {
+    const Type& type = (*this)[Innermost(id)];
+    return type.IsNumeric() && IsMinPrecision(type.scalar);
   }
   // The parts of a value are the rows of a matrix, the elements of an array or the fields of a
   // struct; a scalar, a vector and an object have none.

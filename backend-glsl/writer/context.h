@@ -79,6 +79,7 @@ struct WriterContext {
   std::set<std::string> extensions;  // extensions that the shader requires
   std::set<std::string> enabled;     // extensions that only some compilers need
   std::vector<bool> used_structs;    // by StructId: those in `structs`
+  std::vector<bool> buffer_structs;  // by StructId: those of buffers; empty: not asked for yet
   std::unordered_map<std::string, std::string> wrappers;      // types.h: by the wrapped type
   std::unordered_map<std::string, std::string> helper_names;  // helper.h: by the wanted name
   std::set<std::string> helper_keys;                          // name and key of those in `helpers`

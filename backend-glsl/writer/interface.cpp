@@ -181,7 +181,7 @@ void WriteVaryingInput(WriterContext& context, const IoVar& input, const GlslInf
     Append(text,
            InterpolationText(context,
                              {shape.scalar, input.interpolation, input.centroid, input.sample}),
-           context.Has(Feature::kInAndOut) ? "in " : "varying ");
+           context.Has(Feature::kInAndOut) ? "in " : "varying ", PrecisionText(context, input));
     AppendVarying(context, text, input, shape, info.name);
   }
   Append(text, ";", SemanticComment{input, info.name});
@@ -197,7 +197,8 @@ void WriteInput(WriterContext& context, const IoVar& input, const GlslInfo::Vari
     return WriteVaryingInput(context, input, info, text);
   if (!info.is_used) return;
   const Shape shape = context.ShapeAt(input.var);
-  Append(text, LocationText{info.location}, context.Has(Feature::kInAndOut) ? "in " : "attribute ");
+  Append(text, LocationText{info.location}, context.Has(Feature::kInAndOut) ? "in " : "attribute ",
+         PrecisionText(context, input));
   AppendDeclaration(context, text, info.integer_as_float ? shape.With(Scalar::kFloat) : shape,
                     info.name);
   Append(text, ";", SemanticComment{input, info.name});
@@ -245,7 +246,7 @@ void WriteVarying(WriterContext& context, const IoVar& output, const GlslInfo::V
   Append(text, LocationText{info.location}, PreciseText(context, context[output.var].precise),
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
-         context.Has(Feature::kInAndOut) ? "out " : "varying ");
+         context.Has(Feature::kInAndOut) ? "out " : "varying ", PrecisionText(context, output));
   AppendVarying(context, text, output, shape, info.name);
   Append(text, ";", SemanticComment{output, info.name});
 }
@@ -263,7 +264,7 @@ void WriteTarget(WriterContext& context, const IoVar& output, const GlslInfo::Va
   } else {
     AppendPart(text, LocationText{info.location});
   }
-  text += "out ";
+  Append(text, "out ", PrecisionText(context, output));
   AppendDeclaration(context, text, context.ShapeAt(output.var), info.name);
   Append(text, ";", SemanticComment{output, info.name});
 }

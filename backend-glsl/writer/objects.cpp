@@ -159,11 +159,18 @@ class ObjectWriter {
     return written == name ? place : Concat(written, " : ", place);
   }
 
+  // What a read of the texture gives has this precision.
+  std::string_view PrecisionOf(VarId texture) const {
+    if (!context_.target.IsEs()) return "";
+    const Type& object = ObjectTypeOf(context_, texture);
+    const bool is_relaxed = object.element && !PrecisionText(context_, object.element).empty();
+    return is_relaxed ? "mediump " : "highp ";
+  }
+
   void Combined(const Resource& resource, const GlslInfo::Object& info) {
     if (const Requirement* requirement = RequirementOf(info.kind))
       context_.Require(requirement->feature);
-    Append(text_, LayoutText({PlaceText(info)}),
-           context_.target.IsEs() ? "uniform highp " : "uniform ",
+    Append(text_, LayoutText({PlaceText(info)}), "uniform ", PrecisionOf(info.texture),
            TextureType(context_, info.texture, "sampler"),
            IsShadow(context_, info.sampler ? info.sampler : info.texture) ? "Shadow " : " ",
            info.name, Dimensions(context_, info.texture), ";  // ", PlaceOf(resource, info.name));

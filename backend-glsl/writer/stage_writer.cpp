@@ -38,8 +38,9 @@ Globals WriteGlobals(Code& code) {
     if (is_specialized) {
       globals.text += LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
     }
-    Append(globals.text, is_const ? "const " : "", Declaration(code, var.type, code.NameOf(id)),
-           is_late ? "" : " = ", is_late ? "" : value, ";\n");
+    Append(globals.text, is_const ? "const " : "", PrecisionText(code, var.type),
+           Declaration(code, var.type, code.NameOf(id)), is_late ? "" : " = ", is_late ? "" : value,
+           ";\n");
     // glslang 12 takes `precise vec4 a;` for a variable of `main`.
     const std::string_view precise = PreciseText(code, var.precise && !is_const);
     if (!precise.empty()) Append(globals.text, precise, code.NameOf(id), ";\n");

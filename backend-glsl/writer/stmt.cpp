@@ -51,6 +51,7 @@ void WriteDeclare(Code& code, const Declare& node, bool is_first = true) {
   if (!is_first) return code.PutBefore(begin, Declarator(code, var.type, name));
   std::string declaration(code.constants.Has(node.var) ? "const " : "");
   declaration += PreciseText(code, var.precise);
+  declaration += PrecisionText(code, var.type);
   AppendDeclaration(code, declaration, var.type, name);
   code.PutBefore(begin, declaration);
 }
@@ -194,7 +195,8 @@ void WriteStmt(Code& code, StmtId id) {
 void WriteSignature(Code& code, FunctionId id, std::string_view name) {
   const Function& function = code[id];
   code.Indent();
-  code.Put(TypeName(code, function.return_type), " ", name, "(");
+  code.Put(PrecisionText(code, function.return_type), TypeName(code, function.return_type), " ",
+           name, "(");
   std::string_view separator;
   for (const VarId parameter : function.parameters) {
     const Storage storage = code[parameter].storage;
@@ -202,7 +204,8 @@ void WriteSignature(Code& code, FunctionId id, std::string_view name) {
     code.Put(std::exchange(separator, ", "), PreciseText(code, code[parameter].precise),
              storage == Storage::kOut     ? "out "
              : storage == Storage::kInOut ? "inout "
-                                          : "");
+                                          : "",
+             PrecisionText(code, code[parameter].type));
     AppendDeclaration(code, *code.out, code[parameter].type, code.NameOf(parameter));
   }
   code.Put(") {");
@@ -252,7 +255,7 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
     const std::string name = code.NameOf(output.var);
     const std::string& local = code.names.vars[output.var.index] = code.namer.Local(
         is_int ? code[output.var].name : Concat("SV_Target", std::to_string(output.location)));
-    code.Line(Declaration(code, code[output.var].type, local), ";");
+    code.Line(PrecisionText(code, output), Declaration(code, code[output.var].type, local), ";");
     last.emplace_back(name, is_int ? Concat("int(", local, ")") : local);
   }
   // A path that does not write the depth has that of the primitive: GLSL has none there at all.

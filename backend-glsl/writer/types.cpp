@@ -69,13 +69,42 @@ std::string_view WrapperOf(WriterContext& context, TypeId array) {
                      Concat(parts.base, " e", parts.dimensions));
 }
 
+bool MayBeRelaxed(const WriterContext& context) {
+  return context.options.relaxed_precision && context.target.IsEs();
+}
+
+// Marks the structs that values of the type have in them.
+void MarkStructs(const TypeTable& types, TypeId id, std::vector<bool>& marked) {
+  const Type& type = types[types.Innermost(id)];
+  if (type.kind == TypeKind::kObject && type.element) MarkStructs(types, type.element, marked);
+  if (type.kind != TypeKind::kStruct || marked[type.structure.index]) return;
+  marked[type.structure.index] = true;
+  for (const Field& field : types[type.structure].fields) MarkStructs(types, field.type, marked);
+}
+
+// Whether values of the struct lie in a buffer, which another stage declares in the same words.
+bool IsInBuffer(WriterContext& context, StructId id) {
+  if (context.buffer_structs.empty()) {
+    context.buffer_structs.resize(context.used_structs.size());
+    const auto mark = [&](VarId var) {
+      MarkStructs(context.types, context[var].type, context.buffer_structs);
+    };
+    for (const CbufferId cbuffer : context.program.cbuffers.ids())
+      for (const CbufferMember& member : context[cbuffer].members) mark(member.var);
+    for (const Resource& resource : context.program.resources) mark(resource.var);
+  }
+  return context.buffer_structs[id.index];
+}
+
 void UseStruct(WriterContext& context, StructId id) {
   if (context.used_structs[id.index]) return;
   context.used_structs[id.index] = true;
   std::string text = Concat("struct ", context.names.structs[id.index], " {\n");
   const auto* name = context.names.fields[id.index].data();
   for (const Field& field : context.types[id].fields) {
-    Append(text, "    ", Declaration(context, field.type, *name++), ";\n");
+    const bool is_relaxed = !PrecisionText(context, field.type).empty() && !IsInBuffer(context, id);
+    Append(text, "    ", is_relaxed ? PrecisionText(context, field.type) : "",
+           Declaration(context, field.type, *name++), ";\n");
   }
   // GLSL has no struct without fields.
   if (context.types[id].fields.empty()) text += "    float empty;\n";
@@ -109,6 +138,19 @@ TypeParts PartsOf(WriterContext& context, TypeId id) {
 }
 
 }  // namespace
+
+std::string_view PrecisionText(const WriterContext& context, TypeId id) {
+  if (!MayBeRelaxed(context) || !context.types.HasMinPrecision(id)) return "";
+  // A struct has no precision, and takes the place of some arrays.
+  const Type& type = context[id];
+  const bool is_struct = HasFields(context, type) ||
+                         (type.kind == TypeKind::kArray && IsWrapped(context, type.element));
+  return is_struct ? "" : "mediump ";
+}
+
+std::string_view PrecisionText(const WriterContext& context, const IoVar& io) {
+  return MayBeRelaxed(context) && io.has_min_precision ? "mediump " : "";
+}
 
 std::string TypeName(WriterContext& context, TypeId type) {
   const TypeParts parts = PartsOf(context, type);

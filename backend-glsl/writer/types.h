@@ -31,6 +31,10 @@ std::string UniformDeclaration(WriterContext& context, ir::TypeId type, std::str
 std::string Declarator(WriterContext& context, ir::TypeId type, std::string_view name);
 // The qualifier "precise " if `is_precise` and the target has the word; otherwise empty.
 std::string_view PreciseText(WriterContext& context, bool is_precise);
+// The qualifier "mediump " if values of the type, or of the input or output, may have 16 bits;
+// otherwise empty.
+std::string_view PrecisionText(const WriterContext& context, ir::TypeId type);
+std::string_view PrecisionText(const WriterContext& context, const ir::IoVar& io);
 // The types of the parameters, which tell overloads apart: "vec3, float".
 std::string ParameterTypes(WriterContext& context, ir::FunctionId function);
 // The dimensions "[4][2]" of an array of blocks or objects; empty if the variable is not an array.

@@ -189,6 +189,11 @@ void FinishTarget(Reading& reading) {
         reading.source_entry.empty() ? "-fspv-entrypoint-name" : "--source-entrypoint";
   if (!reading.spirv_option.empty() && !is_spirv)
     reading.without_effect.push_back({reading.spirv_option, "it is for SPIR-V"});
+  const bool has_precision = is_spirv || request.target.IsEs();
+  if (request.style.relaxed_precision && !has_precision && command.batch.empty()) {
+    reading.without_effect.push_back(
+        {"--min-precision=relaxed", "it is for SPIR-V and for the GLSL of OpenGL ES"});
+  }
   // Each entry of a batch may have a target of its own.
   if (!reading.vulkan_option.empty() && !request.target.IsVulkan() && command.batch.empty()) {
     reading.without_effect.push_back(

@@ -136,6 +136,7 @@ void Define(Reading& reading, const std::string& value) {
 }
 
 constexpr Named<bool> kDepthRanges[] = {{false, "zero-to-one"}, {true, "negative-one-to-one"}};
+constexpr Named<bool> kMinPrecisions[] = {{false, "full"}, {true, "relaxed"}};
 constexpr Named<glsl::BlockStyle> kBlockStyles[] = {{glsl::BlockStyle::kNamed, "named"},
                                                     {glsl::BlockStyle::kPlain, "plain"},
                                                     {glsl::BlockStyle::kFlat, "flat"}};
@@ -204,6 +205,8 @@ constexpr Option kOwnOptions[] = {
      "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
     {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
     {"-fspv-target-env", kEquals, SetVulkanVersion, "<V>", "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
+    {"--min-precision", kEquals, Choose<&StyleOptions::relaxed_precision, kMinPrecisions>, "<BITS>",
+     "of half, min16float and the like: full (32 bits, the default), or relaxed"},
     {"-Zi", kFlag, Set<&OutputOptions::source_lines>, "",
      "with the lines of the HLSL as comments in the GLSL"},
     {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",
@@ -213,9 +216,8 @@ constexpr Option kOwnOptions[] = {
     {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>, "<NAME>",
      "the name of the variable that -Fh writes (g_ and the entry's name)"},
     {"--validate", kFlag, SetTo<&Reading::validate, true>, "",
-     "compile the GLSL with glslang before writing it (the default for several files)"},
-    {"--no-validate", kFlag, SetTo<&Reading::validate, false>, "",
-     "do not run glslang (the default for a single file)"},
+     "compile the GLSL with glslang first (the default for several files, but --no-validate)"},
+    {"--no-validate", kFlag, SetTo<&Reading::validate, false>},
     {"--wrapper-entry", kEquals, Set<&HlslOptions::wrapper_entry>, "<NAME>",
      "with --target=hlsl: the entry function that writes the clip distances"},
     Topic("planes", "what becomes of clip planes"),

@@ -87,6 +87,7 @@ glsl::WriteOptions WriteOptionsOf(const StyleOptions& style, Diagnostics& diagno
           .base_vertex_is_zero = style.base_vertex_is_zero,
           .base_instance_is_zero = style.base_instance_is_zero,
           .invariant = style.invariant,
+          .relaxed_precision = style.relaxed_precision,
           .blocks = style.blocks,
           .names = std::move(*names)};
 }

@@ -111,6 +111,8 @@ struct StyleOptions {
   bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
   bool precise = false;    // -Gis: every output, and what goes into it, is computed as written
   bool invariant = false;  // gl_Position is invariant: backend-glsl/write.h
+  // Values of half and of min16float and the like may have 16 bits: backend-glsl/write.h.
+  bool relaxed_precision = false;
   // The form of constant buffers: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
   // The layout that the buffers must have, which is Direct3D's too or an error.

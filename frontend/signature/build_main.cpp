@@ -374,6 +374,7 @@ class MainBuilder {
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                     sample, semantic.has_index, is_matched && location,
                     leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
+    list.back().has_min_precision = program_.types.HasMinPrecision(leaf.type);
     if (is_target) list.back().blend_index = blend_index.value_or(0);
     return id;
   }
