@@ -25,11 +25,11 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 for target in glsl450 glsl330 essl300 vulkan; do
   for lowering in clip-distance discard none; do
-    "$folder/bin/clipc" -T vs_5_0 --target="$target" --lower="$lowering" --no-validate examples/gallery/*.hlsl -o "$scratch" \
+    "$folder/bin/clipc" -T vs_5_0 --target="$target" --lower="$lowering" examples/gallery/*.hlsl -o "$scratch" \
       >/dev/null 2>&1 || true
   done
-  "$folder/bin/clipc" -T ps_5_0 -E ps --target="$target" --no-validate testdata/draw/pairs/*.hlsl -o "$scratch" >/dev/null 2>&1 || true
-  "$folder/bin/clipc" -E vs --pixel-entry=ps --pixel-output=.frag --target="$target" --no-validate testdata/draw/pairs/*.hlsl \
+  "$folder/bin/clipc" -T ps_5_0 -E ps --target="$target" testdata/draw/pairs/*.hlsl -o "$scratch" >/dev/null 2>&1 || true
+  "$folder/bin/clipc" -E vs --pixel-entry=ps --pixel-output=.frag --target="$target" testdata/draw/pairs/*.hlsl \
     -o "$scratch" >/dev/null 2>&1 || true
 done
 [ -n "$(find "$folder" -name '*.gcda' -print -quit)" ] || {

@@ -183,12 +183,14 @@ TEST(ParseCommandLine, EveryOptionOfTheHelpIsOne) {
   EXPECT_GT(options, 30);
 }
 
-TEST(ParseCommandLine, ValidatesBatches) {
+TEST(ParseCommandLine, ValidatesWhereItIsAsked) {
   const char* const one[] = {"a.hlsl"};
   const char* const two[] = {"a.hlsl", "b.hlsl"};
-  const char* const off[] = {"a.hlsl", "b.hlsl", "--no-validate"};
+  const char* const asked[] = {"a.hlsl", "b.hlsl", "--validate"};
+  const char* const off[] = {"a.hlsl", "--validate", "--no-validate"};
   EXPECT_FALSE(ParseCommandLine(one).command.request.outputs.validate);
-  EXPECT_TRUE(ParseCommandLine(two).command.request.outputs.validate);
+  EXPECT_FALSE(ParseCommandLine(two).command.request.outputs.validate);
+  EXPECT_TRUE(ParseCommandLine(asked).command.request.outputs.validate);
   EXPECT_FALSE(ParseCommandLine(off).command.request.outputs.validate);
 }
 

@@ -417,7 +417,6 @@ Result<> Batch::Prepare() {
   for (ShaderGroup& group : batch_.groups) {
     if (Result<> done = PrepareRequest(group.command); !done) return done;
     group.command.request.limits.is_cancelled = command_.request.limits.is_cancelled;
-    group.command.request.outputs.validate = group.command.asks_to_validate.value_or(true);
     const CompileResult notices = NoticesOf(group.command);
     if (!notices.messages.empty() && said.insert(notices.messages.front().text).second)
       printer_.Show(notices);

@@ -60,8 +60,7 @@ struct CommandLine {
   bool merge_shards = false;       // the inputs are indexes of parts, to be one index
   unsigned shard = 1, shards = 1;  // only each `shards`-th permutation, from number `shard` on
   bool watch = false;              // compile again what changes, until an interrupt
-  std::optional<bool> asks_to_validate;  // --validate, --no-validate
-  Diagnostics notices;                   // warnings about the options
+  Diagnostics notices;             // warnings about the options
 };
 
 }  // namespace clipc

@@ -328,8 +328,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   command.notices = Diagnostics(warnings);
   ReportWithoutEffect(reading);
   // glslang's tables cost tens of milliseconds once: much for one shader, little for many.
-  command.asks_to_validate = reading.validate;
-  command.request.outputs.validate = reading.validate.value_or(command.inputs.size() > 1);
+  command.request.outputs.validate = reading.validate.value_or(false);
   return {std::move(command), std::move(reading.result)};
 }
 

@@ -216,7 +216,7 @@ constexpr Option kOwnOptions[] = {
     {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>, "<NAME>",
      "the name of the variable that -Fh writes (g_ and the entry's name)"},
     {"--validate", kFlag, SetTo<&Reading::validate, true>, "",
-     "compile the GLSL with glslang first (the default for several files, but --no-validate)"},
+     "compile the GLSL with glslang before writing it"},
     {"--no-validate", kFlag, SetTo<&Reading::validate, false>},
     {"--wrapper-entry", kEquals, Set<&HlslOptions::wrapper_entry>, "<NAME>",
      "with --target=hlsl: the entry function that writes the clip distances"},

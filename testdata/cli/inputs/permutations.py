@@ -107,7 +107,7 @@ def main():
     size = write(folder)
     (folder / "out").mkdir()
     (folder / "single").mkdir()
-    words = [clipc, "-T", "vs_5_0", "--no-validate"]
+    words = [clipc, "-T", "vs_5_0"]
     lists = [f"-D{name}={{{','.join(map(str, range(count)))}}}" for name, count in AXES.items()]
     batch, memory = run([*words, *lists, "ground.hlsl", "-o", "out"], folder)
     index = json.loads((folder / "out/index.json").read_text())
