@@ -10,6 +10,10 @@ file(WRITE ${project}/empty.cpp "")
 file(WRITE ${project}/two_planes.hlsl "${plane}[clipplanes(first, second)] ${body}")
 file(WRITE ${project}/warns.hlsl "${plane}[clipplanes(first, first)] ${body}")
 
+file(WRITE ${project}/sky.fx "#include \"sky.fxh\"\nfloat4 VS(float4 p : POSITION) : POSITION { return p * SKY * BLUE; }\n"
+  "technique T { pass P { VertexShader = compile vs_3_0 VS(); } }\n")
+file(WRITE ${project}/sky.fxh "#define SKY 2.5\n")
+
 # expect(CASE STATUS TEXT): configures and builds; the exit code is zero (STATUS `passes`) or not, and TEXT is said once.
 function(expect case status text)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${SCRATCH}/build -G ${GENERATOR} -DCASE=${case}
@@ -37,6 +41,8 @@ expect(one_stem fails "the target has a shader `two_planes` already; give anothe
 expect(unknown_argument fails "what is `PROFIL;vs_5_0`?")
 expect(not_a_number fails "VARIANTS many is not a number of planes, 0 to 6")
 expect(spirv_variants fails "SPIRV is of one shader, and VARIANTS makes several")
+expect(effect_unknown fails "what is `TARGETS;glsl330`? It has EFFECT, NAME, TARGET, DEFINES and OPTIONS")
+expect(effect_stem fails "the target has an effect `sky` already; give another NAME")
 expect(pass_unknown fails "what is `SHADER;two_planes.hlsl`?")
 expect(pass_then fails "the command has no `{hlsl}`; it reads {hlsl} and writes {output} with an extension")
 expect(pass_output fails "the command has no `{output}`; it reads {hlsl} and writes {output} with an extension")
@@ -49,4 +55,16 @@ expect(cross passes "Compiling shader two_planes")
 expect(planes passes "Compiling shader two_planes")
 file(WRITE ${project}/two_planes.hlsl "${plane}[clipplanes(first)] ${body}")
 expect(planes_fewer fails "VARIANTS 2: shader `two_planes` has 1 clip plane(s); take no more")
+
+# An effect is compiled again where a file that it includes has changed.
+foreach(sky IN ITEMS 2.5 7.5)
+  file(WRITE ${project}/sky.fxh "#define SKY ${sky}\n")
+  expect(effect passes "Compiling effect heaven")
+  file(GLOB_RECURSE header ${SCRATCH}/build/heaven.effect.h)
+  file(READ "${header}" text)
+  string(FIND "${text}" "${sky}" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "the header of the effect does not have ${sky}:\n${text}")
+  endif()
+endforeach()
 file(REMOVE_RECURSE ${SCRATCH})
