@@ -40,7 +40,7 @@ class TargetCheck : ExpressionCheck {
                         diagnostics),
         blocks_(blocks),
         long_loops_(long_loops),
-        reached_(Reach(program)),
+        reached_(Reach(program, target.KeepsBindings())),
         images_(UsesOfImages(program, reached_, target)) {}
 
   void Run() {

@@ -149,7 +149,7 @@ std::uint32_t OffsetOf(const Program& program, VarId var) {
 PackedStage::PackedStage(const Program& program, const Target& target, BlockStyle style,
                          OtherStages others)
     : given(program),
-      reached(Reach(program)),
+      reached(Reach(program, target.KeepsBindings())),
       layouts(LayOutBlocks(program, reached, target, style, others)) {
   const legalize::Needs needs = target.Needs();
   legalize::MemberReads reads{{}, BlocksOf(program, layouts)};
@@ -164,7 +164,7 @@ PackedStage::PackedStage(const Program& program, const Target& target, BlockStyl
   for (const legalize::PackedMember& member : reads.packed)
     copy->functions[readers[member.var.index]].offset = OffsetOf(program, member.var);
   // A member that is read by hand is reached, though no function names it now.
-  const Reached before = std::exchange(reached, Reach(*copy));
+  const Reached before = std::exchange(reached, Reach(*copy, target.KeepsBindings()));
   for (std::size_t i = 0; i < before.vars.size(); ++i)
     reached.vars[i] = reached.vars[i] || before.vars[i];
   reached.cbuffers = before.cbuffers;

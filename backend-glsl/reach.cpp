@@ -61,6 +61,16 @@ class Walker {
 
 }  // namespace
 
-Reached Reach(const Program& program) { return Walker(program).Run(); }
+Reached Reach(const Program& program, bool keeps_bindings) {
+  Reached reached = Walker(program).Run();
+  if (!keeps_bindings) return reached;
+  for (const Resource& resource : program.resources) reached.vars[resource.var.index] = true;
+  for (const CbufferId id : program.cbuffers.ids()) {
+    reached.cbuffers[id.index] = true;
+    for (const CbufferMember& member : program.cbuffers[id].members)
+      reached.vars[member.var.index] = true;
+  }
+  return reached;
+}
 
 }  // namespace clipc::glsl

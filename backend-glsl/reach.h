@@ -19,6 +19,7 @@ struct Reached {
   bool Has(ir::VarId var) const { return vars[var.index]; }
   bool Has(ir::CbufferId cbuffer) const { return cbuffers[cbuffer.index]; }
 };
-Reached Reach(const ir::Program& program);
+// `keeps_bindings`: objects and constant buffers that nothing reads are reached too.
+Reached Reach(const ir::Program& program, bool keeps_bindings = false);
 
 }  // namespace clipc::glsl

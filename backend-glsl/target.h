@@ -160,6 +160,7 @@ struct BindingRules {
   bool combines_samplers = false;
   // Each element of an array of objects has a binding of its own: split_arrays.h.
   bool splits_arrays = false;
+  bool keeps_unread = false;  // objects and buffers that the shader does not read have bindings too
   std::uint32_t pixel_sets = 0;  // what is added to the sets of the rules in a pixel shader
   std::optional<std::uint32_t> pixel_base;  // Target::PixelBase(); none: the target's own
 };
@@ -196,7 +197,8 @@ class Target {
   std::uint32_t PixelBase() const;
 
   BindingRules bindings;  // the rules of a Vulkan target
-  bool flips_y = false;   // the image is upside down, as textures are
+  bool KeepsBindings() const { return IsVulkan() && bindings.keeps_unread; }
+  bool flips_y = false;  // the image is upside down, as textures are
 
   // Whether the window's y grows downwards in the image, as in Direct3D.
   bool HasUpperLeftOrigin() const { return IsVulkan() || flips_y; }

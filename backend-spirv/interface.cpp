@@ -151,6 +151,12 @@ void Writer::Bind(Ref variable, const Interface::Place& place) {
   module_.Decorate(variable, spv::Decoration::Binding, {*place.binding});
 }
 
+// Declares the objects and constant buffers that no function has named.
+void Writer::DeclareUnread() {
+  for (const Interface::Block& block : interface_.blocks) BlockVariable(block.cbuffer);
+  for (const Interface::Object& object : interface_.objects) DeclaredOf(object.var, object.sampler);
+}
+
 Ref Writer::BlockVariable(CbufferId id) {
   const auto found = blocks_.find(id.index);
   if (found != blocks_.end()) return found->second.variable;

@@ -71,6 +71,7 @@ struct Options {
   std::string entry = "main";         // the name of the entry point
   bool nan_clamp = false;             // min, max and clamp give the operand that is a number
   bool invariant = false;             // the position is invariant
+  bool keeps_bindings = false;        // objects and buffers that nothing reads are declared too
   bool relaxed_precision = false;     // of half and of the types of minimum precision
   bool is_opengl = false;             // for OpenGL 4.5 and GL_ARB_gl_spirv, else for Vulkan
   bool has_upper_left_origin = true;  // of pixels; derivatives have the same direction

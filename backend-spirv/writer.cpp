@@ -36,6 +36,11 @@ Writer::Writer(const Program& program, const Interface& interface, const Options
 Written Writer::Run() {
   functions_.push_back(program_.main);
   for (std::size_t i = 0; i < functions_.size(); ++i) FindMemory(functions_[i]);
+  if (options_.keeps_bindings) {
+    for (const CbufferId id : program_.cbuffers.ids())
+      for (const CbufferMember& member : program_.cbuffers[id].members)
+        is_read_[member.var.index] = true;
+  }
   FindPrecise();
   has_order_ = std::ranges::any_of(program_.resources, [&](const Resource& resource) {
     const TypeId type = program_.types.Innermost((*this)[resource.var].type);
@@ -48,6 +53,7 @@ Written Writer::Run() {
   for (const FunctionId function : functions_) {
     if (lacks_.empty()) WriteFunction(function);
   }
+  if (options_.keeps_bindings) DeclareUnread();
   if (!lacks_.empty()) return {{}, lacks_};
   const bool draws_pixels = IsPixelShader();
   // An image of OpenGL that is upside down has its own origin.

@@ -36,6 +36,7 @@ class Writer : private Emitter {
   Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
   void StartMain();
   Ref BlockVariable(ir::CbufferId id);
+  void DeclareUnread();
   void Bind(Ref variable, const Interface::Place& place);
   Ref ArrayOfBuffers(Ref block, ir::TypeId type);
 

@@ -113,6 +113,12 @@ void SetStageOrListing(Reading& reading, const std::string& value) {
   if (is_file) reading.command.inputs.push_back(value);
 }
 
+// Keeps the bindings of what the shader does not read.
+void KeepBindings(Reading& reading, const std::string&) {
+  reading.vulkan_option = reading.option;
+  reading.bindings.keeps_unread = true;
+}
+
 // Gives each element of an array of textures a binding of its own.
 void SplitArrays(Reading& reading, const std::string&) {
   reading.vulkan_option = reading.option;
@@ -246,6 +252,7 @@ constexpr Option kForeignOptions[] = {
     {"-g -gVS", kFlag, Set<&OutputOptions::source_lines>},
     {"-fspv-debug", kEquals, SetSpirvDebug},
     {"-fspv-reflect -fhlsl-functionality1 -fhlsl_functionality1", kFlag, SetSpirvReflection},
+    {"-fspv-preserve-bindings -fpreserve-bindings", kFlag, KeepBindings},
     {"-fspv-preserve-interface", kFlag, Set<&Reading::preserves_interface>},
     {"-matrix-layout-row-major", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>},
     {"-matrix-layout-column-major", kFlag,
@@ -320,8 +327,6 @@ constexpr Option kForeignOptions[] = {
     {"-fspv-max-id", kEquals, HasNoEffect, nullptr, "the SPIR-V has as many ids as it needs"},
     {"-fspv-reduce-load-size -fspv-fix-func-call-arguments", kFlag, HasNoEffect, nullptr,
      "clipc leaves optimisation to the driver"},
-    {"-fspv-preserve-bindings -fpreserve-bindings", kFlag, HasNoEffect, nullptr,
-     "bindings that nothing reads are left out"},
     {"-std", kEquals, SetGlslVersion, nullptr, "it is about GLSL that is read"},
     {"-d -t", kFlag, HasNoEffect, nullptr, "it is glslang's; a macro is `-D`, a profile `-T`"},
     {"-flimit -flimit-file", kEquals, HasNoEffect, nullptr, "clipc counts no limits of devices"},

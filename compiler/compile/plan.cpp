@@ -175,6 +175,7 @@ Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& dia
   Plan plan;
   plan.check =
       CheckOptionsOf(request.language, ProfileOf(shader.profile, request.language, diagnostics));
+  plan.check.keeps_bindings = request.target.KeepsBindings();
   plan.check.entry = shader.entry;
   plan.check.entry_call = shader.entry_call;
   plan.write = WriteOptionsOf(request.style, diagnostics);

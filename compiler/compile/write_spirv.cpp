@@ -160,6 +160,7 @@ spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info
   if (!request.entry.empty()) made.entry = request.entry;
   made.nan_clamp = request.nan_clamp;
   made.invariant = options.invariant;
+  made.keeps_bindings = target.KeepsBindings();
   made.relaxed_precision = options.relaxed_precision;
   made.is_opengl = !target.IsVulkan();
   made.has_upper_left_origin = target.HasUpperLeftOrigin();

@@ -35,6 +35,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   if (bodies == EntryBodies::kCheck) {
     CheckBodies(context);
     CheckRecursion(context);
+    if (context.options.keeps_bindings) ReachAllBindings(context);
   }
   FinishBuffers(context);
   for (CbufferId id : program.cbuffers.ids())

@@ -55,6 +55,8 @@ struct CheckOptions {
   // The names of the samplers of a pixel shader that Direct3D 9's driver compares:
   // resolve::CompareSamplers.
   std::vector<std::string> shadow_samplers;
+  // Whether the program has the objects and constant buffers that nothing reaches.
+  bool keeps_bindings = false;
   bool is_interface_only = false;    // ir::Program::is_interface_only
   bool stages_match_by_row = false;  // signature::EntrySignature::stages_match_by_row
 };

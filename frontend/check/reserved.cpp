@@ -69,4 +69,17 @@ std::vector<ReservedRegisters> RegistersOfUnused(Context& context) {
   return list;
 }
 
+void ReachAllBindings(Context& context) {
+  for (const SymbolId id : context.names.symbol_ids()) {
+    if (!IsUnusedGlobal(context, context[id])) continue;
+    const auto* var = context.GetIf<ast::VarDecl>(context[id].decl);
+    if (!var || (var->qualifiers & (ast::kStatic | ast::kGroupShared))) continue;
+    if (IsWrittenObject(context, context[var->type]) || IsBuffer(context, *var))
+      ResolveVar(context, id);
+  }
+  for (const BufferId id : context.globals.buffers.ids()) {
+    if (context[id].decl) ReachBuffer(context, id);
+  }
+}
+
 }  // namespace clipc::check

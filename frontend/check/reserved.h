@@ -13,4 +13,7 @@ namespace clipc::check {
 // checked against both. Reports type arguments of theirs that no object has.
 std::vector<ReservedRegisters> RegistersOfUnused(Context& context);
 
+// Adds the objects and constant buffers that nothing reached to the program, as if it read them.
+void ReachAllBindings(Context& context);
+
 }  // namespace clipc::check
