@@ -44,10 +44,12 @@ class TargetCheck : ExpressionCheck {
         images_(UsesOfImages(program, reached_, target)) {}
 
   void Run() {
+    const ir::Function& entry = program_.functions[program_.entry];
+    if (clipc::InfoOf(program_.stage).runs_in_groups && !target_.Has(Feature::kComputeShaders))
+      return Lack(Feature::kComputeShaders, entry.span, diag::TargetComputeShader, entry.name);
     for (const IoVar& input : program_.inputs) Input(input);
     for (const IoVar& output : program_.outputs) Output(output);
-    if (program_.tests_early)
-      Check(Feature::kEarlyTests, diag::TargetEarlyTests, program_.functions[program_.entry].span);
+    if (program_.tests_early) Check(Feature::kEarlyTests, diag::TargetEarlyTests, entry.span);
     for (CbufferId id : program_.cbuffers.ids()) {
       if (reached_.Has(id)) Cbuffer(program_.cbuffers[id]);
     }
@@ -357,7 +359,7 @@ class TargetCheck : ExpressionCheck {
   const BlockStyle blocks_;
   const std::span<const legalize::LongLoop> long_loops_;
   const Reached reached_;
-  const std::vector<ImageUse> images_;
+  const std::vector<ir::ObjectUse> images_;
   const bool looks_at_expressions_ = MayReport();
 };
 

@@ -41,42 +41,30 @@ std::string ImageFormat(const Program& program, const Resource& resource) {
                                             : "f");
 }
 
-std::vector<ImageUse> UsesOfImages(const Program& program, const Reached& reached,
-                                   const Target& target) {
-  std::vector<ImageUse> uses;
+std::vector<ObjectUse> UsesOfImages(const Program& program, const Reached& reached,
+                                    const Target& target) {
   const bool has_images = std::ranges::any_of(program.resources, [&](const Resource& resource) {
     const TypeId object = program.types.Innermost(program.vars[resource.var].type);
     return IsImage(program.types[object].object);
   });
-  if (!has_images || target.Has(Feature::kImageFormats)) return uses;
-  uses.resize(program.vars.size());
-  for (const FunctionId function : reached.functions) {
-    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
-      const auto* call = As<ObjectCall>(program, expr);
-      const VarId object =
-          call ? RootOf(program, OperandOf(program, *call, OperandKind::kObject)) : VarId{};
-      if (!object) return;
-      uses[object.index].reads |= ReadsObject(call->op);
-      uses[object.index].writes |= WritesObject(call->op);
-    });
-  }
-  return uses;
+  if (!has_images || target.Has(Feature::kImageFormats)) return {};
+  return UsesOfObjects(program, reached.functions);
 }
 
-std::string_view ImageAccess(const Program& program, std::span<const ImageUse> uses,
+std::string_view ImageAccess(const Program& program, std::span<const ObjectUse> uses,
                              const Target& target, const Resource& resource) {
   if (target.Has(Feature::kImageFormats) || IsIn(kReadWrite, ImageFormat(program, resource)))
     return "";
   return uses[resource.var.index].writes ? "writeonly " : "readonly ";
 }
 
-std::string ImageProblem(const Program& program, std::span<const ImageUse> uses,
+std::string ImageProblem(const Program& program, std::span<const ObjectUse> uses,
                          const Target& target, const Resource& resource) {
   if (target.Has(Feature::kImageFormats)) return "";
   const std::string format = ImageFormat(program, resource);
   if (IsIn(kReadWrite, format)) return "";
   if (!IsIn(kOneWay, format)) return fmt::format("has the format `{}`", format);
-  const ImageUse use = uses[resource.var.index];
+  const ObjectUse use = uses[resource.var.index];
   if (!use.reads || !use.writes) return "";
   return fmt::format("is read and written with the format `{}`, not one component of 32 bits",
                      format);

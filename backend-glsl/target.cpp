@@ -80,6 +80,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kImageAtomics, {420}, {320, 310, "GL_OES_shader_image_atomic"}},
     {Feature::kStorageBuffers, {430}, {310}},
     {Feature::kMemoryBarriers, {420}, {310}},
+    {Feature::kComputeShaders, {430}, {310}},
     {Feature::kInterlocks, {kNever, 450, "GL_ARB_fragment_shader_interlock"}, {}},
     {Feature::kDynamicBlockIndex, {400}, {320}},
     {Feature::kClipDistance, {130}, {kNever, 300, "GL_EXT_clip_cull_distance"}},

@@ -47,6 +47,7 @@ enum class Feature : std::uint8_t {
   kImageAtomics,       // atomic operations on images
   kStorageBuffers,     // `buffer`
   kMemoryBarriers,     // memoryBarrier
+  kComputeShaders,     // local_size_x, `shared`, barrier, memoryBarrierShared
   kInterlocks,         // beginInvocationInterlock
   kDynamicBlockIndex,  // indices, not constant, of arrays of blocks and of samplers
   // ---- built-in variables
@@ -153,9 +154,9 @@ struct BindingRule {
 };
 struct BindingRules {
   std::vector<BindingRule> rules;  // in place of the usual ones (descriptors.h); a later one wins
-  std::optional<ir::Descriptor> globals;      // the place of $Globals
-  std::optional<std::uint32_t> unplaced_set;  // the set of objects without a register
-  std::uint32_t plain_sets[2] = {};           // by stage: the set of space 0
+  std::optional<ir::Descriptor> globals;       // the place of $Globals
+  std::optional<std::uint32_t> unplaced_set;   // the set of objects without a register
+  std::uint32_t plain_sets[kStageCount] = {};  // by stage: the set of space 0
   // A texture and a sampler may have one binding, where the host has a combined image sampler.
   bool combines_samplers = false;
   // Each element of an array of objects has a binding of its own: split_arrays.h.

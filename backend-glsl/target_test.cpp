@@ -33,6 +33,11 @@ TEST(TargetTest, VersionGates) {
   EXPECT_TRUE(Of("glsl410").Has(Feature::kOutputLocations));
   EXPECT_FALSE(Of("glsl410").Has(Feature::kBindings));
   EXPECT_TRUE(Of("glsl420").Has(Feature::kBindings));
+  EXPECT_FALSE(Of("glsl420").Has(Feature::kComputeShaders));
+  EXPECT_TRUE(Of("glsl430").Has(Feature::kComputeShaders));
+  EXPECT_FALSE(Of("webgl2").Has(Feature::kComputeShaders));
+  EXPECT_EQ(Of("webgl2").NearestWith(Feature::kComputeShaders), "glsl430");
+  EXPECT_EQ(Of("essl300").NearestWith(Feature::kComputeShaders), "essl310");
   EXPECT_FALSE(Of("glsl430").Has(Feature::kExplicitOffsets));
   EXPECT_TRUE(Of("glsl440").Has(Feature::kExplicitOffsets));
   EXPECT_FALSE(Of("glsl140").Has(Feature::kBlockInstances));

@@ -27,6 +27,21 @@ AtomicInstructions InstructionsOf(ObjectOp op) {
   }
 }
 
+// The operation of objects that does the same.
+ObjectOp SameOfObjects(ir::Intrinsic op) {
+  using enum ir::Intrinsic;
+  switch (op) {
+    case kInterlockedAdd: return ObjectOp::kAtomicAdd;
+    case kInterlockedAnd: return ObjectOp::kAtomicAnd;
+    case kInterlockedOr: return ObjectOp::kAtomicOr;
+    case kInterlockedXor: return ObjectOp::kAtomicXor;
+    case kInterlockedMin: return ObjectOp::kAtomicMin;
+    case kInterlockedMax: return ObjectOp::kAtomicMax;
+    case kInterlockedExchange: return ObjectOp::kAtomicExchange;
+    default: return ObjectOp::kAtomicCompareExchange;
+  }
+}
+
 }  // namespace
 
 Ref Writer::BufferBlock(const Type& buffer, const Interface::Object& place) {
@@ -126,18 +141,33 @@ void Writer::StoreInBuffer(const clipc::ir::ObjectCall& node) {
   }
 }
 
-Ref Writer::Atomic(const clipc::ir::ObjectCall& node, Ref pointer) {
-  const ExprId operand = OperandOf(program_, node, OperandKind::kValue);
-  const ExprId comparand = OperandOf(program_, node, OperandKind::kComparand);
+// An atomic operation, which none of the invocations in `by` interrupts. The comparand is none
+// where nothing is compared.
+Ref Writer::Atomic(ObjectOp op, Ref pointer, spv::Scope by, ExprId comparand, ExprId operand) {
   const Ref compared = comparand ? Value(comparand) : 0;
   const Ref value = Value(operand);
   const Scalar scalar = ShapeAt(operand).scalar;
-  const AtomicInstructions both = InstructionsOf(node.op);
-  const spv::Op op = IsUnsigned(scalar) ? both.of_uint : both.of_int;
-  const Ref scope = types_.Uint(NumberOf(spv::Scope::Device)), relaxed = types_.Uint(0);
+  const AtomicInstructions both = InstructionsOf(op);
+  const spv::Op instruction = IsUnsigned(scalar) ? both.of_uint : both.of_int;
+  const Ref scope = types_.Uint(NumberOf(by)), relaxed = types_.Uint(0);
   if (comparand)
-    return Emit(op, types_.Of(scalar), {pointer, scope, relaxed, relaxed, value, compared});
-  return Emit(op, types_.Of(scalar), {pointer, scope, relaxed, value});
+    return Emit(instruction, types_.Of(scalar),
+                {pointer, scope, relaxed, relaxed, value, compared});
+  return Emit(instruction, types_.Of(scalar), {pointer, scope, relaxed, value});
+}
+
+Ref Writer::Atomic(const clipc::ir::ObjectCall& node, Ref pointer) {
+  return Atomic(node.op, pointer, spv::Scope::Device,
+                OperandOf(program_, node, OperandKind::kComparand),
+                OperandOf(program_, node, OperandKind::kValue));
+}
+
+// An atomic operation on a variable that the group shares.
+Ref Writer::Atomic(const IntrinsicCall& node) {
+  const auto arguments = (*this)[node.arguments];
+  const Ref pointer = PointerTo(PlaceOf(arguments[0]));
+  return Atomic(SameOfObjects(node.op), pointer, spv::Scope::Workgroup,
+                arguments.size() > 2 ? arguments[1] : ExprId{}, arguments.back());
 }
 
 // The number of elements.

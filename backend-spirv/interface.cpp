@@ -76,8 +76,23 @@ void Writer::StartMain() {
 
 void Writer::DeclareGlobals() {
   for (const VarId id : program_.globals) {
-    if (is_read_[id.index]) DeclareStatic(id);
+    if (!is_read_[id.index]) continue;
+    if ((*this)[id].storage == Storage::kShared)
+      DeclareGlobal(id, spv::StorageClass::Workgroup);
+    else
+      DeclareStatic(id);
   }
+}
+
+void Writer::DeclareGlobal(VarId id, spv::StorageClass storage, Ref initial) {
+  const Var& var = (*this)[id];
+  const Ref variable =
+      module_.Variable(types_.Pointer(storage, types_.Of(var.type)), storage, initial);
+  module_.Name(variable, var.name);
+  Relax(variable, var.type);
+  if (module_.minor_version() >= 4) shared_.push_back(variable);
+  pointers_[id.index] = variable;
+  storages_[id.index] = storage;
 }
 
 // A constant that the application may give another value when it makes a pipeline.
@@ -122,14 +137,7 @@ void Writer::DeclareStatic(VarId id) {
     values_[id.index] = initial;
     return;
   }
-  constexpr auto kStorage = spv::StorageClass::Private;
-  const Ref variable =
-      module_.Variable(types_.Pointer(kStorage, types_.Of(var.type)), kStorage, initial);
-  module_.Name(variable, var.name);
-  Relax(variable, var.type);
-  if (module_.minor_version() >= 4) shared_.push_back(variable);
-  pointers_[id.index] = variable;
-  storages_[id.index] = kStorage;
+  DeclareGlobal(id, spv::StorageClass::Private, initial);
   if (!is_constant) late_.push_back(id);
 }
 

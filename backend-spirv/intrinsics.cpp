@@ -155,12 +155,20 @@ Ref Writer::Derivative(ir::Intrinsic op, const Shape& shape, Ref value) {
   }
 }
 
-// What the invocation stores before comes before what it stores after, for other invocations.
-Ref Writer::OrderMemory() {
+// What the invocation stores before comes before what it stores after, for other invocations; if
+// the barrier waits, those of the group come to it too.
+Ref Writer::OrderMemory(ir::Intrinsic op) {
   using enum spv::MemorySemanticsMask;
-  const std::uint32_t semantics =
-      NumberOf(AcquireRelease) | NumberOf(UniformMemory) | NumberOf(ImageMemory);
-  Do(spv::Op::OpMemoryBarrier, {types_.Uint(NumberOf(spv::Scope::Device)), types_.Uint(semantics)});
+  const BarrierInfo barrier = BarrierOf(op);
+  std::uint32_t semantics = NumberOf(AcquireRelease);
+  if (barrier.orders_objects) semantics |= NumberOf(UniformMemory) | NumberOf(ImageMemory);
+  if (barrier.orders_shared) semantics |= NumberOf(WorkgroupMemory);
+  const Ref group = types_.Uint(NumberOf(spv::Scope::Workgroup));
+  const Ref scope = barrier.orders_objects ? types_.Uint(NumberOf(spv::Scope::Device)) : group;
+  if (barrier.waits)
+    Do(spv::Op::OpControlBarrier, {group, scope, types_.Uint(semantics)});
+  else
+    Do(spv::Op::OpMemoryBarrier, {scope, types_.Uint(semantics)});
   return 0;
 }
 
@@ -301,7 +309,8 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
     case IntrinsicCategory::kWave:
     case IntrinsicCategory::kQuad: return Wave(id, node);
     case IntrinsicCategory::kInterpolants: return Interpolant(node);
-    case IntrinsicCategory::kMemory: return OrderMemory();
+    case IntrinsicCategory::kMemory: return OrderMemory(node.op);
+    case IntrinsicCategory::kAtomic: return Atomic(node);
     case IntrinsicCategory::kWriting: return Writing(node);
     default: break;
   }

@@ -204,8 +204,11 @@ Words Module::Finish(spv::ExecutionModel model, Ref entry, std::string_view name
   PutText(point, name);
   point.insert(point.end(), interface.begin(), interface.end());
   Put(module, spv::Op::OpEntryPoint, point);
-  for (const spv::ExecutionMode mode : modes_)
-    Put(module, spv::Op::OpExecutionMode, {entry, NumberOf(mode)});
+  for (const auto& [mode, operands] : modes_) {
+    Words words{entry, NumberOf(mode)};
+    words.insert(words.end(), operands.begin(), operands.end());
+    Put(module, spv::Op::OpExecutionMode, words);
+  }
   module.insert(module.end(), strings_words_.begin(), strings_words_.end());
   PutSource(module, hlsl_version);
   module.insert(module.end(), names_.begin(), names_.end());

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <spirv/unified1/spirv.hpp11>
@@ -71,7 +72,9 @@ class Module {
   void DecorateText(Ref of, spv::Decoration decoration, std::string_view text);
   void DecorateMember(Ref structure, std::uint32_t member, spv::Decoration decoration,
                       std::initializer_list<std::uint32_t> operands = {});
-  void Execution(spv::ExecutionMode mode) { modes_.push_back(mode); }
+  void Execution(spv::ExecutionMode mode, std::initializer_list<std::uint32_t> operands = {}) {
+    modes_.emplace_back(mode, operands);
+  }
 
   Words functions;  // the definitions, complete
 
@@ -95,7 +98,7 @@ class Module {
   std::map<std::string, Ref, std::less<>> strings_;
   std::set<spv::Capability> capabilities_ = {spv::Capability::Shader};
   std::set<std::string> extensions_;
-  std::vector<spv::ExecutionMode> modes_;
+  std::vector<std::pair<spv::ExecutionMode, Words>> modes_;
   Words names_, decorations_, globals_, debug_globals_, strings_words_;
   std::vector<Interning> interned_;  // a table of hashes
   std::size_t interned_count_ = 0;

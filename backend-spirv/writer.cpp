@@ -2,12 +2,19 @@
 #include "backend-spirv/writer.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 
 namespace clipc::spirv {
 
 using namespace ir;
 
 namespace {
+
+// By stage.
+constexpr spv::ExecutionModel kModels[] = {
+    spv::ExecutionModel::Vertex, spv::ExecutionModel::Fragment, spv::ExecutionModel::GLCompute};
+static_assert(std::size(kModels) == kStageCount);
 
 // The invocations of a pixel, or of a sample, come one after the other.
 void RequireOrder(Module& module, const Program& program) {
@@ -55,17 +62,21 @@ Written Writer::Run() {
   }
   if (options_.keeps_bindings) DeclareUnread();
   if (!lacks_.empty()) return {{}, lacks_};
-  const bool draws_pixels = IsPixelShader();
+  const StageInfo& stage = InfoOf(program_.stage);
   // An image of OpenGL that is upside down has its own origin.
   const bool is_turned = options_.is_opengl && options_.has_upper_left_origin;
-  if (draws_pixels)
+  if (stage.draws_pixels)
     module_.Execution(is_turned ? spv::ExecutionMode::OriginLowerLeft
                                 : spv::ExecutionMode::OriginUpperLeft);
+  if (stage.runs_in_groups) {
+    const auto& [x, y, z] = program_.group_size;
+    module_.Execution(spv::ExecutionMode::LocalSize, {x, y, z});
+  }
   if (has_order_) RequireOrder(module_, program_);
   if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);
   const auto version =
       static_cast<std::uint32_t>(program_.profile.major * 100 + program_.profile.minor * 10);
-  return {module_.Finish(draws_pixels ? spv::ExecutionModel::Fragment : spv::ExecutionModel::Vertex,
+  return {module_.Finish(kModels[static_cast<std::size_t>(program_.stage)],
                          FunctionRef(program_.main), options_.entry, shared_, version),
           {}};
 }

@@ -33,6 +33,7 @@ class Writer : private Emitter {
   void DeclareOutputs();
   void DeclareGlobals();
   void DeclareStatic(ir::VarId id);
+  void DeclareGlobal(ir::VarId id, spv::StorageClass storage, Ref initial = 0);
   Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
   void StartMain();
   Ref BlockVariable(ir::CbufferId id);
@@ -147,7 +148,7 @@ class Writer : private Emitter {
   Ref Derivative(ir::Intrinsic op, const Shape& shape, Ref value);
   Ref Writing(const ir::IntrinsicCall& node);
   Ref WordsOf(const ir::IntrinsicCall& node);
-  Ref OrderMemory();
+  Ref OrderMemory(ir::Intrinsic op);
 
   // ---- waves.cpp, interpolants.cpp
   Ref Wave(ir::TypeId type, const ir::IntrinsicCall& node);
@@ -169,8 +170,7 @@ class Writer : private Emitter {
   Ref ImageType(const ir::Type& object, std::string_view format = {}, bool is_shadow = false);
   Ref ObjectType(ir::TypeId type, const Interface::Object& place);
   void RequireDescriptorIndexing();
-  // Whether SPIR-V has a storage class for buffers that are written (1.3).
-  bool HasStorageClass() const { return module_.minor_version() >= 3; }
+  bool HasStorageClass() const { return module_.minor_version() >= 3; }  // of storage buffers
 
   // ---- images.cpp: textures and typed buffers that are written
   Ref ImageCall(ir::TypeId type, const ir::ObjectCall& node);
@@ -186,6 +186,8 @@ class Writer : private Emitter {
   Ref ComponentPointer(const StoredPart& part, std::uint32_t number);
   Ref BufferLength(ir::TypeId type, ir::ExprId object);
   Ref Atomic(const ir::ObjectCall& node, Ref pointer);
+  Ref Atomic(const ir::IntrinsicCall& node);
+  Ref Atomic(ir::ObjectOp op, Ref pointer, spv::Scope by, ir::ExprId comparand, ir::ExprId value);
 
   const ir::Expr& operator[](ir::ExprId id) const { return program_.exprs[id]; }
   const ir::Var& operator[](ir::VarId id) const { return program_.vars[id]; }

@@ -198,6 +198,7 @@ typedef struct clipc_resource {
   const char* sampler;
   const char* sampler_type;
   const char* sampler_register;
+  const char* access; /**< of a compute shader: "read", "write", "read-write", or "" */
 } clipc_resource;
 
 /** CLIPC_PART_REFLECTION as structs: what binds a shader. The JSON says more. */
@@ -214,6 +215,8 @@ struct clipc_reflection {
   const clipc_resource* const* resources;
   size_t resource_count;
   const clipc_reflection* pixel_shader; /**< of a pair; else NULL */
+  uint32_t group_size[3];               /**< of a compute shader, in x, y and z; else 0 */
+  uint64_t shared_bytes;                /**< of the memory that the threads of a group share */
 };
 /** NULL where the result has no reflection, or if there is no memory. */
 CLIPC_API const clipc_reflection* clipc_result_reflection(const clipc_result* result);

@@ -97,6 +97,22 @@ bool HasLiteralIndices(const Program& program, ExprId path) {
   return true;
 }
 
+std::vector<ObjectUse> UsesOfObjects(const Program& program,
+                                     std::span<const FunctionId> functions) {
+  std::vector<ObjectUse> uses(program.vars.size());
+  for (const FunctionId function : functions) {
+    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
+      const auto* call = As<ObjectCall>(program, expr);
+      const VarId object =
+          call ? RootOf(program, OperandOf(program, *call, OperandKind::kObject)) : VarId{};
+      if (!object) return;
+      uses[object.index].reads |= ReadsObject(call->op);
+      uses[object.index].writes |= WritesObject(call->op);
+    });
+  }
+  return uses;
+}
+
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
   return Visit(Overloaded{
                    [&](const Assign&) { return operand == 0; },

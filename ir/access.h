@@ -87,6 +87,13 @@ void ForEachNamedOperand(const Program& program, const ObjectCall& call, OnOpera
   all(OperandKind::kTexel);
 }
 
+// What functions do with the contents of an object.
+struct ObjectUse {
+  bool reads = false, writes = false;
+};
+// By VarId.
+std::vector<ObjectUse> UsesOfObjects(const Program& program, std::span<const FunctionId> functions);
+
 // ---- effects
 
 // Whether nodes of this kind may write an operand: WritesOperand need not be asked of others.

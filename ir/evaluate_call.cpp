@@ -50,6 +50,7 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
   if (category == IntrinsicCategory::kMemory) return;  // invocations run one after the other
+  if (category == IntrinsicCategory::kAtomic) return EvalAtomic(node);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
   const bool asks_quad =
       category == IntrinsicCategory::kNeighbours || category == IntrinsicCategory::kQuad;
@@ -112,6 +113,38 @@ void Machine::EvalBits(ExprId expr, const IntrinsicCall& node) {
     stack_[base + i] = FromBits(bits, to);
   }
   stack_.resize(base + words);
+}
+
+namespace {
+
+// What an atomic operation writes where `old` was.
+Word NewValueOf(Intrinsic op, Scalar rep, Word old, Word value) {
+  using enum Intrinsic;
+  switch (op) {
+    case kInterlockedAdd: return BinaryComponent(BinaryOp::kAdd, rep, old, value);
+    case kInterlockedAnd: return BinaryComponent(BinaryOp::kBitAnd, rep, old, value);
+    case kInterlockedOr: return BinaryComponent(BinaryOp::kBitOr, rep, old, value);
+    case kInterlockedXor: return BinaryComponent(BinaryOp::kBitXor, rep, old, value);
+    case kInterlockedMin: return ComponentFunction(kMin, rep, old, value, 0);
+    case kInterlockedMax: return ComponentFunction(kMax, rep, old, value, 0);
+    default: return value;
+  }
+}
+
+}  // namespace
+
+// Evaluates InterlockedAdd and its kin, which change a variable that the group shares.
+void Machine::EvalAtomic(const IntrinsicCall& node) {
+  const auto arguments = program_.expr_lists[node.arguments];
+  const TypeId type = program_.exprs[arguments[0]].type;
+  const TargetWords place = Locate(arguments[0]);
+  const bool compares = node.arguments.size > 2;
+  const Word comparand = compares ? EvalScalar(arguments[1]) : 0;
+  const Word value = EvalScalar(arguments[node.arguments.size - 1]);
+  PushFrom(place, type);
+  const Word old = stack_.back();
+  const Word written = NewValueOf(node.op, RepOf(program_.types[type].scalar), old, value);
+  if (!compares || old == comparand) Store(place, 1, &written);
 }
 
 namespace {

@@ -22,7 +22,8 @@ bool MayBeConstant(const Program& program, ExprId expr) {
                      const bool writes = node.arguments.size > 1 && WritesArgument(node.op, 1);
                      return !writes && node.op != Intrinsic::kAsDouble &&
                             node.op != Intrinsic::kCheckAccessFullyMapped &&
-                            CategoryOf(node.op) != IntrinsicCategory::kMemory;
+                            CategoryOf(node.op) != IntrinsicCategory::kMemory &&
+                            CategoryOf(node.op) != IntrinsicCategory::kAtomic;
                    },
                    [](const auto&) { return true; },
                },

@@ -139,6 +139,7 @@ class Machine {
   void EvalNode(ExprId expr, const ObjectCall& node);
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);
+  void EvalAtomic(const IntrinsicCall& node);
 
   // evaluate_quad.cpp
   void EvalDerivative(ExprId expr, const IntrinsicCall& node);

@@ -50,6 +50,19 @@ bool WritesArgument(Intrinsic op, std::size_t argument) {
   return argument < signature.count && signature.arguments[argument].is_out;
 }
 
+BarrierInfo BarrierOf(Intrinsic op) {
+  using enum Intrinsic;
+  switch (op) {
+    case kDeviceMemoryBarrier: return {.orders_objects = true};
+    case kDeviceMemoryBarrierWithGroupSync: return {.orders_objects = true, .waits = true};
+    case kGroupMemoryBarrier: return {.orders_shared = true};
+    case kGroupMemoryBarrierWithGroupSync: return {.orders_shared = true, .waits = true};
+    case kAllMemoryBarrier: return {true, true, false};
+    case kAllMemoryBarrierWithGroupSync: return {true, true, true};
+    default: return {};
+  }
+}
+
 bool IsComposed(Intrinsic op) {
   using enum Intrinsic;
   switch (op) {

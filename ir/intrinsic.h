@@ -39,6 +39,7 @@ enum class IntrinsicCategory : std::uint8_t {
   kQuad,          // as kWave, of the four pixels of a quad only
   kInterpolants,  // the first argument, an input, at another place of the pixel
   kMemory,        // without arguments or value: the order of stores for other invocations
+  kAtomic,        // the first argument is changed in one step
 };
 
 // The requirements that an intrinsic makes of a GLSL target.
@@ -61,6 +62,17 @@ inline IntrinsicCategory CategoryOf(Intrinsic op) { return InfoOf(op).category; 
 bool WritesArgument(Intrinsic op, std::size_t argument);
 // Whether a call writes any of its arguments.
 inline bool WritesArguments(Intrinsic op) { return InfoOf(op).signature.writes; }
+// What a call of a function of IntrinsicCategory::kMemory orders, and whether it waits.
+struct BarrierInfo {
+  bool orders_objects = false;  // stores in buffers and textures
+  bool orders_shared = false;   // stores in memory that a group shares
+  bool waits = false;           // for all threads of the group
+};
+BarrierInfo BarrierOf(Intrinsic op);
+// Whether a call waits for the other threads of the group.
+inline bool WaitsForGroup(Intrinsic op) {
+  return CategoryOf(op) == IntrinsicCategory::kMemory && BarrierOf(op).waits;
+}
 // Whether a call is short for an expression of other functions and operators, which replaces it
 // before Form::kLegalized, as may a helper function that returns the expression.
 bool IsComposed(Intrinsic op);

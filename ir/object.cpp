@@ -44,6 +44,12 @@ const ObjectInfo& InfoOf(ObjectKind kind) {
   return kInfos[static_cast<std::size_t>(kind)];
 }
 
+int FirstModelOf(ObjectKind kind, const StageInfo& stage) {
+  const bool is_early = stage.runs_in_groups && (kind == ObjectKind::kRWStructuredBuffer ||
+                                                 kind == ObjectKind::kRWByteAddressBuffer);
+  return is_early ? 40 : InfoOf(kind).model;
+}
+
 bool IsWritable(ObjectKind kind) { return InfoOf(kind).is_writable; }
 bool IsOrdered(ObjectKind kind) { return InfoOf(kind).is_ordered; }
 bool IsTexture(ObjectKind kind) {

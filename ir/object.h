@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "base/stage.h"
+
 // The textures, samplers and buffers of HLSL: one row of base/builtin_types.def each, where HLSL
 // has a word for it.
 namespace clipc::ir {
@@ -41,6 +43,11 @@ struct ObjectInfo {
   bool compares;  // a sampler that compares the texture with a reference
 };
 const ObjectInfo& InfoOf(ObjectKind kind);
+
+// The first shader model in which shaders of the stage have the object: in groups, Direct3D 10.1
+// writes structured and byte address buffers already ("Compute shaders on downlevel hardware" of
+// the Direct3D 11 reference).
+int FirstModelOf(ObjectKind kind, const StageInfo& stage);
 
 bool IsWritable(ObjectKind kind);
 bool IsOrdered(ObjectKind kind);

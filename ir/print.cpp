@@ -56,6 +56,7 @@ class ProgramPrinter {
     for (const Resource& resource : program_.resources) {
       Line("resource {}{}", printer_.Declaration(resource.var), PrintedRegister(resource.reg));
     }
+    if (const auto& [x, y, z] = program_.group_size; x > 0) Line("group {} {} {}", x, y, z);
     for (const IoVar& input : program_.inputs) PrintIo("input ", input);
     for (const IoVar& output : program_.outputs) PrintIo("output ", output);
     for (std::size_t i = 0; i < program_.clip_planes.size(); ++i) PrintClipPlane(i);

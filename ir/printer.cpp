@@ -25,6 +25,7 @@ const char* StorageText(Storage storage) {
     case Storage::kOut: return "out ";
     case Storage::kInOut: return "inout ";
     case Storage::kStatic: return "static ";
+    case Storage::kShared: return "groupshared ";
     case Storage::kConstant: return "const ";
     default: return "";
   }

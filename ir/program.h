@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -59,11 +60,14 @@ struct Program {
   FunctionId main;
   std::vector<IoVar> inputs, outputs;
   std::vector<OutputGroup> output_groups;  // where the next stage is known
-  // The kStatic and kConstant variables at global scope that are reached, in order of declaration.
+  // The kStatic, kShared and kConstant variables at global scope that are reached, in order of
+  // declaration.
   std::vector<VarId> globals;
   std::vector<Resource> resources;  // the objects that are reached, in order of declaration
   std::vector<ClipPlane> clip_planes;
   bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
+  // [numthreads]: the threads of a group in x, y and z; 0 in a stage that does not run in groups.
+  std::array<std::uint32_t, 3> group_size = {};
   Form form = Form::kResolved;
   // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
   // for such calls need not look at the nodes of other programs.

@@ -20,6 +20,7 @@ enum class Storage : std::uint8_t {
   kOut,       // a parameter that is copied out after the call
   kInOut,     // a parameter that is copied in before the call and out after it
   kStatic,    // a global that may change: `static float x = ...;`
+  kShared,    // a global that all threads of a group have together: `groupshared`; without init
   kConstant,  // `static const`, or a const local with a constant value: init is constant
   kUniform,   // a member of a Cbuffer
   kResource,  // a texture, sampler or buffer object, or an array of them

@@ -73,8 +73,12 @@ class ProgramVerifier {
         return;
       const Var& global = program_.vars[var];
       exprs_.where = "global " + global.name;
-      Require(global.storage == Storage::kStatic || global.storage == Storage::kConstant,
-              "a global is static or a constant");
+      const bool is_shared = global.storage == Storage::kShared;
+      Require(
+          is_shared || global.storage == Storage::kStatic || global.storage == Storage::kConstant,
+          "a global is static, shared or a constant");
+      Require(!is_shared || (!global.init && clipc::InfoOf(program_.stage).runs_in_groups),
+              "a shared variable is of a group, and has no initialiser");
       Require(global.storage != Storage::kConstant || global.init, "a constant has a value");
       if (exprs_.scope[var.index] != Scope::kNotYet) Fail("it is declared twice");
       CheckInitialiser(global);

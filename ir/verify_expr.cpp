@@ -34,6 +34,7 @@ bool MayBeWritten(Storage storage) {
     case kOut:
     case kInOut:
     case kStatic:
+    case kShared:
     case kOutput: return true;
     default: return false;
   }

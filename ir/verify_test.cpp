@@ -374,7 +374,7 @@ TEST_F(Verifier, GlobalInitialiserHasNoEffect) {
 }
 TEST_F(Verifier, GlobalStorage) {
   shader.globals.push_back(shader.AddVar("x", F(), Storage::kLocal));
-  ExpectProblem("a global is static or a constant");
+  ExpectProblem("a global is static, shared or a constant");
 }
 
 // ---- statements

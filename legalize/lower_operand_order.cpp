@@ -15,6 +15,11 @@ using namespace ir;
 
 namespace {
 
+// Whether functions may change variables of the storage that are not theirs.
+bool IsGlobalVariable(Storage storage) {
+  return storage == Storage::kStatic || storage == Storage::kShared;
+}
+
 // Whether the expression writes something that is not its own: a variable, an object, or what a
 // function reaches.
 bool MayWrite(const Program& program, ExprId expr, bool has_static) {
@@ -41,7 +46,7 @@ bool MayWrite(const Program& program, ExprId expr, bool has_static) {
 bool HasWritingOperand(const Program& program) {
   bool has_static = false;
   for (const VarId var : program.vars.ids())
-    has_static |= program.vars[var].storage == Storage::kStatic;
+    has_static |= IsGlobalVariable(program.vars[var].storage);
   bool found = false;
   const auto visit = [&](ExprId operand) {
     found = found || (operand && MayWrite(program, operand, has_static));
@@ -81,6 +86,9 @@ class OuterWrites {
       const auto* object = As<ObjectCall>(program_, expr);
       if (object && WritesObject(object->op))
         Add(found, RootOf(program_, OperandOf(program_, *object, OperandKind::kObject)));
+      // Where the group waits, its other threads have written.
+      const auto* asked = As<IntrinsicCall>(program_, expr);
+      found.is_all |= asked && WaitsForGroup(asked->op);
       if (const auto* call = As<Call>(program_, expr)) {
         const Set& inner = Of(call->function);
         found.is_all |= inner.is_all;
@@ -96,7 +104,7 @@ class OuterWrites {
   void Add(Set& set, VarId var) {
     if (set.is_all || !var) return;
     const Storage storage = program_.vars[var].storage;
-    if (storage != Storage::kStatic && storage != Storage::kResource) return;
+    if (!IsGlobalVariable(storage) && storage != Storage::kResource) return;
     if (std::ranges::find(set.vars, var) != set.vars.end()) return;
     set.vars.push_back(var);
     set.is_all = set.vars.size() > kMost;
@@ -366,6 +374,7 @@ class OperandOrder {
       case Storage::kOut:
       case Storage::kInOut:
       case Storage::kStatic:
+      case Storage::kShared:
       case Storage::kOutput: return true;
       default: return false;
     }

@@ -85,12 +85,29 @@ std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
     case Builtin::kLaneCount: return "gl_SubgroupSize";
     case Builtin::kLaneIndex: return "gl_SubgroupInvocationID";
     case Builtin::kShadingRateInput: return "gl_ShadingRateEXT";
+    case Builtin::kThreadId: return "gl_GlobalInvocationID";
+    case Builtin::kGroupId: return "gl_WorkGroupID";
+    case Builtin::kGroupThreadId: return "gl_LocalInvocationID";
+    case Builtin::kGroupIndex: return "gl_LocalInvocationIndex";
     case Builtin::kClipDistanceInput: return "gl_ClipDistance";
     case Builtin::kCullDistanceInput: return "gl_CullDistance";
     default: break;
   }
   CLIPC_CHECK(!"a built-in input");
   return "";
+}
+
+// Whether GLSL has the input as a uint too. Others that are integers in HLSL are ints.
+bool IsUintInput(Builtin builtin) {
+  switch (builtin) {
+    case Builtin::kLaneCount:
+    case Builtin::kLaneIndex:
+    case Builtin::kThreadId:
+    case Builtin::kGroupId:
+    case Builtin::kGroupThreadId:
+    case Builtin::kGroupIndex: return true;
+    default: return false;
+  }
 }
 
 // Names the extensions that a built-in input needs, and declares what must be declared.
@@ -342,8 +359,7 @@ std::string InputText(const WriterContext& context, const IoVar& input,
     return Concat(legalize::NameOf(shape, !context.needs.signed_integers), "(", value, ")");
   };
   if (input.builtin == Builtin::kUntranslated) return "";
-  const bool is_uint = input.builtin == Builtin::kLaneCount || input.builtin == Builtin::kLaneIndex;
-  if (input.builtin != Builtin::kNone && (!IsInteger(shape.scalar) || is_uint))
+  if (input.builtin != Builtin::kNone && (!IsInteger(shape.scalar) || IsUintInput(input.builtin)))
     return BuiltinInput(context, input.builtin);
   if (input.builtin != Builtin::kNone) return converted(BuiltinInput(context, input.builtin));
   if (IsPerVertex(context, input.var)) return AtVertex(attribute, "0");

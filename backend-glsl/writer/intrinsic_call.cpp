@@ -148,7 +148,40 @@ Binding WriteInterpolant(Code& code, Intrinsic op, std::span<const ExprId> argum
   return Components(code, swizzle);
 }
 
+// Writes a barrier. Where it waits too and is not a statement by itself, it is a helper function.
+Binding WriteBarrier(Code& code, Intrinsic op) {
+  const std::string_view order = MemoryBarrierOf(op);
+  if (!WaitsForGroup(op)) {
+    code.Put(order, "()");
+    return Binding::kPostfix;
+  }
+  code.Put(Helper(code, "wait_for_group", std::string(order),
+                  [&](const std::string& function) {
+                    return Concat("void ", function, "() {\n    ", order,
+                                  "();\n    barrier();\n}\n");
+                  }),
+           "()");
+  return Binding::kPostfix;
+}
+
+std::string_view AtomicFunction(Intrinsic op) {
+  switch (op) {
+    case Intrinsic::kInterlockedAdd: return "atomicAdd";
+    case Intrinsic::kInterlockedAnd: return "atomicAnd";
+    case Intrinsic::kInterlockedOr: return "atomicOr";
+    case Intrinsic::kInterlockedXor: return "atomicXor";
+    case Intrinsic::kInterlockedMin: return "atomicMin";
+    case Intrinsic::kInterlockedMax: return "atomicMax";
+    case Intrinsic::kInterlockedExchange: return "atomicExchange";
+    default: return "atomicCompSwap";
+  }
+}
+
 }  // namespace
+
+std::string_view MemoryBarrierOf(Intrinsic op) {
+  return BarrierOf(op).orders_objects ? "memoryBarrier" : "memoryBarrierShared";
+}
 
 std::string_view BitNumberFunction(Intrinsic op) {
   switch (op) {
@@ -163,10 +196,9 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   const auto arguments = code[node.arguments];
   if (node.op == Intrinsic::kMul)
     return WriteProduct(code, arguments[0], arguments[1], ShapeOf(code[type], code.needs));
-  if (CategoryOf(node.op) == IntrinsicCategory::kMemory) {
-    code.Put("memoryBarrier()");
-    return Binding::kPostfix;
-  }
+  if (CategoryOf(node.op) == IntrinsicCategory::kMemory) return WriteBarrier(code, node.op);
+  if (CategoryOf(node.op) == IntrinsicCategory::kAtomic)
+    return WriteCall(code, AtomicFunction(node.op), arguments);
   const ExprId x = arguments[0];
   if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
     return WriteDerivative(code, node.op, x);

@@ -12,6 +12,9 @@ namespace clipc::glsl {
 // `type`.
 Binding WriteIntrinsic(Code& code, ir::TypeId type, const ir::IntrinsicCall& node);
 
+// GLSL's function that orders memory as a barrier of HLSL's does, which may wait too.
+std::string_view MemoryBarrierOf(ir::Intrinsic op);
+
 // GLSL's name of a function that gives the number of a bit or of bits, as an int; empty for others.
 std::string_view BitNumberFunction(ir::Intrinsic op);
 

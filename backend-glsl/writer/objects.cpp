@@ -244,7 +244,7 @@ class ObjectWriter {
 
   WriterContext& context_;
   std::string text_;
-  const std::vector<ImageUse> images_used_ =
+  const std::vector<ObjectUse> images_used_ =
       UsesOfImages(context_.program, context_.reached, context_.target);
 };
 

@@ -30,6 +30,10 @@ Globals WriteGlobals(Code& code) {
   Globals globals;
   for (const VarId id : code.reached.globals) {
     const Var& var = code[id];
+    if (var.storage == Storage::kShared) {
+      Append(globals.text, "shared ", Declaration(code, var.type, code.NameOf(id)), ";\n");
+      continue;
+    }
     // HLSL's static variables start as zero.
     std::string value = var.init ? Argument(code, var.init) : ZeroText(code, var.type);
     const bool is_specialized = var.constant_id && code.target.IsVulkan();
@@ -58,6 +62,11 @@ std::string Header(const WriterContext& context) {
   // Fragment shaders of OpenGL ES have no precision of their own; Direct3D's numbers have 32 bits.
   if (InfoOf(context.program.stage).draws_pixels && context.target.IsEs())
     text += "\nprecision highp float;\nprecision highp int;\n";
+  if (InfoOf(context.program.stage).runs_in_groups) {
+    const auto& [x, y, z] = context.program.group_size;
+    Append(text, "\nlayout(local_size_x = ", x, ", local_size_y = ", y, ", local_size_z = ", z,
+           ") in;\n");
+  }
   if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
   if (context.has_order) {
     const bool is_per_sample = std::ranges::any_of(context.program.inputs, [](const IoVar& input) {

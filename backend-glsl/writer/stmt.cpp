@@ -8,6 +8,7 @@
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/interface.h"
+#include "backend-glsl/writer/intrinsic_call.h"
 #include "backend-glsl/writer/types.h"
 #include "base/overloaded.h"
 
@@ -161,6 +162,11 @@ void WriteStmt(Code& code, StmtId id) {
               code.Put(";\n");
             },
             [&](const Evaluate& node) {
+              const auto* call = code.As<IntrinsicCall>(node.expr);
+              if (call && WaitsForGroup(call->op)) {
+                code.Line(MemoryBarrierOf(call->op), "();");
+                return code.Line("barrier();");
+              }
               code.Indent();
               WriteBetween(code, "", node.expr, ";\n");
             },

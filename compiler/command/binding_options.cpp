@@ -47,11 +47,10 @@ struct StageWord {
 
 // Removes the name of a stage from the front of the words.
 StageWord TakeStage(std::vector<std::string_view>& words) {
-  constexpr std::string_view kOther[] = {"tesc", "tese", "geom", "comp"};
+  constexpr std::string_view kOther[] = {"tesc", "tese", "geom"};
   const std::string_view word = words.empty() ? "" : words[0];
   StageWord taken;
-  if (word == "vert") taken.stage = Stage::kVertex;
-  if (word == "frag") taken.stage = Stage::kPixel;
+  if (!word.empty()) taken.stage = StageOfExtension(word);
   taken.is_other = std::ranges::find(kOther, word) != std::end(kOther);
   if (taken.stage || taken.is_other) words.erase(words.begin());
   return taken;
@@ -113,9 +112,9 @@ bool AddRegisters(glsl::BindingRules& rules, std::string_view value) {
   if (words.size() == 1) {
     std::uint32_t set = 0;
     if (!Read(words[0], set)) return false;
-    for (const Stage of : {Stage::kVertex, Stage::kPixel}) {
-      if (!stage.is_other && stage.stage.value_or(of) == of)
-        rules.plain_sets[static_cast<std::size_t>(of)] = set;
+    for (std::size_t of = 0; of < kStageCount; ++of) {
+      if (!stage.is_other && stage.stage.value_or(static_cast<Stage>(of)) == static_cast<Stage>(of))
+        rules.plain_sets[of] = set;
     }
     return true;
   }

@@ -88,15 +88,16 @@ void RequireValue(Reading& reading, const std::string& value) {
 
 // Reads the stage as glslang, glslc or Slang calls it.
 void SetStage(Reading& reading, const std::string& value) {
-  if (value == "vert" || value == "vertex") {
-    reading.stage = Stage::kVertex;
-  } else if (value == "frag" || value == "fragment" || value == "pixel") {
-    reading.stage = Stage::kPixel;
-  } else {
-    reading.Refuse(fmt::format(
-        "`{}`: clipc compiles vertex and pixel shaders; use dxc or glslang for other ones",
-        AsWritten(reading, value)));
+  reading.stage = StageOfExtension(value);
+  for (std::size_t i = 0; i < kStageCount && !reading.stage; ++i) {
+    if (value == kStages[i].name) reading.stage = static_cast<Stage>(i);
   }
+  if (value == "fragment") reading.stage = Stage::kPixel;
+  if (!reading.stage)
+    reading.Refuse(
+        fmt::format("`{}`: clipc compiles vertex, pixel and compute shaders; use dxc or glslang "
+                    "for other ones",
+                    AsWritten(reading, value)));
 }
 
 void SetNanClamp(Reading& reading, const std::string&) {

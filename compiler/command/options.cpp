@@ -210,6 +210,21 @@ void FinishEntry(Reading& reading) {
   reading.spirv.entry = std::exchange(entry, reading.source_entry);
 }
 
+// The stage that the names of the files say: "blur.comp", "blur.comp.hlsl"; a vertex shader's where
+// a name says none. None if they differ.
+std::optional<Stage> StageOfNames(const std::vector<std::string>& files) {
+  std::optional<Stage> all;
+  for (std::string_view file : files) {
+    if (file.ends_with(".hlsl")) file.remove_suffix(5);
+    const std::size_t dot = file.rfind('.');
+    const auto named = dot == file.npos ? std::nullopt : StageOfExtension(file.substr(dot + 1));
+    const Stage stage = named.value_or(Stage::kVertex);
+    if (all.value_or(stage) != stage) return std::nullopt;
+    all = stage;
+  }
+  return all.value_or(Stage::kVertex);
+}
+
 // Settles the stage that -S names, or without it, as for glslang, the name of the file.
 void FinishStage(Reading& reading) {
   const CommandLine& command = reading.command;
@@ -221,14 +236,14 @@ void FinishStage(Reading& reading) {
                                  InfoOf(*reading.stage).name, name));
     return;
   }
-  const auto is_pixel = [](std::string_view file) {
-    return file.ends_with(".frag") || file.ends_with(".frag.hlsl");
-  };
   const bool by_name = !reading.stage && !command.request.hlsl.wanted;
-  const auto pixel = by_name ? std::ranges::count_if(command.inputs, is_pixel) : 0;
-  if (pixel > 0 && pixel < std::ssize(command.inputs))
-    reading.Refuse("the names of the files are of vertex and of pixel shaders; -T says which");
-  if (pixel > 0 || reading.stage == Stage::kPixel) name = "ps_5_0";
+  const auto stage = by_name         ? StageOfNames(command.inputs)
+                     : reading.stage ? reading.stage
+                                     : Stage::kVertex;
+  if (!stage)
+    reading.Refuse("the names of the files are of shaders of several stages; -T says which");
+  else if (*stage != Stage::kVertex)
+    name = fmt::format("{}_5_0", InfoOf(*stage).prefix);
 }
 
 // The profile of a pixel shader that is compiled beside a vertex shader: of the same model, of

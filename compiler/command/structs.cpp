@@ -128,6 +128,7 @@ class Header {
 
   std::string Write() {
     for (const BufferFact& buffer : facts_.buffers) AddBuffer(buffer);
+    if (facts_.group) AddGroup(*facts_.group);
     return text_;
   }
 
@@ -235,6 +236,16 @@ class Header {
     }
     Pad(body, static_cast<std::uint32_t>(ir::RoundUp(buffer.size, kRow)));
     Close(body, fmt::format("{}, {}, space {}", buffer.name, buffer.reg.name, buffer.reg.space));
+  }
+
+  // The threads of a group, by which the host divides to dispatch.
+  void AddGroup(const GroupFact& group) {
+    const std::string name = NewName(facts_.entry);
+    const auto [x, y, z] = group.size;
+    fmt::format_to(std::back_inserter(text_),
+                   "\n// {0}, which shares {4} bytes in a group\n"
+                   "enum {{ {1}_group_x = {2}, {1}_group_y = {3}, {1}_group_z = {5} }};\n",
+                   facts_.entry, name, x, y, group.shared_bytes, z);
   }
 
   // The type of an array's elements, which are structs.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -136,6 +137,9 @@ struct ResourceFact {
   ir::ObjectKind kind = ir::ObjectKind::kOther;  // of the texture; of the sampler if there is none
   std::optional<std::uint32_t> set = {}, binding = {};
   std::optional<Part> texture = {}, sampler = {};
+  // What a stage that runs in groups does with an object that it may write: "read", "write",
+  // "read-write"; empty otherwise.
+  std::string access = {};
   friend bool operator==(const ResourceFact&, const ResourceFact&) = default;
 };
 
@@ -147,15 +151,24 @@ struct HostFact {
   friend bool operator==(const HostFact&, const HostFact&) = default;
 };
 
+// A stage that runs in groups.
+struct GroupFact {
+  std::array<std::uint32_t, 3> size = {};  // its threads in x, y and z
+  std::uint64_t shared_bytes = 0;          // of the memory that they share
+  friend bool operator==(const GroupFact&, const GroupFact&) = default;
+};
+
 struct StageFacts {
   std::string entry = {}, profile = {};
   std::string stage = {};  // "pixel"
   bool draws_pixels = false;
+  bool is_named = false;  // the JSON says which stage it is: a vertex shader is the usual one
   std::vector<VariableFact> inputs = {}, outputs = {};
   std::vector<BufferFact> buffers = {};
   std::vector<StructFact> structs = {};  // inner before outer
   std::vector<ResourceFact> resources = {};
   HostFact host = {};
+  std::optional<GroupFact> group = {};
   bool tests_early = false;
   friend bool operator==(const StageFacts&, const StageFacts&) = default;
 };

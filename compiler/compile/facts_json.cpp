@@ -52,7 +52,7 @@ class FactsPrinter {
   }
 
   void Stage(const StageFacts& facts) {
-    if (facts.draws_pixels) json_.Member("stage", facts.stage);
+    if (facts.is_named) json_.Member("stage", facts.stage);
     json_.ListOf("inputs", facts.inputs, [&](const VariableFact& fact) {
       Variable(fact);
       json_.Member("used", fact.is_used);
@@ -68,7 +68,14 @@ class FactsPrinter {
     });
     json_.ListOf("resources", facts.resources, [&](const ResourceFact& fact) { Resource(fact); });
     if (facts.draws_pixels) json_.Object("host", [&] { Host(facts.host); });
+    if (facts.group) json_.Object("group", [&] { Group(*facts.group); });
     Flag(facts.tests_early, "earlyTests");
+  }
+
+  void Group(const GroupFact& fact) {
+    const auto [x, y, z] = fact.size;
+    json_.Member("x", x), json_.Member("y", y), json_.Member("z", z);
+    json_.Member("sharedBytes", fact.shared_bytes);
   }
 
   void Variable(const VariableFact& fact) {
@@ -153,6 +160,7 @@ class FactsPrinter {
     json_.Member("glsl", fact.glsl);
     Number(fact.set, "set");
     Number(fact.binding, "binding");
+    Text(fact.access, "access");
     if (fact.texture) json_.Object("texture", [&] { Part(*fact.texture); });
     if (fact.sampler) json_.Object("sampler", [&] { Part(*fact.sampler); });
   }

@@ -5,7 +5,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include "ir/access.h"
+#include "ir/call_order.h"
 #include "ir/packing.h"
+#include "ir/shared_memory.h"
 
 namespace clipc {
 namespace {
@@ -40,6 +43,7 @@ class Describer {
                      .profile = table.profile,
                      .stage = std::string(traits.name),
                      .draws_pixels = traits.draws_pixels,
+                     .is_named = !traits.has_stage_after,
                      .inputs = Signature(program_.inputs, info_.inputs),
                      .outputs = Signature(program_.outputs, info_.outputs)};
     for (const ir::CbufferId id : program_.cbuffers.ids()) {
@@ -50,6 +54,10 @@ class Describer {
       facts.buffers.push_back(Buffer(program_.cbuffers[id], info_.BlockOf(id)));
     facts.resources = Resources();
     if (traits.draws_pixels) facts.host = Host();
+    if (traits.runs_in_groups) {
+      facts.group = {program_.group_size, ir::SharedBytes(program_)};
+      AddAccess(facts.resources);
+    }
     facts.tests_early = program_.tests_early;
     return facts;
   }
@@ -219,6 +227,17 @@ class Describer {
                        part(object.sampler)});
     }
     return facts;
+  }
+
+  // Says what the shader does with the objects that it may write.
+  void AddAccess(std::vector<ResourceFact>& facts) const {
+    const auto uses = ir::UsesOfObjects(program_, ir::CalleesFirst(program_));
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+      const ir::VarId var = info_.objects[i].texture;
+      if (!var || !ir::IsWritable(facts[i].kind)) continue;
+      const auto [reads, writes] = uses[var.index];
+      facts[i].access = !writes ? "read" : reads ? "read-write" : "write";
+    }
   }
 
   // Whether an input that the shader reads passes the test.

@@ -47,8 +47,11 @@ void ReportUnknown(const auto& kind, const std::string& name,
 
 // Reports an unknown profile, and the near ones of the stage that its first letter names.
 void ReportUnknownProfile(const std::string& name, Diagnostics& diagnostics) {
-  const bool is_pixel = ToLower(name).starts_with('p');
-  const std::vector<std::string> known = ir::ProfilesOf(is_pixel ? Stage::kPixel : Stage::kVertex);
+  Stage stage = Stage::kVertex;
+  for (const StageInfo& info : kStages) {
+    if (ToLower(name).starts_with(info.prefix[0])) stage = *StageOf(info.prefix);
+  }
+  const std::vector<std::string> known = ir::ProfilesOf(stage);
   ReportUnknown(diag::UnknownProfile, name,
                 std::vector<std::string_view>(known.begin(), known.end()), diagnostics);
 }
@@ -112,6 +115,8 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
                        request.shaders.size() > 1 ? "the shaders of a pair are numbered together"
                                                   : "this is not a pixel shader");
   }
+  if (profile.stage && InfoOf(*profile.stage).runs_in_groups && request.shaders.size() > 1)
+    diagnostics.Report({}, diag::StageAlone, profile.name, InfoOf(*profile.stage).name);
   if (!profile.stage || InfoOf(*profile.stage).has_stage_after) return;
   const auto refuse = [&](bool is_given, std::string_view option) {
     if (is_given)

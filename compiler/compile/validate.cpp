@@ -2,6 +2,8 @@
 #include "compiler/compile/validate.h"
 
 #include <climits>
+#include <cstddef>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -13,6 +15,10 @@
 
 namespace clipc {
 namespace {
+
+// By stage.
+constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute};
+static_assert(std::size(kLanguages) == kStageCount);
 
 std::vector<std::string> Problems(std::string_view log) {
   std::vector<std::string> problems;
@@ -27,7 +33,7 @@ std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& t
                                   Stage stage) {
   using namespace glslang;
   link::InitializeGlslang();
-  const EShLanguage language = stage == Stage::kVertex ? EShLangVertex : EShLangFragment;
+  const EShLanguage language = kLanguages[static_cast<std::size_t>(stage)];
   TShader shader(language);
   auto messages = EShMsgDefault;
   if (target.IsVulkan()) {

@@ -170,7 +170,7 @@ class GlEffectMaker {
 
   void AddSampler(const ResourceFact& resource, const GlRange& samplers,
                   const ast::EffectPass& pass) {
-    const auto& [glsl, kind, set, binding, texture, sampler] = resource;
+    const auto& [glsl, kind, set, binding, texture, sampler, access] = resource;
     if (!texture) return;
     const auto first = made_.samplers.begin() + static_cast<std::ptrdiff_t>(samplers.first);
     if (std::any_of(first, made_.samplers.end(),

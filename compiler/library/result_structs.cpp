@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/library/result_structs.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <ranges>
@@ -43,6 +44,10 @@ class ReflectionStructs::Printer {
     List(facts.outputs, to_.variable_lists_, shader.outputs, shader.output_count);
     List(facts.buffers, to_.buffer_lists_, shader.buffers, shader.buffer_count);
     List(facts.resources, to_.resource_lists_, shader.resources, shader.resource_count);
+    if (facts.group) {
+      std::ranges::copy(facts.group->size, shader.group_size);
+      shader.shared_bytes = facts.group->shared_bytes;
+    }
     return shader;
   }
 
@@ -91,10 +96,11 @@ class ReflectionStructs::Printer {
       static const std::string kNone;
       return part.reg ? part.reg->name : kNone;
     };
-    return &to_.resources_.emplace_back(clipc_resource{
-        fact.glsl.c_str(), NumberOrNone(fact.set), NumberOrNone(fact.binding),
-        text(fact.texture, name), text(fact.texture, type), text(fact.texture, reg),
-        text(fact.sampler, name), text(fact.sampler, type), text(fact.sampler, reg)});
+    return &to_.resources_.emplace_back(
+        clipc_resource{fact.glsl.c_str(), NumberOrNone(fact.set), NumberOrNone(fact.binding),
+                       text(fact.texture, name), text(fact.texture, type), text(fact.texture, reg),
+                       text(fact.sampler, name), text(fact.sampler, type), text(fact.sampler, reg),
+                       fact.access.c_str()});
   }
 
   ReflectionStructs& to_;

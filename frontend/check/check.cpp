@@ -45,6 +45,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   JudgeEnds(context);
   if (InfoOf(program.stage).draws_pixels)
     program.tests_early = HasAttribute(context, attributes, "earlydepthstencil");
+  CheckGroupSize(context, entry, attributes);
   CheckClipPlanes(context, entry, attributes);
 }
 

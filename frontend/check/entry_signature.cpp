@@ -2,6 +2,7 @@
 #include "frontend/check/entry_signature.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -92,6 +93,50 @@ bool IsBareObject(const Context& context, const ast::VarDecl& var, const Paramet
          !profile.IsAtLeast(6, 0) && HoldsObjects(context, parameter.type);
 }
 
+// The limits of the profile: of a group's threads in each direction, and of all of them.
+struct GroupLimits {
+  std::array<std::int64_t, 3> most;
+  std::int64_t threads;
+};
+GroupLimits LimitsOf(const Profile& profile) {
+  if (profile.IsAtLeast(5, 0)) return {{1024, 1024, 64}, 1024};
+  return {{768, 768, 1}, 768};
+}
+
+const ast::Attr* FindGroupSize(const Context& context, const AttributeLists& attributes) {
+  for (const std::span<const ast::Attr> list : attributes) {
+    const auto found = std::ranges::find_if(list, [&](const ast::Attr& attribute) {
+      return EqualIgnoringCase(context[attribute.name], "numthreads");
+    });
+    if (found != list.end()) return &*found;
+  }
+  return nullptr;
+}
+
+void ReadGroupSize(Context& context, const ast::Attr& attribute) {
+  Program& program = context.program;
+  const auto arguments = context[attribute.arguments];
+  if (arguments.size() != program.group_size.size()) {
+    context.Report(attribute.span, diag::GroupSizeCount, arguments.size());
+    return;
+  }
+  const auto [most, threads] = LimitsOf(program.profile);
+  std::int64_t product = 1;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto number = ConstantInteger(context, arguments[i]);
+    if (!number) return;
+    if (*number < 1 || *number > most[i]) {
+      context.Report(context[arguments[i]].span, diag::GroupSizeRange, *number,
+                     std::string_view("xyz").substr(i, 1), program.profile.name, most[i]);
+      return;
+    }
+    program.group_size[i] = static_cast<std::uint32_t>(*number);
+    product *= *number;
+  }
+  if (product > threads)
+    context.Report(attribute.span, diag::GroupTooLarge, product, program.profile.name, threads);
+}
+
 }  // namespace
 
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
@@ -138,6 +183,18 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   signature.result.row_major = IsRowMajor(context, decl.qualifiers);
   signature.stages_match_by_row = context.options.stages_match_by_row;
   return signature;
+}
+
+void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {
+  Program& program = context.program;
+  if (!InfoOf(program.stage).runs_in_groups) return;
+  const ViewSwitch in(context, {.scope = context[entry].scope, .order = context[entry].order});
+  if (const ast::Attr* attribute = FindGroupSize(context, attributes)) {
+    ReadGroupSize(context, *attribute);
+  } else {
+    const Function& function = program.functions[program.entry];
+    context.Report(function.span, diag::GroupSizeMissing, function.name);
+  }
 }
 
 }  // namespace clipc::check

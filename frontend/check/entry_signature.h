@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "frontend/check/clip_planes.h"
 #include "frontend/check/context.h"
 #include "frontend/signature/build_main.h"
 // The signature of the entry point, as its parameters and its result are written.
@@ -17,5 +18,10 @@ void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
   into.sample = (qualifiers & ast::kSample) != 0;
   into.centroid = (qualifiers & ast::kCentroid) != 0 && !into.sample;
 }
+
+// Reads [numthreads(x, y, z)] of the entry point into program.group_size, and reports what is wrong
+// with it: "numthreads" of Microsoft's HLSL reference, and "Compute shaders on downlevel hardware"
+// of the Direct3D 11 reference for profiles 4.0 and 4.1. Does nothing in other stages.
+void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
 }  // namespace clipc::check

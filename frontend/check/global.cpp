@@ -19,6 +19,26 @@
 namespace clipc::check {
 namespace {
 
+// Resolves a variable that is `groupshared`. Files share such memory between their compute shaders
+// and others, which do not use it: an error in those.
+void ResolveShared(Context& context, SymbolId id, const ast::VarDecl& var) {
+  const StageInfo& stage = InfoOf(context.program.stage);
+  if (!stage.runs_in_groups) {
+    context.Report(context[id].span, diag::GroupShared, context[var.name], stage.name);
+    return ResolveStatic(context, id, var);
+  }
+  const TypeId type = ResolveVarType(context, var);
+  if (context.IsError(type)) return;
+  if (HoldsObjects(context, type)) {
+    context.Report(context[id].span, diag::SharedObject, context[var.name], context.TypeName(type));
+    return;
+  }
+  if (var.init) context.Report(context[id].span, diag::SharedInitialiser, context[var.name]);
+  const VarId result = AddVar(context, var.name, type, Storage::kShared, context[id].span);
+  context[id].value = result.index;
+  context.globals.reached.push_back({OrderOf(context, id), result});
+}
+
 void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   const std::uint32_t buffer = context[id].owner;
   if (buffer != ~0u) return ReachBuffer(context, BufferId{buffer});
@@ -26,11 +46,8 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   if (IsBuffer(context, var)) return ResolveBuffer(context, id, var);
   if ((var.qualifiers & (ast::kStatic | ast::kGroupShared)) ||
       HasConstantId(context, var.attributes)) {
-    // Files share such memory between their compute shaders and others, which do not use it.
-    if (var.qualifiers & ast::kGroupShared)
-      context.Report(context[id].span, diag::GroupShared, context[var.name],
-                     InfoOf(context.program.stage).name);
-    return ResolveStatic(context, id, var);
+    const bool is_shared = (var.qualifiers & ast::kGroupShared) != 0;
+    return is_shared ? ResolveShared(context, id, var) : ResolveStatic(context, id, var);
   }
   const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
@@ -148,7 +165,7 @@ const ast::RegisterBinding* OfAnyProfile(Context& context, std::string_view name
 // Reports an object that the profile does not have.
 void CheckObjectModel(Context& context, TypeId type, Span span) {
   const Program& program = context.program;
-  const int model = InfoOf(context[type].object).model;
+  const int model = FirstModelOf(context[type].object, InfoOf(program.stage));
   if (context[type].kind != TypeKind::kObject || program.is_interface_only ||
       program.profile.HasModel(model))
     return;

@@ -8,6 +8,7 @@
 #include "frontend/resolve/mark_nonuniform.h"
 #include "frontend/resolve/settle_samplers.h"
 #include "frontend/rules/check_gradients.h"
+#include "frontend/rules/check_groups.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/check_object_indices.h"
 #include "frontend/rules/check_written.h"
@@ -75,6 +76,7 @@ constexpr Pass<Run> kAssignRegisters = {
 constexpr void (*kChecks[])(const Run&) = {
     [](const Run& run) { CheckLevel9(run.program, run.options.has_preshader, run.diagnostics); },
     [](const Run& run) { CheckGradients(run.program, run.diagnostics); },
+    [](const Run& run) { CheckGroups(run.program, run.diagnostics); },
     [](const Run& run) { CheckObjectIndices(run.program, run.diagnostics); },
 };
 

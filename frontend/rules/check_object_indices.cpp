@@ -181,7 +181,8 @@ class IndexCheck {
 
   void Assigned(VarId var, Node value) {
     graph_.Follow(value, Of(var));
-    const bool is_static = program_.vars[var].storage == Storage::kStatic;
+    const Storage storage = program_.vars[var].storage;
+    const bool is_static = storage == Storage::kStatic || storage == Storage::kShared;
     FollowRegions(Of(var), is_static ? 0 : declared_[var.index]);
     if (is_static) graph_.Follow(FlowInto(function_), Of(var));
   }
@@ -236,8 +237,7 @@ class IndexCheck {
     for (const auto& [index, array, node] : indices_) {
       if (!varies[node] || !reported.insert(array).second) continue;
       diagnostics_.Report(program_.exprs[index].span, diag::ObjectIndexVaries,
-                          program_.vars[array].name,
-                          InfoOf(program_.stage).draws_pixels ? "pixels" : "vertices");
+                          program_.vars[array].name, InfoOf(program_.stage).runs);
     }
   }
 
@@ -285,7 +285,7 @@ void CheckObjectIndices(const Program& program, Diagnostics& diagnostics) {
   });
   if (elements.empty()) return;
   if (program.profile.IsAtLeast(5, 1)) return IndexCheck(program, diagnostics).Run();
-  if (InfoOf(program.stage).draws_pixels) CheckLiteral(program, elements, diagnostics);
+  if (InfoOf(program.stage).orders_memory) CheckLiteral(program, elements, diagnostics);
 }
 
 }  // namespace clipc::rules

@@ -168,6 +168,7 @@ bool IsUnknown(const Var& var, KnownValues::Kind kind) {
   switch (var.storage) {
     case Storage::kUniform: return kind == KnownValues::Kind::kConstants;
     case Storage::kResource:
+    case Storage::kShared:
     case Storage::kInput:
     case Storage::kOutput: return true;
     default: return var.constant_id.has_value();

@@ -197,9 +197,10 @@ class MainBuilder {
         builtin = Builtin::kBarycentricsNoPerspective;
       wanted = "a `float3`";
       fits = kind == Scalar::kFloat && type.Components() == 3;
+    } else if (IsNumberOfThread(builtin)) {
+      wanted = "a `uint`, `uint2` or `uint3`", fits = IsInteger(kind) && type.Components() <= 3;
     } else if (value.builtin == Builtin::kPixelPosition) {
-      wanted = "a `float4`";
-      fits = kind == Scalar::kFloat;
+      wanted = "a `float4`", fits = kind == Scalar::kFloat;
     } else if (value.builtin == Builtin::kFrontFacing) {
       const bool is_sign = value.form == SystemValue::Form::kSign;
       wanted = is_sign ? "a `float`" : "a `bool`";
@@ -218,7 +219,9 @@ class MainBuilder {
                             ? known->var
                             : AddIo(program_.inputs, leaf, TypeOf(builtin), builtin);
     if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
-    const ExprId read = builder_.Ref(input);
+    ExprId read = builder_.Ref(input);
+    if (IsNumberOfThread(builtin) && type.Components() < 3)
+      read = builder_.SwizzledRun(read, 0, type.Components());
     if (value.builtin == Builtin::kFrontFacing)
       return Fit(FacingOf(builder_, read, kind), leaf.type);
     return Fit(is_first ? FirstBitOf(program_, read) : read, leaf.type);

@@ -2,6 +2,7 @@
 #include "frontend/signature/semantics.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "base/spelling.h"
@@ -16,17 +17,6 @@ using Form = SystemValue::Form;
 struct Sides {
   SystemValue input, output;
 };
-struct Semantic {
-  std::string_view name;
-  Sides vertex, pixel;
-  bool is_old = false;  // Direct3D 9's name of an output, which is data from profile 4.0 on
-
-  const SystemValue& Of(Stage stage, Direction direction) const {
-    static constexpr Sides Semantic::* kColumns[] = {&Semantic::vertex, &Semantic::pixel};
-    const Sides& sides = this->*kColumns[static_cast<std::size_t>(stage)];
-    return direction == Direction::kInput ? sides.input : sides.output;
-  }
-};
 
 constexpr SystemValue kPlain{};
 constexpr SystemValue kRefused{Use::kRefused, Builtin::kNone, 0, 0};
@@ -39,6 +29,20 @@ constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
 constexpr Sides kNowhere{kRefused, kRefused};
 constexpr Sides kOnlyMade{kMade, kRefused};
 constexpr Sides kAnywhere{kPlain, kPlain};
+
+struct Semantic {
+  std::string_view name;
+  Sides vertex, pixel, compute = kNowhere;
+  bool is_old = false;  // Direct3D 9's name of an output, which is data from profile 4.0 on
+
+  const SystemValue& Of(Stage stage, Direction direction) const {
+    static constexpr Sides Semantic::* kColumns[] = {&Semantic::vertex, &Semantic::pixel,
+                                                     &Semantic::compute};
+    static_assert(std::size(kColumns) == kStageCount);
+    const Sides& sides = this->*kColumns[static_cast<std::size_t>(stage)];
+    return direction == Direction::kInput ? sides.input : sides.output;
+  }
+};
 
 // The system values, as an input and as an output of each stage. A position or clip distance that
 // the input assembler reads is data like any other (DXC: "Arb" for the vertex input).
@@ -66,6 +70,10 @@ constexpr Semantic kSemantics[] = {
     {"SV_ViewportArrayIndex",
      {kPlain, Is(Builtin::kViewportIndex)},
      {Is(Builtin::kViewportInput), kRefused}},
+    {"SV_DispatchThreadID", kNowhere, kOnlyMade, {Is(Builtin::kThreadId), kRefused}},
+    {"SV_GroupID", kNowhere, kOnlyMade, {Is(Builtin::kGroupId), kRefused}},
+    {"SV_GroupThreadID", kNowhere, kOnlyMade, {Is(Builtin::kGroupThreadId), kRefused}},
+    {"SV_GroupIndex", kNowhere, kOnlyMade, {Is(Builtin::kGroupIndex), kRefused}},
     {"SV_PrimitiveID", {kRefused, kPlain}, {Is(Builtin::kPrimitiveId), kRefused}},
     {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}},
     {"SV_SampleIndex", kNowhere, {Is(Builtin::kSampleIndex, 4, 1), kRefused}},
@@ -83,8 +91,8 @@ constexpr Semantic kSemantics[] = {
     {"VFACE", kAnywhere, {{Use::kBuiltin, Builtin::kFrontFacing, 3, 0, Form::kSign}, kRefused}},
     {"COLOR", kAnywhere, {kPlain, kTarget}},
     {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}},
-    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kLost, kRefused}, true},
-    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, true},
+    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kLost, kRefused}, kNowhere, true},
+    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, kNowhere, true},
     // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
     {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
     // vk::PointSize is written [[vk::builtin("PointSize")]].
@@ -98,6 +106,7 @@ constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
 
 // The meaning of a name that is not a system value's: of data from stage to stage.
 SystemValue OtherName(Stage stage, Direction direction) {
+  if (InfoOf(stage).runs_in_groups) return kRefused;
   return direction == Direction::kInput || InfoOf(stage).has_stage_after ? kPlain : kRefused;
 }
 
@@ -117,6 +126,10 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage sta
   const bool is_system =
       EqualIgnoringCase(name.substr(0, 3), "sv_") || EqualIgnoringCase(name.substr(0, 4), "vk::");
   return is_system ? kUnknown.Of(stage, direction) : OtherName(stage, direction);
+}
+
+bool IsNumberOfThread(Builtin builtin) {
+  return InfoOf(builtin).components == 3 && InfoOf(builtin).scalar == Scalar::kUint;
 }
 
 std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction) {

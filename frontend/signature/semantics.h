@@ -49,6 +49,10 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage sta
                            Direction direction, bool is_old,
                            PositionName position = PositionName::kSystemValue);
 
+// Whether the input is a number of a thread or a group in x, y and z, of which a shader may take
+// the leading components.
+bool IsNumberOfThread(Builtin builtin);
+
 // The system value that a user who wrote `name` probably meant; empty when none is near.
 std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction);
 

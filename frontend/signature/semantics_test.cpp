@@ -19,6 +19,24 @@ Use UseOf(const char* name, Stage stage, Direction direction, bool is_old = fals
   return LookUpSemantic(name, index, stage, direction, is_old).use;
 }
 
+// A compute shader has the numbers of its threads and groups, and no data.
+TEST(Semantics, ComputeShadersHaveNumbersOfThreads) {
+  for (const char* name :
+       {"SV_DispatchThreadID", "SV_GroupID", "sv_groupthreadid", "SV_GroupIndex"}) {
+    EXPECT_EQ(UseOf(name, Stage::kCompute, Direction::kInput), kBuiltin) << name;
+    EXPECT_EQ(UseOf(name, Stage::kCompute, Direction::kOutput), kRefused) << name;
+    EXPECT_EQ(UseOf(name, Stage::kVertex, Direction::kInput), kRefused) << name;
+    EXPECT_EQ(UseOf(name, Stage::kPixel, Direction::kInput), kMade) << name;
+  }
+  for (const char* name : {"SV_Position", "SV_VertexID", "SV_Target", "POSITION", "COLOR", "VPOS",
+                           "TEXCOORD", "SV_Unknown", "vk::PointSize"}) {
+    EXPECT_EQ(UseOf(name, Stage::kCompute, Direction::kInput), kRefused) << name;
+    EXPECT_EQ(UseOf(name, Stage::kCompute, Direction::kOutput), kRefused) << name;
+  }
+  EXPECT_EQ(NearSystemValue("SV_GroupThreadId_", Stage::kCompute, Direction::kInput),
+            "SV_GroupThreadID");
+}
+
 // The oracle is Microsoft's page "Semantics (HLSL)", its tables of system values and of Direct3D
 // 9's semantics, and for the values of shader model 6 the columns VSIn, VSOut, PSIn and PSOut of
 // DXC's signature table. An output of the vertex shader that the page gives to no stage is data.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,17 +20,20 @@ using enum ObjectOp;
 constexpr struct {
   std::string_view name;
   ObjectOp op;
+  Intrinsic of_shared;       // the same of a variable that a group shares
   bool compares, must_give;  // takes a value to compare with; must return the old value
 } kAtomics[] = {
-    {"InterlockedAdd", kAtomicAdd, false, false},
-    {"InterlockedAnd", kAtomicAnd, false, false},
-    {"InterlockedCompareExchange", kAtomicCompareExchange, true, true},
-    {"InterlockedCompareStore", kAtomicCompareExchange, true, false},
-    {"InterlockedExchange", kAtomicExchange, false, true},
-    {"InterlockedMax", kAtomicMax, false, false},
-    {"InterlockedMin", kAtomicMin, false, false},
-    {"InterlockedOr", kAtomicOr, false, false},
-    {"InterlockedXor", kAtomicXor, false, false},
+    {"InterlockedAdd", kAtomicAdd, Intrinsic::kInterlockedAdd, false, false},
+    {"InterlockedAnd", kAtomicAnd, Intrinsic::kInterlockedAnd, false, false},
+    {"InterlockedCompareExchange", kAtomicCompareExchange, Intrinsic::kInterlockedCompareExchange,
+     true, true},
+    {"InterlockedCompareStore", kAtomicCompareExchange, Intrinsic::kInterlockedCompareExchange,
+     true, false},
+    {"InterlockedExchange", kAtomicExchange, Intrinsic::kInterlockedExchange, false, true},
+    {"InterlockedMax", kAtomicMax, Intrinsic::kInterlockedMax, false, false},
+    {"InterlockedMin", kAtomicMin, Intrinsic::kInterlockedMin, false, false},
+    {"InterlockedOr", kAtomicOr, Intrinsic::kInterlockedOr, false, false},
+    {"InterlockedXor", kAtomicXor, Intrinsic::kInterlockedXor, false, false},
 };
 
 // The element, or the component of one, that an atomic operation changes.
@@ -38,11 +42,20 @@ struct AtomicPlace {
   std::vector<ExprId> steps = {};    // to the component; empty: the element is a scalar
 };
 
-AtomicPlace PlaceOf(const IntrinsicCheck& call) {
+// Whether the first argument is an integer of 32 bits.
+bool ChangesInteger(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
-  const bool is_integer =
-      type.kind == TypeKind::kScalar && !IsWide(type.scalar) && ir::IsInteger(type.scalar);
-  if (!is_integer) return {};
+  return type.kind == TypeKind::kScalar && !IsWide(type.scalar) && ir::IsInteger(type.scalar);
+}
+
+// Whether the first argument is a variable that a group shares, or a part of one.
+bool ChangesShared(const IntrinsicCheck& call) {
+  const VarId root = ChangesInteger(call) ? RootOf(call.program, call.arguments[0]) : VarId{};
+  return root && call.program.vars[root].storage == ir::Storage::kShared;
+}
+
+AtomicPlace PlaceOf(const IntrinsicCheck& call) {
+  if (!ChangesInteger(call)) return {};
   ExprId element = call.arguments[0];
   while (const ExprId whole = WholeOf(call.program, element)) element = whole;
   auto steps = StepsTo(call.program, call.arguments[0], element);
@@ -68,10 +81,14 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     return call.Error();
   TypeId type = call.program.types.Make(Scalar::kUint);
   std::vector<NamedOperand> operands;
+  const bool is_shared = !object && ChangesShared(call);
   if (object) {
     const auto address = call.Converted(0, type);
     if (!address) return call.Error();
     operands = {{OperandKind::kObject, object}, {OperandKind::kPlace, *address}};
+  } else if (is_shared) {
+    if (!call.IsTarget(0)) return call.Error();
+    type = call.ArgumentTypeId(0);
   } else {
     const AtomicPlace changed = PlaceOf(call);
     if (!changed.load) {
@@ -82,12 +99,18 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     for (const ExprId step : changed.steps) operands.push_back({OperandKind::kStep, step});
     type = call.ArgumentTypeId(0);
   }
+  std::vector<ExprId> values = {call.arguments[0]};
   for (std::size_t i = 1; i < least; ++i) {
     const auto value = call.Converted(i, type);
     if (!value) return call.Error();
+    values.push_back(*value);
     operands.push_back({i + 1 < least ? OperandKind::kComparand : OperandKind::kValue, *value});
   }
-  const ExprId original = call.Make().ObjectCallOf(atomic->op, type, operands);
+  const std::span<const ExprId> list = values;
+  const ExprId original =
+      is_shared ? call.Make().Add(
+                      type, ir::IntrinsicCall{atomic->of_shared, call.program.expr_lists.Add(list)})
+                : call.Make().ObjectCallOf(atomic->op, type, operands);
   if (call.arguments.size() == least) return original;
   if (!call.IsTarget(least)) return call.Error();
   const ExprId target = call.arguments[least];

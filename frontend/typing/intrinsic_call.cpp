@@ -73,7 +73,8 @@ bool IntrinsicCheck::IsTarget(std::size_t i) const {
       case Storage::kIn:
       case Storage::kOut:
       case Storage::kInOut:
-      case Storage::kStatic: return true;
+      case Storage::kStatic:
+      case Storage::kShared: return true;
       default: break;
     }
   }

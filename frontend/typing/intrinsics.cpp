@@ -123,8 +123,22 @@ bool HasGradients(const IntrinsicCheck& call) {
   return false;
 }
 
+ExprId CheckAtomicCall(const IntrinsicCheck& call) {
+  const ExprId value = StandInFor(call, {.trait = &StageInfo::draws_pixels});
+  return value ? value : CheckAtomic(call);
+}
+
+// Whether shaders of the stage have a barrier: one that waits, or orders memory that a group
+// shares, is for a stage with groups.
+bool HasBarrier(const StageInfo& stage, const ir::BarrierInfo& barrier) {
+  return barrier.waits || barrier.orders_shared ? stage.runs_in_groups : stage.orders_memory;
+}
+
 ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   const IntrinsicInfo& info = InfoOf(op);
+  if (info.category == IntrinsicCategory::kMemory &&
+      !HasBarrier(call.ThisStage(), ir::BarrierOf(op)))
+    return Report(call, diag::IntrinsicBarrier);
   if (!call.program.profile.IsAtLeast(info.first_model, 0) && !call.program.is_interface_only) {
     const std::string needed = fmt::format("{}_{}_0", call.ThisStage().prefix, info.first_model);
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed,
@@ -136,16 +150,16 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   }
   if (info.category == IntrinsicCategory::kInterpolants && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicInterpolation);
-  if (info.category == IntrinsicCategory::kQuad && !call.ThisStage().has_neighbours)
+  if (info.category == IntrinsicCategory::kQuad && !call.ThisStage().has_neighbours &&
+      !call.ThisStage().runs_in_groups)
     return Report(call, diag::IntrinsicDerivative);
-  if (info.category == IntrinsicCategory::kMemory && !call.ThisStage().draws_pixels)
-    return Report(call, diag::IntrinsicBarrier);
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicDiscard);
   if (op == Intrinsic::kCountBits || op == Intrinsic::kFirstBitHigh ||
       op == Intrinsic::kFirstBitLow) {
     if (const ExprId bits = CheckWideBits(call, op)) return bits;
   }
+  if (info.category == IntrinsicCategory::kAtomic) return CheckAtomicCall(call);
   if (!info.signature.is_special) {
     const ExprId value = CheckBySignature(call, op);
     // DXC's `refract` of halves is a float (vkd3d's refract.shader_test, checked against native).
@@ -180,10 +194,7 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kSelect: return CheckSelect(call);
     case Rule::kAnd: return CheckLogical(call, BinaryOp::kLogicalAnd);
     case Rule::kOr: return CheckLogical(call, BinaryOp::kLogicalOr);
-    case Rule::kAtomic: {
-      const ExprId value = StandInFor(call, {.trait = &StageInfo::draws_pixels});
-      return value ? value : CheckAtomic(call);
-    }
+    case Rule::kAtomic: return CheckAtomicCall(call);
     case Rule::kTexLod: return CheckTexLod(call);
     case Rule::kTex: return NeedsNeighbours(call, CheckTex);
     case Rule::kTexBias: return NeedsNeighbours(call, CheckTexBias);

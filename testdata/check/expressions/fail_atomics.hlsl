@@ -10,23 +10,23 @@ RWByteAddressBuffer bytes;
 uint plain;
 
 float4 main(float4 p : POSITION) : SV_Position {
-// CHECK: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// CHECK: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(pairs[0].weight, 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~~~~~~~
   InterlockedAdd(pairs[0].weight, 1);
-// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(twos[0].yx, 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~~
   InterlockedAdd(twos[0].yx, 1);
-// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(floats[0], 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~
   InterlockedAdd(floats[0], 1);
-// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(fixed_counts[0], 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~~~~~~~
   InterlockedAdd(fixed_counts[0], 1);
-// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// CHECK-NEXT: fail_atomics.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(plain, 1);
 // CHECK-NEXT:       |                  ^~~~~
   InterlockedAdd(plain, 1);

@@ -45,7 +45,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   p += noise(p.xyz);
 // CHECK-NEXT:       |        ^~~~~
   p += noise(p.xyz);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(shared_value, 1);
 // CHECK-NEXT:       |                  ^~~~~~~~~~~~
   InterlockedAdd(shared_value, 1);

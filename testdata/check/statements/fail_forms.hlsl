@@ -29,4 +29,4 @@ enum Real : float { kOne };
 float4 main(float4 p : POSITION, Texture2D input : TEXTURE) : SV_Position { return p + kOne; }
 #endif
 
-// PIXEL: clipc: error: profile `gs_5_0` is for neither vertex nor pixel shaders; clipc compiles no others, use dxc or glslang for them [other-stage-profile]
+// PIXEL: clipc: error: profile `gs_5_0` is for none of vertex, pixel and compute shaders; clipc compiles no others, use dxc or glslang for them [other-stage-profile]

@@ -34,6 +34,7 @@ float4 stored() : SV_Target { return drawn[uint2(0, 0)] = rows[0]; }
 float4 textured(float2 uv : TEXCOORD0) : SV_Target { return image.Sample(linear_sampler, uv); }
 """,
     "p.frag.hlsl": "float4 main(float2 uv : TEXCOORD0) : SV_Target { return uv.xyxy; }",
+    "c.comp.hlsl": "RWBuffer<uint> b; [numthreads(8, 1, 1)] void group(uint i : SV_GroupIndex) { b[i] = i; }",
     "planes.hlsli": "cbuffer planes { float4 left, right; };\n",
     "shift.hlsli": "#define SHIFT 2\n",
     "profile.rsp": '-T vs_4_0\n-D  "SHIFT=2"\n',

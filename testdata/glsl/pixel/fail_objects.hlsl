@@ -14,7 +14,7 @@ uint index(int i : I) : SV_Target {
   InterlockedAdd(elements[0].tight[i], 1);
   return 0;
 }
-// INDEX: [[#@LINE-3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, or of a structured buffer a member of one, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
+// INDEX: [[#@LINE-3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 
 uint tight() : SV_Target {
   InterlockedAdd(elements[0].counts[1], 1);

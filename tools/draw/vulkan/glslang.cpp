@@ -31,7 +31,8 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
 
 Spirv SpirvOfGlsl(const std::string& glsl, Stage stage) {
   InitializeGlslang();
-  const EShLanguage language = stage == Stage::kVertex ? EShLangVertex : EShLangFragment;
+  constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute};
+  const EShLanguage language = kLanguages[static_cast<std::size_t>(stage)];
   glslang::TShader shader(language);
   const char *text = glsl.c_str(), *name = "";
   const int length = static_cast<int>(glsl.size());
