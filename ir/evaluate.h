@@ -32,6 +32,8 @@
 // * A derivative is the difference within the row or column of the pixel itself, the finest that
 //   Direct3D allows. It is undefined where not all four pixels of the quad compute it.
 // * A pixel that is discarded runs on, and writes no object from then on.
+// * The threads of a group run one after the other from one wait for the group to the next. Memory
+//   that they share begins as EvalOptions::undefined.
 namespace clipc::ir {
 
 // The components of one input or output as Literal holds them; for an array (clip distances), its
@@ -116,6 +118,23 @@ inline constexpr std::size_t kQuadPixels = 4;
 std::array<EvalResult, kQuadPixels> RunQuad(const Program& program,
                                             const std::array<EvalInputs, kQuadPixels>& pixels,
                                             const EvalOptions& options = {});
+
+// A group that a dispatch runs.
+struct GroupRun {
+  std::array<std::uint32_t, 3> group = {};  // SV_GroupID
+  bool is_reversed = false;                 // the last thread runs first
+};
+struct GroupResult {
+  // Empty if all threads ran to the end, and no two raced for the memory that they share: then
+  // what they stored does not depend on which of them was first, but for atomic operations and
+  // objects.
+  std::string error = {};
+  explicit operator bool() const { return error.empty(); }
+};
+// Runs Program::main for the threads of a group of a stage that runs in groups. `inputs` has no
+// values: those follow from the group. EvalInputs::start is called for each thread, several times.
+GroupResult RunGroup(const Program& program, const EvalInputs& inputs, const GroupRun& run,
+                     const EvalOptions& options = {});
 
 // The value of an expression of literals, operators, intrinsics and constants (Storage::kConstant
 // with an init), component after component in the order of the type. Returns nullopt if the

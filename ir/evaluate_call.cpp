@@ -49,7 +49,11 @@ void Machine::EvalNode(ExprId expr, const Call& node) {
 void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
-  if (category == IntrinsicCategory::kMemory) return;  // invocations run one after the other
+  // Invocations run one after the other.
+  if (category == IntrinsicCategory::kMemory) {
+    if (thread_ && WaitsForGroup(node.op) && !thread_->Wait(expr)) is_waiting_ = true;
+    return;
+  }
   if (category == IntrinsicCategory::kAtomic) return EvalAtomic(node);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
   const bool asks_quad =
@@ -141,10 +145,12 @@ void Machine::EvalAtomic(const IntrinsicCall& node) {
   const bool compares = node.arguments.size > 2;
   const Word comparand = compares ? EvalScalar(arguments[1]) : 0;
   const Word value = EvalScalar(arguments[node.arguments.size - 1]);
+  is_atomic_ = true;
   PushFrom(place, type);
   const Word old = stack_.back();
   const Word written = NewValueOf(node.op, RepOf(program_.types[type].scalar), old, value);
   if (!compares || old == comparand) Store(place, 1, &written);
+  is_atomic_ = false;
 }
 
 namespace {
@@ -264,7 +270,10 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   }
   std::vector<Word> result(words, 0);
   const bool is_lost = is_discarded_ && WritesObject(node.op);
-  if (inputs_.read_object && !is_lost) inputs_.read_object(request, result);
+  if (!thread_ || !thread_->Repeats(result)) {
+    if (inputs_.read_object && !is_lost) inputs_.read_object(request, result);
+    if (thread_) thread_->Keep(result);
+  }
   if (words == 0) return;
   const TypeId type = program_.exprs[texel ? texel : expr].type;
   const std::vector<Scalar> kinds = KindsOf(program_.types, type);

@@ -154,8 +154,10 @@ void Machine::PushUndefined(TypeId type) {
 void Machine::PushFrom(const TargetWords& place, TypeId type) {
   if (!place.in_bounds) return PushUndefined(type);
   const std::uint32_t words = WordsOf(type);
+  const bool is_shared = thread_ && place.address < shared_words_;
   for (std::uint32_t i = 0; i < words; ++i) {
-    stack_.push_back(memory_[place.address + (place.count != 0 ? place.components[i] : i)]);
+    const std::uint32_t word = place.address + (place.count != 0 ? place.components[i] : i);
+    stack_.push_back(is_shared ? thread_->Read(word, is_atomic_) : memory_[word]);
   }
 }
 
@@ -164,8 +166,13 @@ void Machine::Store(const TargetWords& place, std::uint32_t words, const Word* f
     wrote_out_of_bounds_ = true;
     return;
   }
+  const bool is_shared = thread_ && place.address < shared_words_;
   for (std::uint32_t i = 0; i < words; ++i) {
-    memory_[place.address + (place.count != 0 ? place.components[i] : i)] = from[i];
+    const std::uint32_t word = place.address + (place.count != 0 ? place.components[i] : i);
+    if (is_shared)
+      thread_->Write(word, from[i], is_atomic_);
+    else
+      memory_[word] = from[i];
   }
 }
 

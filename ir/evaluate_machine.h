@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ir/evaluate.h"
+#include "ir/evaluate_group.h"
 #include "ir/evaluate_math.h"
 #include "ir/evaluate_quad.h"
 
@@ -23,9 +24,9 @@ inline constexpr std::uint32_t kMaxWords = 1u << 24;
 // be active twice.
 class Machine {
  public:
-  // `neighbours` are those of a pixel, null for a run without any.
+  // `neighbours` are those of a pixel, `thread` is one of a group; null for a run without any.
   Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options,
-          Neighbours* neighbours = nullptr);
+          Neighbours* neighbours = nullptr, GroupThread* thread = nullptr);
 
   EvalResult Run();
   // The value of an expression outside of all functions, by which a test sees one operation.
@@ -162,6 +163,7 @@ class Machine {
   const EvalInputs& inputs_;
   const EvalOptions& options_;
   Neighbours* const neighbours_;
+  GroupThread* const thread_;
   std::uint64_t flow_ = 0;  // a number for the calls and iterations that run: Neighbours::Ask
   std::vector<Word> memory_, stack_;
   std::vector<std::uint32_t> address_;                   // by variable
@@ -177,6 +179,9 @@ class Machine {
   std::unordered_map<std::uint32_t, std::vector<Word>> known_;  // values of constant variables
   bool wrote_out_of_bounds_ = false;
   bool is_discarded_ = false;
+  std::uint32_t shared_words_ = 0;  // the first of `memory_`, which a group shares
+  bool is_atomic_ = false;          // an atomic operation runs
+  bool is_waiting_ = false;         // for the other threads of the group: the run ends
 };
 
 }  // namespace clipc::ir

@@ -29,7 +29,7 @@ class Iterations : NotCopied {
 }  // namespace
 
 bool Machine::Step() {
-  if (++steps_ <= options_.step_limit) return error_.empty();
+  if (++steps_ <= options_.step_limit) return error_.empty() && !is_waiting_;
   error_ = "the step limit of " + std::to_string(options_.step_limit) + " is reached";
   return false;
 }

@@ -60,10 +60,10 @@ class Runner {
   explicit Runner(CompareOptions options) : options_(std::move(options)) {}
 
   int Run() {
-    if (DrawsPixels()) {
-      // There is no position to lower or to move to another clip space.
-      options_.lowerings = {"none"};
-    }
+    // There is no position to lower or to move to another clip space.
+    if (!Stage().has_stage_after) options_.lowerings = {"none"};
+    if (Stage().runs_in_groups && options_.targets == CompareOptions().targets)
+      options_.targets = {"glsl430", "glsl450", "essl310"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }
@@ -79,9 +79,9 @@ class Runner {
   }
 
  private:
-  bool DrawsPixels() const {
+  const StageInfo& Stage() const {
     const auto profile = ParseProfile(options_.build.profile);
-    return profile && profile->stage && clipc::InfoOf(*profile->stage).draws_pixels;
+    return clipc::InfoOf(profile && profile->stage ? *profile->stage : clipc::Stage::kVertex);
   }
 
   void RunLowering(const std::string& target, const std::string& lowering) {
@@ -92,7 +92,8 @@ class Runner {
     for (const bool negative_one_to_one : {false, true}) {
       for (const bool flip_y : {false, true}) {
         if (options_.direct3d && (negative_one_to_one || flip_y)) continue;
-        if (DrawsPixels() && negative_one_to_one) continue;
+        if (!Stage().has_stage_after && negative_one_to_one) continue;
+        if (Stage().runs_in_groups && flip_y) continue;
         build.clip_space = {negative_one_to_one, flip_y};
         try {
           RunOne(build, NameOf(name, build.clip_space));

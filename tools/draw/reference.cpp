@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ir/scalar.h"
+#include "tools/draw/dispatch.h"
 #include "tools/draw/inputs.h"
 
 namespace clipc::draw {
@@ -256,6 +257,7 @@ bool ReadsBorders(const RandomInputs& inputs) {
 
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options,
                                    const RandomInputs& inputs) {
+  if (clipc::InfoOf(shader.typed.stage).runs_in_groups) return ExpectedOfDispatch(shader, inputs);
   Reference zero(shader, options, inputs, 0);
   std::vector<Expected> all = zero.Make();
   for (Expected& output : all) {

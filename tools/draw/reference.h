@@ -22,7 +22,8 @@ struct Expected {
 
 // Runs the checked program, before any pass, in the reference evaluator. The outputs that passes
 // add are computed here from their definition: distances as dot(SV_Position, plane), or as the
-// plane space says, with the plane taken from the cbuffer's bytes; then y and z of the position.
+// plane space says, with the plane taken from the cbuffer's bytes; then y and z of the position. Of
+// a compute shader, the memory that it may write.
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options,
                                    const RandomInputs& inputs);
 

@@ -7,12 +7,21 @@
 
 namespace clipc::harness {
 
-GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
-                   const std::function<void(GLuint program)>& before_linking) {
+namespace {
+
+// Links shaders of several stages, each with its name in messages.
+struct ShaderText {
+  GLenum stage;
+  const char* name;
+  const std::string& text;
+};
+GLuint Link(std::initializer_list<ShaderText> shaders,
+            const std::function<void(GLuint program)>& before_linking) {
   const GLuint program = glCreateProgram();
   GLint ok = 0;
   char log[4096] = "";
-  const auto add = [&](GLenum stage, const char* name, const std::string& source) {
+  for (const auto& [stage, name, source] : shaders) {
+    if (source.empty()) continue;
     const GLuint shader = glCreateShader(stage);
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
@@ -24,15 +33,25 @@ GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                       source);
     glAttachShader(program, shader);
     glDeleteShader(shader);
-  };
-  add(GL_VERTEX_SHADER, "vertex", vertex);
-  if (!fragment.empty()) add(GL_FRAGMENT_SHADER, "fragment", fragment);
+  }
   if (before_linking) before_linking(program);
   glLinkProgram(program);
   glGetProgramiv(program, GL_LINK_STATUS, &ok);
   glGetProgramInfoLog(program, sizeof log, nullptr, log);
   if (!ok) throw DrawError(std::string("OpenGL cannot link the shader:\n") + log);
   return program;
+}
+
+}  // namespace
+
+GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
+                   const std::function<void(GLuint program)>& before_linking) {
+  return Link({{GL_VERTEX_SHADER, "vertex", vertex}, {GL_FRAGMENT_SHADER, "fragment", fragment}},
+              before_linking);
+}
+
+GLuint LinkComputeProgram(const std::string& compute) {
+  return Link({{GL_COMPUTE_SHADER, "compute", compute}}, {});
 }
 
 GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes) {

@@ -21,6 +21,9 @@ namespace clipc::harness {
 GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                    const std::function<void(GLuint program)>& before_linking = {});
 
+// The same of a compute shader.
+GLuint LinkComputeProgram(const std::string& compute);
+
 // A new buffer of `bytes` bytes, copied from `data` unless that is null. It is bound to `target`.
 GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/opengl/compare.h"
 
+#include "tools/draw/dispatch.h"
 #include "tools/draw/feed.h"
+#include "tools/draw/opengl/dispatch.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/opengl/surface.h"
 #include "tools/draw/vulkan/opengl_text.h"
@@ -28,22 +30,53 @@ std::vector<Captured> Drawn(const std::string& text, const std::vector<const Exp
                 outputs);
 }
 
+// The memory that a compute shader may write.
+std::vector<Captured> Dispatched(const std::string& text,
+                                 const std::vector<const Expected*>& outputs, const Trial& trial,
+                                 const Inputs& inputs) {
+  const std::map<std::string, Bytes> memory = Dispatch(text, inputs);
+  std::vector<Captured> captured;
+  for (const MemoryPart& part : WrittenParts(trial.shader, trial.inputs)) {
+    const auto found = memory.find(part.object);
+    if (found == memory.end()) continue;
+    const WordKind kind = part.kind == ir::Scalar::kFloat ? WordKind::kFloat
+                          : part.kind == ir::Scalar::kInt ? WordKind::kInt
+                                                          : WordKind::kUint;
+    captured.push_back({part.name, {kind, 1, 1}, 1, WordsIn(found->second, part)});
+  }
+  return Chosen(captured, outputs);
+}
+
+// The outputs that can be read back: of OpenGL ES no images.
+std::vector<const Expected*> Readable(std::vector<const Expected*> outputs, const Trial& trial,
+                                      const Version& version) {
+  if (!version.es || !clipc::InfoOf(trial.shader.typed.stage).runs_in_groups) return outputs;
+  for (const MemoryPart& part : WrittenParts(trial.shader, trial.inputs)) {
+    if (part.is_image)
+      std::erase_if(outputs, [&](const Expected* output) { return output->name == part.name; });
+  }
+  return outputs;
+}
+
 }  // namespace
 
 Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
   const std::string text = Capturable(ForOpenGl(trial.shader.glsl));
   opengl.Use(VersionOf(text).api);
-  const std::vector<const Expected*> outputs = Defined(trial.expected);
+  const std::vector<const Expected*> outputs =
+      Readable(Defined(trial.expected), trial, VersionOf(text));
   std::vector<std::string> names;
   for (const Expected* output : outputs) names.push_back(Capturable(output->name));
   if (outputs.empty()) return {};
   const Inputs inputs =
       MakeInputs(trial.shader.lowered, trial.shader.info, trial.inputs, trial.draw);
-  const bool draws_pixels = clipc::InfoOf(trial.shader.typed.stage).draws_pixels;
+  const StageInfo& stage = clipc::InfoOf(trial.shader.typed.stage);
   const auto compare = [&](const std::string& of) {
-    return CompareOutputs(
-        outputs, draws_pixels ? Drawn(of, outputs, trial, inputs) : Capture(of, names, inputs),
-        trial.tolerance);
+    return CompareOutputs(outputs,
+                          stage.draws_pixels     ? Drawn(of, outputs, trial, inputs)
+                          : stage.runs_in_groups ? Dispatched(of, outputs, trial, inputs)
+                                                 : Capture(of, names, inputs),
+                          trial.tolerance);
   };
   const Comparison of_glsl = compare(text);
   if (of_glsl.wrong > 0) return of_glsl;

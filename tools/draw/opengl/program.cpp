@@ -124,6 +124,10 @@ GlProgram::GlProgram(const std::string& vertex, const std::string& fragment,
   glGenVertexArrays(1, &vertex_array_);
 }
 
+GlProgram::GlProgram(const std::string& compute) : program_(harness::LinkComputeProgram(compute)) {
+  glGenVertexArrays(1, &vertex_array_);
+}
+
 GlProgram::~GlProgram() {
   glUseProgram(0);
   glBindVertexArray(0);
@@ -229,6 +233,7 @@ void GlProgram::BindSampler(const Active& active, const Inputs& inputs) {
       GLint image_unit = 0;  // that of its binding: OpenGL ES sets no other
       glGetUniformiv(program_, active.location + i, &image_unit);
       BindImage(texture, textures_.back(), static_cast<GLuint>(image_unit));
+      images_.push_back({&texture, textures_.back()});
     } else {
       glUniform1iv(active.location + i, 1, &unit);
     }

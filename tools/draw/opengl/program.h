@@ -56,6 +56,8 @@ class GlProgram : NotCopied {
   GlProgram(const std::string& vertex, const std::string& fragment,
             std::span<const std::string> captured,
             const std::function<void(GLuint program)>& before_linking = {});
+  // Links a compute shader.
+  explicit GlProgram(const std::string& compute);
   ~GlProgram();
 
   GLuint id() const { return program_; }
@@ -67,6 +69,13 @@ class GlProgram : NotCopied {
   // Makes the program current with these inputs.
   void Bind(const Inputs& inputs);
 
+  // An image that was bound.
+  struct BoundImage {
+    const Inputs::Texture* image;
+    GLuint texture;
+  };
+  const std::vector<BoundImage>& images() const { return images_; }
+
  private:
   GLuint NewBuffer(GLenum target, const void* data, std::size_t size);
   void BindAttribute(const Active& active, const Inputs& inputs);
@@ -77,6 +86,7 @@ class GlProgram : NotCopied {
   GLuint vertex_array_ = 0;
   std::vector<GLuint> buffers_;
   std::vector<GLuint> textures_;  // on texture unit 0, 1, ...
+  std::vector<BoundImage> images_;
 };
 
 // Runs the vertex shader without any other stage, on points, and returns the outputs `names` in
