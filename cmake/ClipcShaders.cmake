@@ -3,7 +3,7 @@
 #
 #   clipc_add_shader(TARGET SHADER water.hlsl
 #     [NAME water]               # of what is written; the shader's file name without its extension
-#     [ENTRY main] [PROFILE vs_5_0]   # or ps_5_0: the shader is then NAME.frag, and has no clip table
+#     [ENTRY main] [PROFILE vs_5_0]   # or ps_5_0, cs_5_0: the shader is then NAME.frag or NAME.comp, and has no clip table
 #     [LOWER clip-distance|level9|near-plane|discard|none]
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
@@ -96,6 +96,8 @@ function(clipc_add_shader target)
   set(stage vert)
   if(shader_PROFILE MATCHES "^ps_")
     set(stage frag)
+  elseif(shader_PROFILE MATCHES "^cs_")
+    set(stage comp)
   endif()
   set(glsl ${folder}/${shader_NAME}.${stage})
   set(header ${folder}/${shader_NAME}.shader.h)
@@ -162,7 +164,7 @@ function(clipc_add_shader target)
     list(APPEND tables ${folder}/${shader_NAME}.clip${shader_TABLE})
   endif()
   list(TRANSFORM tables PREPEND --table= OUTPUT_VARIABLE table_options)
-  if(stage STREQUAL "frag")
+  if(NOT stage STREQUAL "vert")
     set(tables)
     set(table_options -MD)
   endif()

@@ -388,6 +388,23 @@ TEST_F(CInterface, GivesTheReflectionAsStructs) {
   EXPECT_EQ(clipc_result_reflection(result_.get()), nullptr);
 }
 
+TEST_F(CInterface, ReflectsTheGroupsOfAComputeShader) {
+  constexpr std::string_view kShader =
+      "RWBuffer<float> to; RWBuffer<float> log_; groupshared float3 memory[8];\n"
+      "[numthreads(4, 2, 1)] void main(uint i : SV_GroupIndex) {\n"
+      "  memory[i] = log_[i]; GroupMemoryBarrierWithGroupSync(); to[i] = memory[7 - i].x; }\n";
+  ASSERT_EQ(Compile({"-T", "cs_5_0"}, kShader), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  const clipc_reflection* shader = clipc_result_reflection(result_.get());
+  ASSERT_NE(shader, nullptr);
+  EXPECT_THAT(shader->group_size, ::testing::ElementsAre(4U, 2U, 1U));
+  EXPECT_EQ(shader->shared_bytes, 96U);
+  ASSERT_EQ(shader->resource_count, 2U);
+  EXPECT_STREQ(shader->resources[0]->access, "write");
+  EXPECT_STREQ(shader->resources[1]->access, "read");
+  ASSERT_EQ(Compile({"-Ilib"}), CLIPC_COMPILED);
+  EXPECT_THAT(clipc_result_reflection(result_.get())->group_size, ::testing::Each(0U));
+}
+
 TEST_F(CInterface, GivesTheVariantsOfOneCompile) {
   ASSERT_EQ(Compile({"-Ilib", "--variants"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
   const auto glsl_of = [&](std::size_t planes) -> std::string_view {

@@ -12,6 +12,7 @@
 #include <clipc/runtime/level9_binder.h>
 
 #include "colors.shader.h"
+#include "counts.shader.h"
 #include "cut.shader.h"
 #include "level9.clip.h"
 #include "level9.shader.h"
@@ -49,6 +50,9 @@ int main() {
   // The pixel shader alone has a reflection and no clip table.
   if (std::strstr(colors_frag, "SV_Target0") == nullptr ||
       !std::ifstream(SHADER_FOLDER "/colors.reflect.json"))
+    return 1;
+  if (std::strstr(counts_comp, "local_size_x = 64") == nullptr ||
+      !std::ifstream(SHADER_FOLDER "/counts.reflect.json"))
     return 1;
   // SPIR-V's decoration BuiltIn ClipDistance, of the compiler that clipc_add_hlsl_pass() calls.
   const std::uint32_t clip_distance[] = {11, 3};

@@ -189,6 +189,13 @@ void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists
   Program& program = context.program;
   if (!InfoOf(program.stage).runs_in_groups) return;
   const ViewSwitch in(context, {.scope = context[entry].scope, .order = context[entry].order});
+  // A target has no way to ask for so many lanes.
+  for (const std::span<const ast::Attr> list : attributes) {
+    for (const ast::Attr& attribute : list) {
+      if (EqualIgnoringCase(context[attribute.name], "wavesize"))
+        context.Report(attribute.span, diag::AttributeWithoutEffect, context[attribute.name]);
+    }
+  }
   if (const ast::Attr* attribute = FindGroupSize(context, attributes)) {
     ReadGroupSize(context, *attribute);
   } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/random/program.h"
 
+#include "tools/random/group.h"
 #include "tools/random/interface.h"
 #include "tools/random/layout.h"
 #include "tools/random/loops.h"
@@ -20,6 +21,7 @@ void ChooseOptions(Context& context, Program& program) {
   constexpr int kModels[] = {50, 50, 40, 41, 51, 60, 66};
   context.model = context.OneOf(kModels);
   if (context.Has(Feature::kPixels)) program.stage = context.stage = Stage::kPixel;
+  if (context.Has(Feature::kGroups)) program.stage = context.stage = Stage::kCompute;
   program.profile = std::string(clipc::InfoOf(program.stage).prefix) + "_" +
                     std::to_string(context.model / 10) + "_" + std::to_string(context.model % 10);
   program.row_major = context.Chance(20);
@@ -29,7 +31,7 @@ void ChooseOptions(Context& context, Program& program) {
   program.lowering = context.OneOf(kLowerings);
   constexpr const char* kSpaces[] = {"clip", "clip", "clip", "xyw1", "object"};
   program.plane_space = context.OneOf(kSpaces);
-  if (clipc::InfoOf(program.stage).draws_pixels) {
+  if (!clipc::InfoOf(program.stage).has_stage_after) {
     program.lowering = "none";
     program.negative_one_to_one = false;
   }
@@ -37,6 +39,7 @@ void ChooseOptions(Context& context, Program& program) {
   program.inputs = context.Below(1000);
   program.target = context.Below(60);
   program.is_soft = context.Chance(Feature::kSoftMath, 33);
+  if (clipc::InfoOf(program.stage).runs_in_groups) program.flip_y = program.is_soft = false;
 }
 
 // The entry of a pixel shader. Neighbours are asked before anything can end some pixels alone.
@@ -107,9 +110,10 @@ Program MakeProgram(Choices& choices, const Features& features) {
   }
   if (features.Has(Feature::kFunctions)) program.text += Some(context, 4, MakeFunction);
   context.cost = 0;
-  const bool draws_pixels = clipc::InfoOf(program.stage).draws_pixels;
-  program.text += draws_pixels ? kNeighbourObjects + MakePixelEntry(context, program)
-                               : MakeEntry(context, program);
+  const StageInfo& stage = clipc::InfoOf(program.stage);
+  program.text += stage.draws_pixels     ? kNeighbourObjects + MakePixelEntry(context, program)
+                  : stage.runs_in_groups ? MakeGroupEntry(context)
+                                         : MakeEntry(context, program);
   program.structs = context.structs;
   WithMajors(program.structs, program.row_major);
   return program;

@@ -247,6 +247,8 @@ std::string MakeJump(Context& context) {
     jump = "continue";
   } else if (context.loops > 0 && context.Chance(60)) {
     jump = context.Chance(50) || !context.has_continue ? "break" : "continue";
+  } else if (!context.function && clipc::InfoOf(context.stage).runs_in_groups) {
+    return MakeAssignment(context);  // the others would wait for it
   } else if (!context.function || context.function->is_void) {
     jump = context.function ? "return" : "return result";
   } else {
