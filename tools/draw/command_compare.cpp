@@ -63,7 +63,7 @@ class Runner {
     // There is no position to lower or to move to another clip space.
     if (!Stage().has_stage_after) options_.lowerings = {"none"};
     if (Stage().runs_in_groups && options_.targets == CompareOptions().targets)
-      options_.targets = {"glsl430", "glsl450", "essl310"};
+      options_.targets = {"glsl430", "glsl450", "essl310", "vulkan"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }

@@ -107,6 +107,29 @@ Words WordsIn(const Bytes& buffer, const MemoryPart& part) {
   return words;
 }
 
+Bytes MemoryOfTexels(const Inputs::Texture& image, std::span<const std::uint32_t> words) {
+  constexpr std::size_t kTexelWords = 4;
+  const auto components = static_cast<std::size_t>(image.components);
+  Bytes bytes(4 * kTexelWords * (words.size() / components));
+  for (std::size_t i = 0; i < words.size(); ++i)
+    std::memcpy(&bytes[4 * (i / components * kTexelWords + i % components)], &words[i], 4);
+  return bytes;
+}
+
+std::vector<Captured> CapturedMemory(const Shader& shader, const RandomInputs& inputs,
+                                     const std::map<std::string, Bytes>& memory) {
+  std::vector<Captured> captured;
+  for (const MemoryPart& part : WrittenParts(shader, inputs)) {
+    const auto found = memory.find(part.object);
+    if (found == memory.end()) continue;
+    const WordKind kind = part.kind == Scalar::kFloat ? WordKind::kFloat
+                          : part.kind == Scalar::kInt ? WordKind::kInt
+                                                      : WordKind::kUint;
+    captured.push_back({part.name, {kind, 1, 1}, 1, WordsIn(found->second, part)});
+  }
+  return captured;
+}
+
 std::vector<Expected> ExpectedOfDispatch(const Shader& shader, const RandomInputs& inputs) {
   const std::vector<MemoryPart> parts = WrittenParts(shader, inputs);
   const Buffers in_float = RunDispatch(shader.typed, inputs, {});

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,13 @@ struct MemoryPart {
 std::vector<MemoryPart> WrittenParts(const Shader& shader, const RandomInputs& inputs);
 // The words of the part, of the buffer's bytes.
 Words WordsIn(const Bytes& buffer, const MemoryPart& part);
+
+// The texels of an image as WordsIn takes them: four words each, of which the last ones are 0 where
+// it has fewer.
+Bytes MemoryOfTexels(const Inputs::Texture& image, std::span<const std::uint32_t> words);
+// The parts of what a driver left in the memory, which is known by its objects' names.
+std::vector<Captured> CapturedMemory(const Shader& shader, const RandomInputs& inputs,
+                                     const std::map<std::string, Bytes>& memory);
 
 // What each part must hold after the dispatch. What depends on which thread or which group was
 // first is open. Throws DrawError where threads race for the memory that a group shares: then the

@@ -162,7 +162,7 @@ void Judge::State::Run(const Program& program) {
   }
   if (!options.draws) return;
   if (only && !only->target.empty()) return Draw(program, *checked, only->target);
-  if (!clipc::InfoOf(program.stage).runs_in_groups) Draw(program, *checked, "vulkan");
+  Draw(program, *checked, "vulkan");
   DrawSomeOpenGl(program, *checked);
 }
 

@@ -4,7 +4,7 @@
 // RUN: %draw compare %s -T cs_5_0 -E scan
 // RUN: %draw compare %s -T cs_5_0 -E histogram
 // RUN: %draw compare %s -T cs_5_0 -E blur
-// RUN: %draw compare %s -T cs_4_0 -E old --target=glsl430,essl310
+// RUN: %draw compare %s -T cs_4_0 -E old --target=glsl430,essl310,vulkan
 // RUN: %draw compare %s -T cs_5_0 -E types
 // RUN: %draw compare %s -T cs_6_0 -E numbers
 cbuffer Frame { float4x4 turn; float4 weights; uint shift; };

@@ -30,23 +30,6 @@ std::vector<Captured> Drawn(const std::string& text, const std::vector<const Exp
                 outputs);
 }
 
-// The memory that a compute shader may write.
-std::vector<Captured> Dispatched(const std::string& text,
-                                 const std::vector<const Expected*>& outputs, const Trial& trial,
-                                 const Inputs& inputs) {
-  const std::map<std::string, Bytes> memory = Dispatch(text, inputs);
-  std::vector<Captured> captured;
-  for (const MemoryPart& part : WrittenParts(trial.shader, trial.inputs)) {
-    const auto found = memory.find(part.object);
-    if (found == memory.end()) continue;
-    const WordKind kind = part.kind == ir::Scalar::kFloat ? WordKind::kFloat
-                          : part.kind == ir::Scalar::kInt ? WordKind::kInt
-                                                          : WordKind::kUint;
-    captured.push_back({part.name, {kind, 1, 1}, 1, WordsIn(found->second, part)});
-  }
-  return Chosen(captured, outputs);
-}
-
 // The outputs that can be read back: of OpenGL ES no images.
 std::vector<const Expected*> Readable(std::vector<const Expected*> outputs, const Trial& trial,
                                       const Version& version) {
@@ -72,11 +55,13 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
       MakeInputs(trial.shader.lowered, trial.shader.info, trial.inputs, trial.draw);
   const StageInfo& stage = clipc::InfoOf(trial.shader.typed.stage);
   const auto compare = [&](const std::string& of) {
-    return CompareOutputs(outputs,
-                          stage.draws_pixels     ? Drawn(of, outputs, trial, inputs)
-                          : stage.runs_in_groups ? Dispatched(of, outputs, trial, inputs)
-                                                 : Capture(of, names, inputs),
-                          trial.tolerance);
+    return CompareOutputs(
+        outputs,
+        stage.draws_pixels ? Drawn(of, outputs, trial, inputs)
+        : stage.runs_in_groups
+            ? Chosen(CapturedMemory(trial.shader, trial.inputs, Dispatch(of, inputs)), outputs)
+            : Capture(of, names, inputs),
+        trial.tolerance);
   };
   const Comparison of_glsl = compare(text);
   if (of_glsl.wrong > 0) return of_glsl;

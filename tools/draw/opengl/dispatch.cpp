@@ -49,16 +49,6 @@ Words ReadTexels(const Inputs::Texture& image, GLuint texture) {
   return words;
 }
 
-Bytes ReadImage(const GlProgram::BoundImage& bound) {
-  constexpr std::size_t kTexelWords = 4;
-  const Words words = ReadTexels(*bound.image, bound.texture);
-  const auto components = static_cast<std::size_t>(bound.image->components);
-  Bytes bytes(4 * kTexelWords * (words.size() / components));
-  for (std::size_t i = 0; i < words.size(); ++i)
-    std::memcpy(&bytes[4 * (i / components * kTexelWords + i % components)], &words[i], 4);
-  return bytes;
-}
-
 }  // namespace
 
 std::map<std::string, Bytes> Dispatch(const std::string& compute, const Inputs& inputs) {
@@ -72,7 +62,8 @@ std::map<std::string, Bytes> Dispatch(const std::string& compute, const Inputs& 
     memory.emplace(storage.name, ReadStorage(storage));
   if (!VersionOf(compute).es) {
     for (const GlProgram::BoundImage& bound : program.images())
-      memory.emplace(bound.image->name, ReadImage(bound));
+      memory.emplace(bound.image->name,
+                     MemoryOfTexels(*bound.image, ReadTexels(*bound.image, bound.texture)));
   }
   harness::CheckErrors("reading what the compute shader wrote");
   return memory;

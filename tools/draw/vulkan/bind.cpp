@@ -38,7 +38,7 @@ class Binder {
     const std::uint32_t count = program_.cbuffers[block.cbuffer].count;
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::string name = count == 1 ? block.name : block.name + "[" + std::to_string(i) + "]";
-      Add(block, i, DescriptorKind::kUniforms).bytes = Find(inputs_.blocks, name).bytes;
+      Add(block, {name, i}, DescriptorKind::kUniforms).bytes = Find(inputs_.blocks, name).bytes;
     }
   }
 
@@ -49,9 +49,9 @@ class Binder {
     for (std::uint32_t i = 0; i < indices.size(); ++i) {
       const std::string name = object.name + indices[i];
       if (!object.texture) {
-        Add(object, i, DescriptorKind::kSampler).compares = InfoOf(kind).compares;
+        Add(object, {name, i}, DescriptorKind::kSampler).compares = InfoOf(kind).compares;
       } else if (IsStorageBuffer(kind)) {
-        Add(object, i, DescriptorKind::kStorage).bytes = Find(inputs_.storage, name).bytes;
+        Add(object, {name, i}, DescriptorKind::kStorage).bytes = Find(inputs_.storage, name).bytes;
       } else {
         const bool is_image = IsImage(kind);
         const bool is_buffer = InfoOf(kind).category == ObjectCategory::kTypedBuffer;
@@ -60,7 +60,7 @@ class Binder {
                                    : kind == ObjectKind::kBuffer ? DescriptorKind::kTexels
                                    : IsSampler(kind) ? DescriptorKind::kTextureWithSampler
                                                      : DescriptorKind::kTexture;
-        DrawCall::Descriptor& added = Add(object, i, how);
+        DrawCall::Descriptor& added = Add(object, {name, i}, how);
         added.texture = Find(inputs_.textures, name);
         added.compares = InfoOf(kind).compares;
       }
@@ -68,10 +68,18 @@ class Binder {
   }
 
  private:
+  struct Element {
+    const std::string& name;
+    std::uint32_t index;
+  };
   template <typename Written>
-  DrawCall::Descriptor& Add(const Written& written, std::uint32_t element, DescriptorKind kind) {
-    return call_.descriptors.emplace_back(DrawCall::Descriptor{
-        Require(written.set, written.name), Require(written.binding, written.name), element, kind});
+  DrawCall::Descriptor& Add(const Written& written, const Element& element, DescriptorKind kind) {
+    return call_.descriptors.emplace_back(
+        DrawCall::Descriptor{.set = Require(written.set, written.name),
+                             .binding = Require(written.binding, written.name),
+                             .element = element.index,
+                             .kind = kind,
+                             .name = element.name});
   }
 
   const Program& program_;

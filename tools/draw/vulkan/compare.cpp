@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "tools/draw/dispatch.h"
 #include "tools/draw/feed.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"
@@ -20,6 +21,21 @@ std::string Capturable(const std::string& glsl) {
       std::regex_replace(glsl, kBoth, "$1\n};\nlayout(location = 24) out float cull_distance$2");
   return text == glsl ? glsl
                       : std::regex_replace(text, std::regex("gl_CullDistance"), "cull_distance");
+}
+
+// The outputs' values in one run of the shader.
+std::vector<Captured> Run(const Runner& runner, const Spirv& spirv, const Trial& trial,
+                          const std::vector<const Expected*>& outputs, const DrawCall& call) {
+  const Shader& shader = trial.shader;
+  const StageInfo& stage = clipc::InfoOf(shader.typed.stage);
+  if (stage.runs_in_groups)
+    return Chosen(CapturedMemory(shader, trial.inputs, runner.Dispatch(spirv, call)), outputs);
+  if (!stage.draws_pixels) return runner.Capture(spirv, FindOutputs(spirv, outputs), call);
+  const SurfaceSpace space{.is_vulkan = true, .flips_y = true};
+  const Spirv vertex = SpirvOfGlsl(SurfaceVertexShader(shader, shader.glsl, space));
+  return Chosen(runner.DrawSurface(vertex, spirv, TargetsOf(shader.lowered, shader.info), call,
+                                   trial.draw.samples),
+                outputs);
 }
 
 }  // namespace
@@ -43,21 +59,11 @@ Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
   if (outputs.empty()) return {};
   const Inputs inputs = MakeInputs(shader.lowered, shader.info, trial.inputs, trial.draw);
   const DrawCall call = MakeDrawCall(shader.lowered, shader.info, inputs);
-  const bool draws_pixels = clipc::InfoOf(shader.typed.stage).draws_pixels;
   const auto compare = [&](const Spirv& spirv) {
-    if (!draws_pixels) {
-      return CompareOutputs(outputs, runner.Capture(spirv, FindOutputs(spirv, outputs), call),
-                            trial.tolerance);
-    }
-    const SurfaceSpace space{.is_vulkan = true, .flips_y = true};
-    const Spirv vertex = SpirvOfGlsl(SurfaceVertexShader(shader, shader.glsl, space));
-    const std::vector<Captured> drawn = runner.DrawSurface(
-        vertex, spirv, TargetsOf(shader.lowered, shader.info), call, trial.draw.samples);
-    return CompareOutputs(outputs, Chosen(drawn, outputs), trial.tolerance);
+    return CompareOutputs(outputs, Run(runner, spirv, trial, outputs, call), trial.tolerance);
   };
   const std::string glsl = Capturable(shader.glsl);
-  const Comparison of_glsl =
-      compare(SpirvOfGlsl(glsl, draws_pixels ? Stage::kPixel : Stage::kVertex));
+  const Comparison of_glsl = compare(SpirvOfGlsl(glsl, shader.typed.stage));
   if (of_glsl.wrong > 0 || glsl != shader.glsl) return of_glsl;
   return compare(shader.spirv);
 }

@@ -2,8 +2,23 @@
 #include "tools/draw/vulkan/descriptors.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "tools/draw/dispatch.h"
 
 namespace clipc::draw::vulkan {
+namespace {
+
+constexpr auto kAllStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment |
+                            vk::ShaderStageFlagBits::eCompute;
+
+bool IsBuffer(DescriptorKind kind) {
+  using enum DescriptorKind;
+  return kind == kUniforms || kind == kStorage || kind == kTexels || kind == kImageTexels;
+}
+
+}  // namespace
+
 vk::DescriptorType TypeOf(DescriptorKind kind) {
   using enum vk::DescriptorType;
   constexpr vk::DescriptorType kTypes[] = {
@@ -28,10 +43,8 @@ std::vector<vk::raii::DescriptorSetLayout> LayoutsOf(const Device& device,
   LayoutBindings sets;
   for (const Reads& reads : stages) {
     for (const Reads::Binding& read : reads.bindings) {
-      sets[read.set].try_emplace(
-          read.binding, read.binding, TypeOf(read.kind),
-          read.elements > 0 ? read.elements : kManyElements,
-          vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment);
+      sets[read.set].try_emplace(read.binding, read.binding, TypeOf(read.kind),
+                                 read.elements > 0 ? read.elements : kManyElements, kAllStages);
     }
   }
   return MakeLayouts(device, sets);
@@ -56,7 +69,7 @@ void Descriptors::MakeLayouts(const DrawCall& call) {
     vk::DescriptorSetLayoutBinding& binding = sets[descriptor.set][descriptor.binding];
     binding.binding = descriptor.binding;
     binding.descriptorType = TypeOf(descriptor.kind);
-    binding.stageFlags = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+    binding.stageFlags = kAllStages;
     binding.descriptorCount = std::max(binding.descriptorCount, descriptor.element + 1);
   }
   layouts_ = vulkan::MakeLayouts(device_, sets);
@@ -120,12 +133,34 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
   write.pImageInfo = &image;
   write.pTexelBufferView = &texels;
   device_.get().updateDescriptorSets(write, {});
+  const std::size_t count = IsBuffer(given.kind) ? buffers_.size() : images_.size();
+  places_.push_back(count - 1);
 }
 
 void Descriptors::Bind(const vk::raii::CommandBuffer& commands,
-                       const vk::raii::PipelineLayout& layout) const {
-  if (!sets_.empty())
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout, 0, sets_, {});
+                       const vk::raii::PipelineLayout& layout, vk::PipelineBindPoint point) const {
+  if (!sets_.empty()) commands.bindDescriptorSets(point, *layout, 0, sets_, {});
+}
+
+std::map<std::string, Bytes> Descriptors::ReadMemory(const DrawCall& call) const {
+  std::map<std::string, Bytes> memory;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const DrawCall::Descriptor& given = call.descriptors[i];
+    if (given.kind == DescriptorKind::kStorage) {
+      Bytes bytes = BytesOf(device_.Read(buffers_[places_[i]]));
+      bytes.resize(given.bytes.size());
+      memory.emplace(given.name, std::move(bytes));
+    } else if (given.kind == DescriptorKind::kImageTexels) {
+      Words words = device_.Read(buffers_[places_[i]]);
+      words.resize(given.texture.levels.at(0).words.size());
+      memory.emplace(given.name, MemoryOfTexels(given.texture, words));
+    } else if (given.kind == DescriptorKind::kImage) {
+      memory.emplace(
+          given.name,
+          MemoryOfTexels(given.texture, ReadImage(device_, images_[places_[i]], given.texture)));
+    }
+  }
+  return memory;
 }
 
 }  // namespace clipc::draw::vulkan

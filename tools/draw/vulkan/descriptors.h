@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tools/draw/vulkan/image.h"
@@ -31,7 +32,10 @@ class Descriptors {
   Descriptors(const Device& device, const DrawCall& call);
 
   std::vector<vk::DescriptorSetLayout> Layouts() const { return HandlesOf(layouts_); }
-  void Bind(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout) const;
+  void Bind(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout,
+            vk::PipelineBindPoint point = vk::PipelineBindPoint::eGraphics) const;
+  // What shaders left in the memory that they may write, by its names.
+  std::map<std::string, Bytes> ReadMemory(const DrawCall& call) const;
 
  private:
   void MakeLayouts(const DrawCall& call);
@@ -47,6 +51,7 @@ class Descriptors {
   std::vector<Image> images_;
   std::vector<vk::raii::BufferView> texels_;
   std::vector<vk::raii::Sampler> samplers_;
+  std::vector<std::size_t> places_;  // of each descriptor, in buffers_ or in images_
 };
 
 }  // namespace clipc::draw::vulkan

@@ -40,6 +40,11 @@ std::uint32_t LayersOf(const Form& form, const Inputs::Texture::Level& level) {
   return form.axes < 3 ? form.faces * level.size[form.axes] : 1;
 }
 
+vk::ImageUsageFlags UsageOf(const Inputs::Texture& texture) {
+  using enum vk::ImageUsageFlagBits;
+  return texture.is_image ? eStorage | eTransferDst | eTransferSrc : eSampled | eTransferDst;
+}
+
 }  // namespace
 
 Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view,
@@ -83,14 +88,12 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   const std::uint32_t layers = LayersOf(form, texture.levels.at(0));
   const bool is_cube =
       form.view == vk::ImageViewType::eCube || form.view == vk::ImageViewType::eCubeArray;
-  Image made = NewImage(
-      device,
-      {is_cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(), form.type,
-       FormatOf(texture), ExtentOf(form, texture.levels[0]), levels, layers,
-       vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-       (texture.is_image ? vk::ImageUsageFlagBits::eStorage : vk::ImageUsageFlagBits::eSampled) |
-           vk::ImageUsageFlagBits::eTransferDst},
-      form.view);
+  Image made =
+      NewImage(device,
+               {is_cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(),
+                form.type, FormatOf(texture), ExtentOf(form, texture.levels[0]), levels, layers,
+                vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, UsageOf(texture)},
+               form.view);
 
   Bytes bytes;
   std::vector<vk::BufferImageCopy> copies;
@@ -112,6 +115,24 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
         texture.is_image ? vk::ImageLayout::eGeneral : vk::ImageLayout::eShaderReadOnlyOptimal);
   });
   return made;
+}
+
+Words ReadImage(const Device& device, const Image& image, const Inputs::Texture& texture) {
+  const Inputs::Texture::Level& level = texture.levels.at(0);
+  const Form form = FormOf(texture.target);
+  const std::uint32_t layers = LayersOf(form, level);
+  const vk::ImageSubresourceLayers place(vk::ImageAspectFlagBits::eColor, 0, 0, layers);
+  const vk::BufferImageCopy copy(0, 0, 0, place, {}, ExtentOf(form, level));
+  const Buffer read = device.NewBuffer(vk::BufferUsageFlagBits::eTransferDst, BytesOf(level.words));
+  device.Submit([&](const vk::raii::CommandBuffer& commands) {
+    Transition(commands, image, {vk::ImageAspectFlagBits::eColor, 0, 1, 0, layers},
+               vk::ImageLayout::eGeneral, vk::ImageLayout::eTransferSrcOptimal);
+    commands.copyImageToBuffer(*image.image, vk::ImageLayout::eTransferSrcOptimal, *read.buffer,
+                               copy);
+  });
+  Words words = device.Read(read);
+  words.resize(level.words.size());
+  return words;
 }
 
 Image MakeTarget(const Device& device, vk::Extent2D size, vk::Format format,

@@ -13,6 +13,8 @@ struct Image {
   vk::raii::ImageView view{nullptr};
 };
 Image UploadImage(const Device& device, const Inputs::Texture& texture);
+// The texels of an image that UploadImage made of `texture`, after shaders wrote to it.
+Words ReadImage(const Device& device, const Image& image, const Inputs::Texture& texture);
 // An image in memory of its own, and the view of all of it.
 Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view,
                vk::ImageAspectFlagBits aspect = vk::ImageAspectFlagBits::eColor);

@@ -80,9 +80,10 @@ std::vector<Captured> Gather(const Device& device, const Layout& layout,
   return all;
 }
 
-// Throws DrawError where the shader reads something without a value, of which Vulkan says nothing.
-void CheckReads(const Spirv& vertex, const DrawCall& call) {
-  const Reads reads = ReadsOf(vertex);
+}  // namespace
+
+void CheckReads(const Spirv& spirv, const DrawCall& call) {
+  const Reads reads = ReadsOf(spirv);
   for (const Reads::Binding& read : reads.bindings) {
     if (std::ranges::any_of(call.descriptors, [&](const auto& given) {
           return given.set == read.set && given.binding == read.binding;
@@ -101,8 +102,6 @@ void CheckReads(const Spirv& vertex, const DrawCall& call) {
     }
   }
 }
-
-}  // namespace
 
 Runner::Runner() : device_(std::make_unique<Device>()) {}
 Runner::~Runner() = default;

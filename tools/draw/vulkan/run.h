@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "tools/draw/inputs.h"
 #include "tools/draw/surface.h"
@@ -22,6 +24,7 @@ struct DrawCall {
     Bytes bytes = {};              // of kUniforms and kStorage
     Inputs::Texture texture = {};  // of kTexture, kTextureWithSampler and kTexels
     bool compares = false;         // of kSampler
+    std::string name = {};         // "items[1]" for an element of an array
   };
   int vertices = 0, instances = 1;
   int first_vertex = 0, base_instance = 0;
@@ -29,6 +32,9 @@ struct DrawCall {
   std::vector<Descriptor> descriptors;
   Bytes push_constants;
 };
+
+// Throws DrawError where the shader reads something without a value, of which Vulkan says nothing.
+void CheckReads(const Spirv& spirv, const DrawCall& call);
 
 class Device;
 
@@ -61,6 +67,11 @@ class Runner {
   std::vector<Captured> DrawSurface(const Spirv& vertex, const Spirv& fragment,
                                     const std::vector<SurfaceTarget>& targets, const DrawCall& call,
                                     int samples) const;
+
+  // Runs the compute shader for kGroups (tools/draw/dispatch.h), and returns what the storage
+  // buffers and images hold then, by their names, the latter as MemoryOfTexels has them. Throws
+  // DrawError where the shader reads something that the call does not give.
+  std::map<std::string, Bytes> Dispatch(const Spirv& compute, const DrawCall& call) const;
 
  private:
   std::unique_ptr<Device> device_;
