@@ -64,7 +64,12 @@ class Walker {
 Reached Reach(const Program& program, bool keeps_bindings) {
   Reached reached = Walker(program).Run();
   if (!keeps_bindings) return reached;
-  for (const Resource& resource : program.resources) reached.vars[resource.var.index] = true;
+  // An object that nothing uses may have no kind.
+  for (const Resource& resource : program.resources) {
+    const Type& type = program.types[program.types.Innermost(program.vars[resource.var].type)];
+    if (InfoOf(type.object).category != ObjectCategory::kOther)
+      reached.vars[resource.var.index] = true;
+  }
   for (const CbufferId id : program.cbuffers.ids()) {
     reached.cbuffers[id.index] = true;
     for (const CbufferMember& member : program.cbuffers[id].members)

@@ -194,6 +194,10 @@ void FinishTarget(Reading& reading) {
     reading.without_effect.push_back(
         {"--min-precision=relaxed", "it is for SPIR-V and for the GLSL of OpenGL ES"});
   }
+  if (request.target.bindings.keeps_unread && request.target.IsVulkan() && !is_spirv) {
+    reading.without_effect.push_back({reading.vulkan_option, "it is for SPIR-V"});
+    request.target.bindings.keeps_unread = false;
+  }
   // Each entry of a batch may have a target of its own.
   if (!reading.vulkan_option.empty() && !request.target.IsVulkan() && command.batch.empty()) {
     reading.without_effect.push_back(

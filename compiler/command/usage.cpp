@@ -187,6 +187,8 @@ Result<> PrepareRequest(CommandLine& command) {
   outputs.facts = outputs.facts || !command.reflections.empty();
   outputs.glsl = !outputs.spirv || request.debug.dump;
   outputs.listing = !command.listing.empty();
+  // GLSL has what the shader reads, and one layout for both.
+  if (outputs.glsl || outputs.listing) request.target.bindings.keeps_unread = false;
   outputs.preprocess = !command.preprocessed.empty() || command.only_dependencies;
   outputs.text = command.format == MessageFormat::kText;
   outputs.colour = outputs.text && WantsColour(command);
