@@ -72,6 +72,19 @@ Output main(float4 p : POSITION, uint4 index : INDEX) {
   return result;
 })";
 
+constexpr char kGroup[] = R"(
+RWStructuredBuffer<uint> items;
+RWTexture2D<float> image;
+groupshared uint parts[8];
+[numthreads(8, 1, 1)]
+void main(uint i : SV_GroupIndex, uint3 id : SV_DispatchThreadID) {
+  uint slot = id.x + 24 * id.y;
+  parts[i] = items[slot] + 3;
+  GroupMemoryBarrierWithGroupSync();
+  items[slot] = parts[7 - i];
+  image[id.xy] = i * 0.5;
+})";
+
 class ComparedShaders : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -80,10 +93,13 @@ class ComparedShaders : public ::testing::Test {
     std::ofstream(path) << kShader;
     objects_path = path + ".objects.hlsl";
     std::ofstream(objects_path) << kObjects;
+    group_path = path + ".group.hlsl";
+    std::ofstream(group_path) << kGroup;
   }
   static void TearDownTestSuite() {
     std::filesystem::remove(path);
     std::filesystem::remove(objects_path);
+    std::filesystem::remove(group_path);
   }
 
   static BuildOptions Options(const std::string& target, Lowering lowering,
@@ -122,7 +138,7 @@ class ComparedShaders : public ::testing::Test {
     return options;
   }
 
-  static inline std::string path, objects_path;
+  static inline std::string path, objects_path, group_path;
 };
 
 TEST_F(ComparedShaders, RightShadersPass) {
@@ -231,6 +247,21 @@ TEST_F(ComparedShaders, MistakesOnVulkanAreSeen) {
       << "reference";
   EXPECT_GT(Run(objects, "memory[i + 1u]/memory[i + 2u]").wrong, 0) << "another word";
   EXPECT_GT(Run(objects, "5 * i + 1/5 * i + 2").wrong, 0) << "another word of a struct";
+}
+
+TEST_F(ComparedShaders, MistakesInDispatchesAreSeen) {
+  for (const char* target : {"glsl430", "essl310", "vulkan"}) {
+    if (target == std::string("vulkan") && !vulkan::Runner::WhyNone().empty()) continue;
+    BuildOptions options = Options(target, Lowering::kNone);
+    options.path = group_path;
+    options.profile = "cs_5_0";
+    ASSERT_EQ(Run(options).wrong, 0) << target;
+    EXPECT_GT(Run(options, "] + 3u/] + 2u").wrong, 0) << target << ": a number";
+    EXPECT_GT(Run(options, "7u - i/6u - i").wrong, 0) << target << ": another thread";
+    EXPECT_GT(Run(options, "24u * id.y/16u * id.y").wrong, 0) << target << ": another group";
+    if (target == std::string("essl310")) continue;  // whose images nothing reads back
+    EXPECT_GT(Run(options, "* 0.5/* 0.25").wrong, 0) << target << ": a texel";
+  }
 }
 
 // The shader reads the bindings and locations that the application is told of, and no others.

@@ -26,8 +26,10 @@ TARGETS = "glsl450 glsl460 glsl430 glsl400 glsl330 glsl150 glsl130 glsl120 essl1
 PROFILES = {
     "vs": "vs_2_0 vs_3_0 vs_4_0 vs_4_0_level_9_1 vs_4_0_level_9_3 vs_4_1 vs_5_0 vs_5_1 vs_6_0 vs_6_6".split(),
     "ps": "ps_2_0 ps_2_b ps_3_0 ps_4_0 ps_4_0_level_9_1 ps_4_1 ps_5_0 ps_5_1 ps_6_0 ps_6_6".split(),
+    "cs": "cs_4_0 cs_4_1 cs_5_0 cs_5_1 cs_6_0 cs_6_6".split(),
 }
 KEPT = re.compile(r"(?:^|\s)(-[TE]\s*\S+|-D\s*\S+|--lower=\S+|-I\s*\S+|--pixel-entry=\S+)")
+STAGE = re.compile(r"(?:-T)?(ps|cs)_")
 TOKEN = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\#[^\n]*|\s+|"[^"\n]*"|[A-Za-z_]\w*|0[xX][0-9a-fA-F]+[uUlL]*"""
     r"""|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFhHuUlL]*|<<=|>>=|[-+*/%&|^=!<>]=|&&|\|\||<<|>>|\+\+|--|::|.""",
@@ -41,7 +43,7 @@ MODIFIERS = (
 ).split()
 SEMANTICS = (
     "SV_Position SV_Target SV_Target1 SV_Depth SV_ClipDistance0 SV_CullDistance SV_VertexID SV_InstanceID SV_IsFrontFace "
-    "SV_Coverage SV_SampleIndex SV_PrimitiveID TEXCOORD0 COLOR0 COLOR1 POSITION NORMAL FOG PSIZE VPOS VFACE DEPTH"
+    "SV_DispatchThreadID SV_GroupID SV_GroupThreadID SV_GroupIndex SV_Coverage SV_SampleIndex SV_PrimitiveID TEXCOORD0 COLOR0 COLOR1 POSITION NORMAL FOG PSIZE VPOS VFACE DEPTH"
 ).split()
 SCALARS = "float int uint bool half double min16float uint64_t".split()
 TYPES = (
@@ -53,7 +55,8 @@ TYPES = (
 WORDS = "if else for while do switch case default break continue return discard struct cbuffer namespace typedef".split()
 INTRINSICS = (
     "mul dot cross normalize length saturate clamp lerp pow exp log sin atan2 fmod frac modf frexp ddx fwidth clip "
-    "transpose determinant any all select asfloat asuint f16tof32 countbits firstbithigh tex2D tex2Dlod texCUBE"
+    "transpose determinant any all select asfloat asuint f16tof32 countbits firstbithigh tex2D tex2Dlod texCUBE "
+    "GroupMemoryBarrierWithGroupSync AllMemoryBarrier DeviceMemoryBarrier InterlockedAdd InterlockedCompareExchange"
 ).split()
 
 
@@ -124,7 +127,7 @@ def make(files, seed):
     for _ in range(random_.choice((1, 1, 1, 2, 3, 5))):
         mutate(tokens, random_)
     if random_.random() < 0.3:
-        stage = "ps" if any(option.startswith(("-Tps", "ps_")) for option in options) else "vs"
+        stage = next((found[1] for found in map(STAGE.match, options) if found), "vs")
         options = options + ["-T", random_.choice(PROFILES[stage])]
     target = random_.choice(TARGETS)
     options = options + ["-I", str(file.parent), "--target=" + target]
