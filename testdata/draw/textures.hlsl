@@ -49,7 +49,7 @@ Output samples(float4 p : POSITION) {
   result.b = float4(volume.SampleGrad(smooth, p.xyz, p.zyx, p.yyx), heights.SampleLevel(smooth, p.zw, 0));
   result.c = sky.SampleLevel(smooth, p.xyz, 0).wzyx;
 #ifndef PLAIN
-  result.c += ramp.SampleLevel(smooth, p.x, p.y) - ramps.SampleLevel(sharp, p.xy, 0) * skies.SampleLevel(smooth, p, 0);
+  result.c += ramp.SampleLevel(smooth, p.x, p.y) - ramps.SampleLevel(sharp, p.xy, p.z) * skies.SampleLevel(smooth, p, 0);
 #endif
   return result;
 }

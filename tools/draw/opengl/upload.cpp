@@ -99,13 +99,15 @@ GLuint UploadTexture(const Inputs::Texture& texture,
                   texture.levels.at(0));
     return id;
   }
-  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
-    UploadLevel(texture.target, format, static_cast<GLint>(level), texture.levels[level]);
-  }
+  // Before the levels: Mesa 22.3 makes room for one level of a texture whose filter takes no other,
+  // and loses the others of an array of 1D textures.
   glTexParameteri(texture.target, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
   glTexParameteri(texture.target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL,
                   static_cast<GLint>(texture.levels.size()) - 1);
+  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+    UploadLevel(texture.target, format, static_cast<GLint>(level), texture.levels[level]);
+  }
   if (texture.compares) {
     glTexParameteri(texture.target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(texture.target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
