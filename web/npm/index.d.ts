@@ -87,7 +87,7 @@ export class Compiler {
   constructor(module: WebAssembly.Module);
   readonly version: string;
   compile(text: string | Uint8Array, options?: CompileOptions): CompileResult;
-  /** The text of `CompileResult.spirv`, as glslang writes it. */
+  /** The text of `CompileResult.spirv`, as `spirv-dis` writes it. */
   disassemble(spirv: Uint32Array): string;
 }
 
