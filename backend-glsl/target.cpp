@@ -206,6 +206,12 @@ constexpr Difference kDifferences[] = {
     {Feature::kSampleCount, Api::kWebGL, {}},
     {Feature::kInterpolants, Api::kWebGL, {}},
 };
+constexpr auto kDiffers = [] {  // by API: whether a row is about it
+  std::array<bool, static_cast<std::size_t>(Api::kVulkan) + 1> differs{};
+  for (const Difference& difference : kDifferences)
+    differs[static_cast<std::size_t>(difference.api)] = true;
+  return differs;
+}();
 
 }  // namespace
 
@@ -248,8 +254,10 @@ std::string Target::VersionLine() const {
 Support Target::Of(Feature feature) const {
   const FeatureRow& row = kFeatures[static_cast<std::size_t>(feature)];
   const Since* since = IsEs() ? &row.es : &row.desktop;
-  for (const Difference& difference : kDifferences) {
-    if (difference.api == api_ && difference.feature == feature) since = &difference.since;
+  if (kDiffers[static_cast<std::size_t>(api_)]) {
+    for (const Difference& difference : kDifferences) {
+      if (difference.api == api_ && difference.feature == feature) since = &difference.since;
+    }
   }
   if (version_ > since->last) return {};
   if (version_ >= since->core) return {true, ""};
