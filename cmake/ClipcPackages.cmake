@@ -26,8 +26,8 @@ install(FILES ${clipc_SOURCE_DIR}/LICENSE DESTINATION ${doc} COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/docs/ DESTINATION ${doc}/docs COMPONENT compiler
   FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png)
 install(FILES ${clipc_SOURCE_DIR}/study/speed-accuracy.svg DESTINATION ${doc}/study COMPONENT compiler)
-install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/embed
-  DESTINATION ${doc}/examples COMPONENT compiler)
+install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/compute
+  ${clipc_SOURCE_DIR}/examples/embed DESTINATION ${doc}/examples COMPONENT compiler)
 
 # The licences of what is linked in, where Debian's packages of it have them.
 set(linked libclang-${CLIPC_LLVM}-dev llvm-${CLIPC_LLVM}-dev glslang-dev libfmt-dev nlohmann-json3-dev)

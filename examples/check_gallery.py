@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Holds the GLSL beside each shader of examples/gallery against the GLSL that clipc writes now.
+"""Holds the GLSL beside each shader of examples/gallery and examples/compute against the GLSL that clipc writes now.
 
 usage: check_gallery.py CLIPC [--write]
 
@@ -12,7 +12,9 @@ import pathlib
 import subprocess
 import sys
 
-GALLERY = pathlib.Path(__file__).resolve().parent / "gallery"
+EXAMPLES = pathlib.Path(__file__).resolve().parent
+# The folders of shaders, and the suffix of the GLSL in each.
+FOLDERS = {"gallery": ".vert", "compute": ".comp"}
 
 
 def compiled(clipc, shader):
@@ -20,17 +22,22 @@ def compiled(clipc, shader):
     options = next(line.removeprefix("// clipc ") for line in lines if line.startswith("// clipc "))
     command = [clipc, *options.split(), "--validate", "-Werror", shader.name, "-o", "-"]
     return subprocess.run(
-        command, cwd=GALLERY, stdout=subprocess.PIPE, check=True, text=True
+        command, cwd=shader.parent, stdout=subprocess.PIPE, check=True, text=True
     ).stdout
 
 
 def main():
-    clipc, write = sys.argv[1], "--write" in sys.argv
-    shaders = sorted(path for path in GALLERY.iterdir() if path.suffix in {".hlsl", ".fx"})
+    clipc, write = pathlib.Path(sys.argv[1]).resolve(), "--write" in sys.argv
+    shaders = sorted(
+        path
+        for folder in FOLDERS
+        for path in (EXAMPLES / folder).iterdir()
+        if path.suffix in {".hlsl", ".fx"}
+    )
     differ = []
     for shader in shaders:
         glsl = compiled(clipc, shader)
-        beside = shader.with_suffix(".vert")
+        beside = shader.with_suffix(FOLDERS[shader.parent.name])
         if write:
             beside.write_text(glsl)
         elif not beside.exists() or beside.read_text() != glsl:
