@@ -76,6 +76,7 @@ class EffectPrinter {
     json_.ListOf("programs", fact.programs, [&](const EffectProgramFact& it) { Program(it); });
     Text(pass.vertex.text, "vertexShader");
     Text(pass.pixel.text, "pixelShader");
+    Text(pass.compute.text, "computeShader");
     if (!pass.other_shaders.empty()) {
       json_.ListOf("otherShaders", pass.other_shaders, [&](const ast::NamedText& shader) {
         json_.Member("name", shader.name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <ranges>
@@ -31,10 +32,10 @@ std::string ProfileFor(const EffectShader& shader) {
   return is_old ? "ps_2_0" : shader.profile;
 }
 
-// The name of the state that gives a pass its shader.
-std::string_view StateOf(Stage stage) {
-  return stage == Stage::kVertex ? "VertexShader" : "PixelShader";
-}
+// The name of the state that gives a pass its shader, by stage.
+constexpr std::string_view kShaderStates[] = {"VertexShader", "PixelShader", "ComputeShader"};
+static_assert(std::size(kShaderStates) == kStageCount);
+std::string_view StateOf(Stage stage) { return kShaderStates[static_cast<std::size_t>(stage)]; }
 
 class ProgramFinder {
  public:
@@ -72,9 +73,17 @@ class ProgramFinder {
     for (const std::string& text : pass.not_read)
       diagnostics_.Report(pass.span, diag::EffectNotRead, text, pass.name);
     for (const auto& [name, value] : pass.other_shaders) LeaveOut(added, pass, name, value);
-    std::vector<std::vector<EffectStage>> stages = {
-        ShadersOf(added, pass, Stage::kVertex, pass.vertex),
-        ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    using Choices = std::vector<std::vector<EffectStage>>;
+    const Choices drawing = {ShadersOf(added, pass, Stage::kVertex, pass.vertex),
+                             ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    const Choices computing = {ShadersOf(added, pass, Stage::kCompute, pass.compute)};
+    AddPrograms(added, drawing);
+    AddPrograms(added, computing);
+  }
+
+  // Adds the programs of a shader of each of those stages that have any.
+  void AddPrograms(PassPrograms& added, std::vector<std::vector<EffectStage>> stages) {
+    const ast::EffectPass& pass = effect_.techniques[added.technique].passes[added.pass];
     std::erase_if(stages, [](const auto& shaders) { return shaders.empty(); });
     if (added.is_left_out || stages.empty()) return;
     std::size_t count = 1;
@@ -82,7 +91,7 @@ class ProgramFinder {
       count =
           shaders.size() > kMaxPermutations / count ? kMaxPermutations + 1 : count * shaders.size();
     if (count_ + count > kMaxPermutations)
-      return LeaveOut(added, pass, StateOf(Stage::kVertex), "too many");
+      return LeaveOut(added, pass, StateOf(stages.front().front().stage), "too many");
     count_ += count;
     for (std::size_t i = 0; i < count; ++i) {
       EffectProgram& program = added.programs.emplace_back();
@@ -91,7 +100,7 @@ class ProgramFinder {
         program.shaders.insert(program.shaders.begin(), shaders[rest % shaders.size()]);
         rest /= shaders.size();
       }
-      program.group = GroupOf(program, technique, number);
+      program.group = GroupOf(program, added.technique, added.pass);
     }
   }
 

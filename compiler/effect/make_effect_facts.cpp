@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/effect/make_effect_facts.h"
 
+#include <iterator>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -15,13 +16,17 @@ EffectShaderFact FactOf(const EffectStage& stage) {
   return {stage.stage, shader.function, shader.profile, shader.call, stage.element};
 }
 
+// What the effect's JSON calls the file of a stage.
+constexpr std::string_view kFileKinds[] = {"vertex", "fragment", "compute"};
+static_assert(std::size(kFileKinds) == kStageCount);
+
 // What the effect's JSON calls a file of a batch: the stage, whether it is GLSL or SPIR-V, and the
 // number of a variant. `first_stage` is the first stage of the program.
 std::string FileKind(std::string_view kind, Stage first_stage) {
   if (kind == "fragment.spirv") return "fragment";
   for (const std::string_view first : {"glsl", "spirv"}) {
     if (kind == first || (kind.starts_with(first) && kind[first.size()] == '.'))
-      return (first_stage == Stage::kVertex ? "vertex" : "fragment") +
+      return std::string(kFileKinds[static_cast<std::size_t>(first_stage)]) +
              std::string(kind.substr(first.size()));
   }
   return std::string(kind);

@@ -51,7 +51,7 @@ struct EffectPass {
   std::string name;
   Span span;
   std::vector<Annotation> annotations;
-  EffectShader vertex, pixel;
+  EffectShader vertex, pixel, compute;
   std::vector<NamedText> other_shaders;  // SetGeometryShader and the like, unless NULL
   std::vector<EffectState> states;
   std::vector<std::string> not_read;  // statements of no known form

@@ -214,8 +214,7 @@ class EffectReader {
   }
 
   void AddStatement(EffectPass& pass, Statement statement) const {
-    constexpr std::string_view kOthers[] = {"geometryshader", "hullshader", "domainshader",
-                                            "computeshader"};
+    constexpr std::string_view kOthers[] = {"geometryshader", "hullshader", "domainshader"};
     std::string name = ToLower(statement.text.name);
     if (name.ends_with("shader") && name.starts_with("set")) name.erase(0, 3);
     if (name.empty()) {
@@ -224,6 +223,8 @@ class EffectReader {
       pass.vertex = ReadShader(statement.value);
     } else if (name == "pixelshader") {
       pass.pixel = ReadShader(statement.value);
+    } else if (name == "computeshader") {
+      pass.compute = ReadShader(statement.value);
     } else if (std::ranges::find(kOthers, name) != std::end(kOthers)) {
       if (ReadShader(statement.value).kind != EffectShader::Kind::kNone)
         pass.other_shaders.push_back(std::move(statement.text));
