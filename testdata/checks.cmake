@@ -12,6 +12,8 @@ set_tests_properties(scripts PROPERTIES SKIP_RETURN_CODE 77)
 add_test(NAME pages COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_pages.py)
 add_test(NAME words COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_words.py)
 add_test(NAME words_check COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_words.py --test)
+# The numbers of the documents are those of the study's tables.
+add_test(NAME numbers COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/study/program/check_numbers.py)
 add_test(NAME recipes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_recipes.py)
 add_test(NAME sources COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_sources.py)
 add_test(NAME fail_names COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/check_fail_names.py ${CMAKE_CURRENT_SOURCE_DIR})
