@@ -52,6 +52,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fno-tree-slp-vectorize)
 endif()
 
+# Objects name their sources from the repository's root: two folders give the same bytes, and share ccache's.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  add_compile_options("-fmacro-prefix-map=${clipc_SOURCE_DIR}/=")
+endif()
+
 # Every object may become a part of a shared library, of ours or of an application's plugin, and names stay inside it: only what
 # CLIPC_API marks is seen from outside. With hidden names position-independent code costs nothing in a static program.
 if(NOT CLIPC_WASM)
