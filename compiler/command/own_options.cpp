@@ -21,6 +21,14 @@ namespace {
 
 constexpr std::string_view kHlslTarget = "hlsl";
 
+// The target that people mean by the name of an API or of a language.
+struct NearTarget {
+  std::string_view name, target;
+};
+constexpr NearTarget kNearTargets[] = {
+    {"opengl", "glsl450"}, {"gl", "glsl450"},   {"glsl", "glsl450"}, {"gles", "essl310"},
+    {"es", "essl310"},     {"essl", "essl310"}, {"webgl", "webgl2"}, {"spirv", "vulkan"}};
+
 void SetTarget(Reading& reading, const std::string& value) {
   HlslOptions& hlsl = reading.command.request.hlsl;
   hlsl.wanted = value == kHlslTarget;
@@ -29,7 +37,11 @@ void SetTarget(Reading& reading, const std::string& value) {
   if (reading.target) return;
   std::vector<std::string_view> names(glsl::Target::Names().begin(), glsl::Target::Names().end());
   names.push_back(kHlslTarget);
-  reading.Refuse(fmt::format("unknown target `{}`{}", value, Suggest(value, names)));
+  const auto* near = std::ranges::find(kNearTargets, value, &NearTarget::name);
+  reading.Refuse(fmt::format("unknown target `{}`{}", value,
+                             near == std::end(kNearTargets)
+                                 ? Suggest(value, names)
+                                 : fmt::format("; did you mean `{}`?", near->target)));
 }
 
 // Reads "2/4", the number of a shard and the number of shards, or "merge".
@@ -212,7 +224,8 @@ constexpr Option kOwnOptions[] = {
     {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",
      "write the GLSL with these comments to FILE"},
     {"-Fh", kJoinedOrSeparate, Set<&CommandLine::header>, "<FILE>",
-     "write the GLSL as a C string to FILE; of an effect, its tables for runtime/gl/effect.h too"},
+     "write the GLSL as a C string to FILE; of an effect, its tables for effect-runtime/effect.h "
+     "too"},
     {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>, "<NAME>",
      "the name of the variable that -Fh writes (g_ and the entry's name)"},
     {"--validate", kFlag, SetTo<&Reading::validate, true>, "",

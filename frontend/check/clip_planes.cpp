@@ -233,7 +233,9 @@ bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];
   if (program.profile.stage != Stage::kVertex || program.profile.IsDirect3D9()) {
-    context.Report(attribute.span, diag::ClipPlanesProfile, program.profile.name);
+    const bool is_direct3d9 = program.profile.stage == Stage::kVertex;
+    context.Report(attribute.span, diag::ClipPlanesProfile, program.profile.name,
+                   is_direct3d9 ? "; `-T vs_4_0_level_9_1` is for the same hardware" : "");
     return false;
   }
   if (operands.empty() || operands.size() > kMaxClipPlanes) {

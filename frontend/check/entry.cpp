@@ -106,11 +106,17 @@ void ReportNoEntry(Context& context) {
   }
   const std::string text = QuotedList(near);
   constexpr std::size_t kMaxCandidates = 8;
-  const bool are_few = !names.empty() && names.size() <= kMaxCandidates;
+  // What may be an entry comes before what others call.
+  std::vector<std::string_view> listed(likely.begin(), likely.end());
+  for (const std::string_view name : candidates) {
+    if (std::ranges::find(likely, name) == likely.end()) listed.push_back(name);
+  }
+  if (listed.size() > kMaxCandidates) listed.resize(std::min(likely.size(), kMaxCandidates));
   const std::string tail =
-      text.empty() ? (are_few ? fmt::format("; `-E` names one of {}", QuotedList(candidates)) : "")
-      : has_hints  ? fmt::format("; its techniques compile {}", text)
-                   : fmt::format("; did you mean {}?", text);
+      text.empty()
+          ? (listed.empty() ? "" : fmt::format("; `-E` names one of {}", QuotedList(listed)))
+      : has_hints ? fmt::format("; its techniques compile {}", text)
+                  : fmt::format("; did you mean {}?", text);
   // The place of the function that was probably meant, or the start of the file's last declaration.
   Span where =
       context.file.top_level.empty() ? Span{} : context[context.file.top_level.back()].span;

@@ -66,8 +66,49 @@ std::string NearText(const Context& context, Name name, NameUse use) {
   return QuotedList(near);
 }
 
+bool IsBuffer(const Context& context, Name name) {
+  for (const ast::DeclId id : context.file.decls.ids()) {
+    const auto* buffer = context.GetIf<ast::BufferDecl>(id);
+    if (buffer && buffer->name == name) return true;
+  }
+  return false;
+}
+
+// Whether a struct of that name has a field `field`.
+bool HasField(const Context& context, Name structure, Name field) {
+  const auto is_field = [&](ast::DeclId member) {
+    const auto* variable = context.GetIf<ast::VarDecl>(member);
+    return variable && variable->name == field;
+  };
+  for (const ast::DeclId id : context.file.decls.ids()) {
+    const auto* found = context.GetIf<ast::StructDecl>(id);
+    if (found && found->name == structure && std::ranges::any_of(context[found->members], is_field))
+      return true;
+  }
+  return false;
+}
+
+// "`frame.plane`": the global variables that have a field of that name.
+std::string OwnersOf(const Context& context, Name field) {
+  std::vector<std::string> owners;
+  for (const SymbolId id : context.names.symbol_ids()) {
+    const Symbol& symbol = context[id];
+    if (symbol.kind != SymbolKind::kVariable || !symbol.scope || !symbol.decl) continue;
+    const auto* variable = context.GetIf<ast::VarDecl>(symbol.decl);
+    if (variable && context.names.IsVisible(id) &&
+        HasField(context, context[variable->type].name.name, field))
+      owners.push_back(fmt::format("{}.{}", context[symbol.name], context[field]));
+  }
+  return QuotedList(std::vector<std::string_view>(owners.begin(), owners.end()));
+}
+
 // The end of a message about an unknown name if no known name is spelt nearly like it.
-std::string_view AdviceFor(std::string_view name, NameUse use) {
+std::string AdviceFor(const Context& context, Name unknown, NameUse use) {
+  const std::string_view name = context[unknown];
+  if (IsBuffer(context, unknown))
+    return fmt::format("; `{}` is a constant buffer, and its members have no prefix", name);
+  if (const std::string owners = OwnersOf(context, unknown); !owners.empty())
+    return fmt::format("; did you mean {}?", owners);
   if (use == NameUse::kClipPlane)
     return "; a clip plane is a global variable or a member of a constant buffer";
   return name.starts_with("gl_") ? "; what GLSL calls `gl_...` is a semantic in HLSL, `SV_Position`"
@@ -118,7 +159,7 @@ void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& nam
   const std::string tail = later           ? "; a name must be declared before its use"
                            : !hlsl.empty() ? fmt::format("; in HLSL it is `{}`", hlsl)
                            : !near.empty() ? fmt::format("; did you mean {}?", near)
-                                           : std::string(AdviceFor(context[name.name], use));
+                                           : AdviceFor(context, name.name, use);
   const std::string text = QualifiedText(context, name);
   Diagnostic& report = use == NameUse::kType ? context.Report(span, diag::UnknownType, text, tail)
                        : use == NameUse::kFunction

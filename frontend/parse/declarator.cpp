@@ -47,7 +47,11 @@ bool Parser::ParseDeclaratorName(Name& name, Span& span, std::string_view what) 
     return false;
   }
   if (!At(kIdentifier)) {
-    Unexpected(fmt::format("the name of a {}", what));
+    const bool is_called = At(kLeftParen) && pos_ > 0 && tokens_[pos_ - 1].kind == kIdentifier;
+    const std::string_view before = is_called ? Text(tokens_[pos_ - 1].name()) : "";
+    const bool is_attribute = is_called && MeaningOfAttribute(before) != AttributeMeaning::kUnknown;
+    Unexpected(is_attribute ? fmt::format("brackets around the attribute, `[{}(...)]`", before)
+                            : fmt::format("the name of a {}", what));
     return false;
   }
   // `int int1`: the name of a type with a size may be the name of something else.

@@ -275,8 +275,11 @@ void Parser::CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::s
 // Reports the qualifiers that do not belong at a declaration of `owner`, at the span of its name.
 void Parser::CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span span) {
   if (qualifiers == 0) return;
-  for (const std::string_view word : SpellingsOf(RefusedAt(owner, qualifiers)))
-    diagnostics_.Report(span, diag::QualifierMisplaced, TextOf(owner), word);
+  for (const std::string_view word : SpellingsOf(RefusedAt(owner, qualifiers))) {
+    const bool is_glsl = owner == QualifierOwner::kGlobal && (word == "in" || word == "out");
+    diagnostics_.Report(span, diag::QualifierMisplaced, TextOf(owner), word,
+                        is_glsl ? "; this is as in GLSL, and clipc reads HLSL" : "");
+  }
   for (const std::string_view word : SpellingsOf(WithoutEffectAt(owner, qualifiers)))
     diagnostics_.Report(span, diag::QualifierWithoutEffect, word, TextOf(owner));
   const auto [first, second] = ConflictIn(qualifiers);

@@ -38,7 +38,7 @@ float4 h : ;
 // CHECK-NEXT:    [[#@LINE+2]] | float4 i : 3.0;
 // CHECK-NEXT:       |            ^~~
 float4 i : 3.0;
-// CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+3]]:11: error: unexpected `(`; expected the name of a variable [unexpected-token, X3000]
+// CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+3]]:11: error: unexpected `(`; expected brackets around the attribute, `[clipplanes(...)]` [unexpected-token, X3000]
 // CHECK-NEXT:    [[#@LINE+2]] | clipplanes(a, b)
 // CHECK-NEXT:       |           ^
 clipplanes(a, b)

@@ -2,7 +2,7 @@
 // each kind of declaration is in DXC's varmods-syntax.hlsl and typemods-syntax_noerr.hlsl.
 // RUN: not %clipc -T vs_5_0 -E helper %s 2>&1 | grep -v '^ ' | FileCheck %s
 
-// CHECK: [[#@LINE+1]]:11: error: a global variable cannot be `in` [qualifier-misplaced, X3006]
+// CHECK: [[#@LINE+1]]:11: error: a global variable cannot be `in`; this is as in GLSL, and clipc reads HLSL [qualifier-misplaced, X3006]
 in float4 read;
 // CHECK-NEXT: [[#@LINE+1]]:14: error: a global variable cannot be `inout`
 inout float4 both;

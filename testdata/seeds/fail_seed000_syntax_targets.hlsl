@@ -5,6 +5,6 @@
 
 cbuffer Clip { float4 plane; };
 
-// CHECK: error: `clipplanes` is used under profile `{{.*}}`; it needs a vertex shader profile of 4.0 or later [clip-planes-profile]
+// CHECK: error: `clipplanes` is used under profile `{{.*}}`; it needs a vertex shader profile of 4.0 or later{{.*}} [clip-planes-profile]
 [clipplanes(plane)]
 float4 main(float4 position : POSITION) : SV_Position { return position; }

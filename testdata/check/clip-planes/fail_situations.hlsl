@@ -12,7 +12,7 @@
 cbuffer Planes { float4 p, q; };
 
 [clipplanes(p)] float4 one(float4 v : POSITION) : SV_Position { return v; }
-// VS3: error: `clipplanes` is used under profile `vs_3_0`; it needs a vertex shader profile of 4.0 or later [clip-planes-profile]
+// VS3: error: `clipplanes` is used under profile `vs_3_0`; it needs a vertex shader profile of 4.0 or later; `-T vs_4_0_level_9_1` is for the same hardware [clip-planes-profile]
 // PS: error: {{.*}}ps_5_0
 
 // NONE: fail_situations.hlsl:[[#@LINE+1]]:1: error: 0 clip planes given; `clipplanes` takes 1 to 6 [clip-plane-count, X3084]
