@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What other projects get: find_package(clipc) with clipc::runtime, clipc::runtime_gl, clipc::compiler, clipc::compiler_shared, the
-# program clipc::clipc and clipc_add_shader(); and the same libraries for pkg-config.
+# What other projects get: find_package(clipc) with clipc::runtime, clipc::runtime_gl, clipc::effect_runtime, clipc::compiler,
+# clipc::compiler_shared, the program clipc::clipc and clipc_add_shader(); and the same libraries for pkg-config.
 include(CMakePackageConfigHelpers)
 
 set_target_properties(clipc_runtime PROPERTIES EXPORT_NAME runtime)
 set_target_properties(clipc_runtime_gl PROPERTIES EXPORT_NAME runtime_gl)
+set_target_properties(clipc_effect_runtime PROPERTIES EXPORT_NAME effect_runtime)
 set_target_properties(clipc_clip_table PROPERTIES EXPORT_NAME clip_table)
-set(targets clipc clipc_runtime clipc_runtime_gl clipc_clip_table)
+set(targets clipc clipc_runtime clipc_runtime_gl clipc_effect_runtime clipc_clip_table)
 foreach(library shared static)
   if(TARGET clipc_${library})
     list(APPEND targets clipc_${library})
@@ -18,7 +19,7 @@ if(TARGET clipc_runtime_d3d9)
 endif()
 install(TARGETS ${targets} EXPORT clipc
   RUNTIME COMPONENT compiler LIBRARY COMPONENT library NAMELINK_COMPONENT development ARCHIVE COMPONENT development)
-foreach(folder runtime clip-table)
+foreach(folder runtime effect-runtime clip-table)
   install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc COMPONENT development FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE PATTERN effect_gl.h EXCLUDE
     PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN test_tables.h EXCLUDE PATTERN json.h EXCLUDE)
 endforeach()
@@ -28,7 +29,7 @@ install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/
 # Programs of this build, like the examples, write <clipc/runtime/table.h> as others do: links stand where an installation has copies.
 set(headers ${clipc_BINARY_DIR}/include/clipc)
 file(MAKE_DIRECTORY ${headers})
-foreach(header runtime clip-table compiler/clipc.h compiler/clipc.hpp)
+foreach(header runtime effect-runtime clip-table compiler/clipc.h compiler/clipc.hpp)
   cmake_path(GET header FILENAME name)
   file(CREATE_LINK ${clipc_SOURCE_DIR}/${header} ${headers}/${name} COPY_ON_ERROR SYMBOLIC)
 endforeach()
@@ -50,7 +51,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/ClipcShaders.cmake)
 # clipc's code needs the library of C++, which the linker of a project in C does not add.
 get_property(clipc_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
 if(NOT CXX IN_LIST clipc_languages)
-  foreach(clipc_target clip_table runtime runtime_gl compiler)
+  foreach(clipc_target clip_table runtime runtime_gl effect_runtime compiler)
     if(TARGET clipc::${clipc_target})
       set_property(TARGET clipc::${clipc_target} APPEND PROPERTY INTERFACE_LINK_LIBRARIES stdc++ m)
     endif()
@@ -85,3 +86,5 @@ clipc_pkg_config(clipc "HLSL vertex shaders with clip planes to GLSL" "-lclipc")
 clipc_pkg_config(clipc-runtime "what draws with the shaders that clipc compiled" "-lclipc_runtime -lclipc_clip_table -lstdc++ -lm")
 clipc_pkg_config(clipc-runtime-gl "clipc-runtime on OpenGL"
   "-lclipc_runtime_gl -lclipc_runtime -lclipc_clip_table -lstdc++ -lm")
+clipc_pkg_config(clipc-effect-runtime "what draws with the effects that clipc compiled, on OpenGL"
+  "-lclipc_effect_runtime -lclipc_runtime_gl -lclipc_runtime -lclipc_clip_table -lstdc++ -lm")

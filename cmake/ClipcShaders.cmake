@@ -38,7 +38,7 @@
 #     [DEFINES A B=1] [OPTIONS --lower=clip-distance ...])
 #
 # compiles every pass of an effect whenever the effect or a file that it includes has changed. The target gets an include folder with
-# NAME.effect.h: static const clipc_gl_effect_table NAME_effect, for runtime/gl/effect.h.
+# NAME.effect.h: static const clipc_gl_effect_table NAME_effect, for effect-runtime/effect.h.
 #
 # The compiler is CLIPC_EXECUTABLE if that is set, as when cross-compiling; else that of this build or of the installed package.
 

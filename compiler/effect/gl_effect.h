@@ -13,8 +13,8 @@
 #include "compiler/effect/gl_sampling.h"
 #include "compiler/effect/gl_states.h"
 
-// An effect for OpenGL: the clipc_gl_effect_table of runtime/gl/effect.h as a value. Numbers count
-// in the lists of GlEffect.
+// An effect for OpenGL: the clipc_gl_effect_table of effect-runtime/effect.h as a value. Numbers
+// count in the lists of GlEffect.
 namespace clipc {
 
 struct GlRange {

@@ -91,7 +91,7 @@ class HeaderPrinter {
   std::string Print(const GlEffect& effect) && {
     const std::string guard = "CLIPC_EFFECT_" + ToUpper(name_);
     Add("/* Made by clipc --effect. */\n#ifndef {0}\n#define {0} 1\n\n"
-        "#include <clipc/runtime/gl/effect.h>\n\n",
+        "#include <clipc/effect-runtime/effect.h>\n\n",
         guard);
     for (std::size_t i = 0; i < effect.parameters.size(); ++i)
       AddValue(i, effect.parameters[i].value);

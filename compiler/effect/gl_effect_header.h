@@ -9,7 +9,7 @@
 namespace clipc {
 
 // The text of a C header with the effect as `static const clipc_gl_effect_table NAME`, for
-// runtime/gl/effect.h.
+// effect-runtime/effect.h.
 std::string GlEffectHeader(const GlEffect& effect, std::string_view name);
 
 // The name for an effect of this file, "water.fx": water_effect.

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <clipc/effect-runtime/effect.h>
 #include <clipc/runtime/clip_plane.h>
-#include <clipc/runtime/gl/effect.h>
 #include <clipc/runtime/mirror.h>
 
 #include "tools/harness/camera.h"

@@ -13,7 +13,7 @@ VOCABULARY = "clip-table/vocabulary.h"
 LIBRARY = "compiler/clipc.hpp"  # what an application sees of the compiler
 # The headers of the runtime and the clip table are installed below include/clipc, and include each other by the way from one to
 # the other: an application's own runtime/status.h cannot stand for clipc's.
-INSTALLED = re.compile(r"(runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc\.hpp")
+INSTALLED = re.compile(r"(runtime|effect-runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc\.hpp")
 COMPILER = {
     "compiler",
     "compiler/compile",
@@ -114,6 +114,7 @@ ROOMS = {
         "compiler/effect",
     },
     "runtime": {"clip-table", VOCABULARY},
+    "effect-runtime": {"runtime"},
     "tools/harness": {"base", "runtime"},
     "tools/draw": {
         "base",
@@ -146,12 +147,12 @@ ROOMS = {
     },
     "study": {"runtime", "tools/harness", VOCABULARY, LIBRARY},
     "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
-    "tools/effects": {"runtime", "tools/harness"},
+    "tools/effects": {"effect-runtime", "tools/harness"},
     "tools/bench": {"compiler/compile", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "runtime", *COMPILER},
     "web/module": {"compiler", "compiler/compile", "link", "runtime"},
     "web/wasm": set(),
-    "examples": {"runtime", "tools/harness", LIBRARY},
+    "examples": {"runtime", "effect-runtime", "tools/harness", LIBRARY},
 }
 
 # A library's headers, and the files that may include them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Draws each effect of this folder through runtime/gl/effect.h and compares pixels with what the
-// comments at its head expect:
+// Draws each effect of this folder through effect-runtime/effect.h and compares pixels with what
+// the comments at its head expect:
 //   // DRAW Technique Pass     draws the quad with the pass, over what is drawn already
 //   // PIXEL x y = r g b a     the color there now; y counts from the top
 //   // SET Name = 1 2 3.5      sets a parameter to floats; SETI, to ints
@@ -22,7 +22,7 @@
 #include <gtest/gtest.h>
 
 #include "all.effect.h"
-#include "runtime/gl/effect.h"
+#include "effect-runtime/effect.h"
 #include "tools/harness/offscreen.h"
 
 namespace clipc {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "runtime/gl/effect.h"
+#include "effect-runtime/effect.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "effect-runtime/effect_gl.h"
 #include "runtime/c_interface.h"
 #include "runtime/gl/clip_switches.h"
-#include "runtime/gl/effect_gl.h"
 
 using namespace clipc::runtime;
 

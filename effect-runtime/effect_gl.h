@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../runtime/gl/functions.h"
 #include "effect.h"
-#include "functions.h"
 
 // The OpenGL functions that effects need, and the states of a pass. Private to effect.cpp and
 // effect_states.cpp.

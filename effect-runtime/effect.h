@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#ifndef CLIPC_RUNTIME_GL_EFFECT_H
-#define CLIPC_RUNTIME_GL_EFFECT_H 1
+#ifndef CLIPC_EFFECT_RUNTIME_EFFECT_H
+#define CLIPC_EFFECT_RUNTIME_EFFECT_H 1
 
-#include "clipc_runtime_gl.h"
+#include "../runtime/gl/clipc_runtime_gl.h"
 
 /** Effects on OpenGL 3.3 and OpenGL ES 3.0, for C99 and C++17: the programs, states, samplers and
  * parameters of an effect. It is a table of constants in the header that `clipc --effect -Fh FILE`
@@ -181,4 +181,4 @@ const clipc_gl_effect_plane* clipc_gl_effect_plane_of(const clipc_gl_effect* eff
 #endif
 /* NOLINTEND(readability-identifier-naming,modernize-*) */
 
-#endif /**< CLIPC_RUNTIME_GL_EFFECT_H */
+#endif /**< CLIPC_EFFECT_RUNTIME_EFFECT_H */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <cstring>
 
-#include "runtime/gl/effect_gl.h"
+#include "effect-runtime/effect_gl.h"
 
 namespace clipc::runtime::gl {
 namespace {
