@@ -20,11 +20,21 @@ endif()
 if(NOT WIN32)
   install(FILES ${packaging}/clipc.bash DESTINATION share/bash-completion/completions RENAME clipc COMPONENT compiler)
 endif()
-install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md ${clipc_SOURCE_DIR}/CONTRIBUTING.md DESTINATION ${doc}
-  COMPONENT compiler)
+install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md DESTINATION ${doc} COMPONENT compiler)
 install(FILES ${clipc_SOURCE_DIR}/LICENSE DESTINATION ${doc} COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/docs/ DESTINATION ${doc}/docs COMPONENT compiler
-  FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png)
+  FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png
+  PATTERN architecture.md EXCLUDE PATTERN testing.md EXCLUDE PATTERN decisions EXCLUDE)  # for contributors
+# The pages of diagnostics have what the program says about each example, where it runs here.
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_Interpreter_FOUND)
+  set(program)
+  if(TARGET clipc AND NOT CMAKE_CROSSCOMPILING)
+    set(program "\"$<TARGET_FILE:clipc>\"")
+  endif()
+  install(CODE "execute_process(COMMAND \"${Python3_EXECUTABLE}\" \"${clipc_SOURCE_DIR}/tools/checks/diagnostic_pages.py\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${doc}/docs/diagnostics\" ${program} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT compiler)
+endif()
 install(FILES ${clipc_SOURCE_DIR}/study/speed-accuracy.svg DESTINATION ${doc}/study COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/compute
   ${clipc_SOURCE_DIR}/examples/embed DESTINATION ${doc}/examples COMPONENT compiler)

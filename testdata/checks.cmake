@@ -18,7 +18,8 @@ add_test(NAME recipes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/ch
 add_test(NAME sources COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_sources.py)
 add_test(NAME fail_names COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/check_fail_names.py ${CMAKE_CURRENT_SOURCE_DIR})
 add_test(NAME diagnostics COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_diagnostics.py --coverage)
-add_test(NAME explanations COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_diagnostics.py --explanations $<TARGET_FILE:clipc>)
+add_test(NAME explanations COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_diagnostics.py --explanations $<TARGET_FILE:clipc>
+  --pages ${CMAKE_CURRENT_BINARY_DIR}/diagnostics)
 add_test(NAME outside_project COMMAND ${CMAKE_COMMAND} -DBUILD=${clipc_BINARY_DIR}
   -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/outside_project -DGENERATOR=${CMAKE_GENERATOR} -DCOMPILER=${CMAKE_CXX_COMPILER}
   -DC_COMPILER=${CMAKE_C_COMPILER} -DNM=${CMAKE_NM}
