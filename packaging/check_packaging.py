@@ -68,10 +68,21 @@ def messages(clipc, scratch):
     assert place["artifactLocation"]["uri"] == "s.hlsl" and place["region"]["startLine"] == 2
 
 
+def workflows():
+    """The commands of the workflows that are this repository's are there."""
+    for file in sorted((ROOT / ".github/workflows").glob("*.yml")):
+        commands = re.findall(r"^ *- run: (\S+)", file.read_text(), re.M)
+        for command in commands:
+            if command.startswith(("./", ".ci/", "packaging/")):
+                assert (ROOT / command).is_file(), f"{file.name}: there is no {command}"
+        assert commands, file
+
+
 def main():
     clipc, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
     scratch.mkdir(parents=True, exist_ok=True)
     recipes()
+    workflows()
     messages(clipc, scratch)
     print("the recipes and the messages fit")
 

@@ -18,8 +18,16 @@ fail() {
 }
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
 
-echo "-- packages"
-(cd "$build" && cpack -G DEB -B "$scratch" && cpack -G TGZ -B "$scratch") >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+echo "-- packages, twice the same bytes"
+SOURCE_DATE_EPOCH=$(date +%s)
+export SOURCE_DATE_EPOCH
+for folder in "$scratch" "$scratch/again"; do
+  (cd "$build" && cpack -G DEB -B "$folder" && cpack -G TGZ -B "$folder") >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+done
+for package in "$scratch"/*.deb "$scratch"/*.tar.gz; do
+  cmp "$package" "$scratch/again/${package##*/}" || fail "${package##*/} has other bytes the second time"
+done
+rm -rf "$scratch/again"
 debs=("$scratch"/{clipc,libclipc1,libclipc-dev,clipc-study}_*.deb)
 [ -f "${debs[3]}" ] || fail "expected four packages, got ${debs[*]}"
 
@@ -30,6 +38,11 @@ echo "-- licences of what is linked in"
 dpkg-deb -x "$scratch"/clipc_*.deb "$scratch/program"
 for name in libclang llvm glslang spirv-tools libfmt nlohmann-json3 libstdc++ libc6; do
   compgen -G "$scratch/program/usr/share/doc/clipc/linked/$name*" >/dev/null || fail "no licence of $name"
+done
+
+packaging/describe_release.py "$scratch" "$(dpkg-deb --field "${debs[0]}" Version)"
+for name in "$scratch"/program/usr/share/doc/clipc/linked/*; do
+  grep -q "pkg:deb/debian/${name##*/}@" "$scratch"/clipc-*.spdx.json || fail "the list of what is linked lacks ${name##*/}"
 done
 
 echo "-- what a start and a shader cost"
