@@ -50,6 +50,8 @@ if(TARGET clipc)
       ${clipc_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/reference)
   endif()
 endif()
+add_test(NAME fetch_content COMMAND ${CMAKE_COMMAND} -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/fetch_content
+  -DCOMPILER=${CMAKE_CXX_COMPILER} -P ${clipc_SOURCE_DIR}/cmake/test_fetch_content.cmake)
 add_test(NAME elsewhere COMMAND ${CMAKE_COMMAND} -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/elsewhere -DGENERATOR=${CMAKE_GENERATOR}
   -DCOMPILER=${CMAKE_CXX_COMPILER} -P ${clipc_SOURCE_DIR}/cmake/test_elsewhere.cmake)
 add_test(NAME update_checks COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/update_checks_test.py ${FILECHECK})

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# FetchContent makes clipc a part of a project: configures cmake/fetch_content with a mirror of this repository, and looks for the
+# shader's command among those of the build. To compile clipc there would take as long as the build that has this test.
+#   cmake -DSCRATCH= -DCOMPILER= -P test_fetch_content.cmake
+find_program(git git REQUIRED)
+file(REMOVE_RECURSE ${SCRATCH})
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
+# The lines of the page are those of the project.
+file(READ ${root}/docs/cmake.md page)
+file(STRINGS ${root}/cmake/fetch_content/CMakeLists.txt lines)
+foreach(line IN LISTS lines)
+  if(line MATCHES "^(include|set|list|FetchContent_Make)")
+    string(FIND "${page}" "\n${line}\n" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "docs/cmake.md lacks `${line}`")
+    endif()
+  endif()
+endforeach()
+# run(VARIABLE COMMAND...): runs it and sets what it printed.
+function(run variable)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE said ERROR_VARIABLE mistakes RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${status}\n${said}${mistakes}")
+  endif()
+  set(${variable} "${said}" PARENT_SCOPE)
+endfunction()
+set(safe -c safe.directory=*)
+run(ignored ${git} ${safe} clone --quiet --bare ${root} ${SCRATCH}/mirror)
+run(commit ${git} ${safe} -C ${SCRATCH}/mirror rev-parse HEAD)
+string(STRIP "${commit}" commit)
+run(ignored ${CMAKE_COMMAND} -S ${root}/cmake/fetch_content -B ${SCRATCH}/build -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
+  -DMIRROR=file://${SCRATCH}/mirror -DTAG=${commit})
+run(commands ninja -C ${SCRATCH}/build -t commands application)
+foreach(wanted "bin/clipc" "examples/first/water.hlsl" "clipc_runtime")
+  string(FIND "${commands}" "${wanted}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "no command has `${wanted}`:\n${commands}")
+  endif()
+endforeach()
+file(REMOVE_RECURSE ${SCRATCH})
