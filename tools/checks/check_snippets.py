@@ -9,6 +9,7 @@ A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 - a block of `hlsl` is compiled, or after "where `NAME` is" it is the file of that name, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
 - a block of `c`, `cpp` or `cmake`, the N-th block of the page, is put into tools/checks/snippets/PAGE.N.LANGUAGE.in and compiled, or
   configured with an installed clipc;
+- a block of `cpp FILE` and the like is a part of that file, but for its indentation; a test of its own builds the file;
 - a block of `json` is JSON; a manifest is `shaders.json`, and a reflection is that of the `hlsl` before it;
 - a block of `js` is JavaScript, where there is node; the tests `web.*` run what it shows;
 - a block of `console`, and a table of options, show what is printed: transcripts.py;
@@ -35,6 +36,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SNIPPETS = ROOT / "tools/checks/snippets"
 NAMED = re.compile(r"where\s`(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+EXCERPT = re.compile(r"^```\w+ (\S+)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^    (\S.*)$", re.M)
 INLINE = re.compile(
     r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|study|examples|packaging)/[^\s`]+) [^`\n]+)`"
@@ -272,6 +274,14 @@ def check_lines(run, page):
             run.count += 1
 
 
+def check_excerpts(run, page):
+    bare = lambda text: "\n".join(line.strip() for line in text.strip().splitlines())
+    for file, excerpt in EXCERPT.findall(page.read_text()):
+        if bare(excerpt) not in bare((ROOT / file).read_text()):
+            run.problems.append(f"{page.name}: {file} does not have\n{excerpt}")
+        run.count += 1
+
+
 def check_inputs(run, page, folder):
     """Each GLSL input of the table is matched: clipc gives the output the input's name."""
     text = page.read_text()
@@ -300,7 +310,8 @@ def check_inputs(run, page, folder):
 
 
 def check_page(run, page):
-    text = page.read_text()
+    check_excerpts(run, page)
+    text = EXCERPT.sub("", page.read_text())
     folder = run.folder(page)
     glsl, named = "", {block: name for name, block in NAMED.findall(text)}
     for name, block in NAMED.findall(text):
