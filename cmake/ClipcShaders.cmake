@@ -10,7 +10,8 @@
 #     [PIXEL_SHADER water.ps.hlsl [PIXEL_ENTRY main]]  # the pixel shader that it must fit
 #     [PAIR]                     # write the pixel shader too; PIXEL_ENTRY without PIXEL_SHADER, of the same file, asks for that
 #     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
-#     [REFLECT]                  # NAME.reflect.json too
+#     [REFLECT [json] [h]]       # the reflection too: NAME.reflect.json, without a word or for json; NAME.reflect.h, structs for C and C++
+#     [STRUCT_PREFIX Gpu]        # with REFLECT h: what the names of these structs begin with
 #     [SPIRV]                    # NAME.spv and NAME.spv.h too; the GLSL is Vulkan's unless TARGET is another, then it is SPIR-V for OpenGL
 #     [VARIANTS n]               # one shader for each number of planes from 0 to n, which is no more than the shader has
 #     [DEFINES A B=1] [OPTIONS --flip-y ...])
@@ -62,9 +63,16 @@ function(clipc_find_compiler variable)
 endfunction()
 
 function(clipc_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT;SPIRV;PAIR" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  set(flags SPIRV PAIR)
+  set(single SHADER NAME ENTRY PROFILE LOWER TARGET FRAGMENT PIXEL_SHADER PIXEL_ENTRY TABLE VARIANTS STRUCT_PREFIX)
+  set(several DEFINES OPTIONS REFLECT)
+  cmake_parse_arguments(PARSE_ARGV 1 shader "${flags}" "${single}" "${several}")
   if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
-    message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
+    list(JOIN flags ", " flags)
+    list(JOIN single ", " single)
+    list(JOIN several " and " several)
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`? "
+      "It has ${single}, ${flags}, ${several}")
   endif()
   clipc_find_compiler(compiler)
 
@@ -137,14 +145,23 @@ function(clipc_add_shader target)
     list(APPEND arguments --fragment=${shader_FRAGMENT})
     list(TRANSFORM stems APPEND .frag OUTPUT_VARIABLE fragment)
   endif()
+  if("REFLECT" IN_LIST shader_KEYWORDS_MISSING_VALUES)
+    set(shader_REFLECT json)
+  endif()
   set(reflection)
-  if(shader_REFLECT)
-    set(reflection ${folder}/${shader_NAME}.reflect.json)
-    list(APPEND arguments --reflect=${reflection})
+  foreach(form IN LISTS shader_REFLECT)
+    if(NOT form MATCHES "^(json|h)$")
+      message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): REFLECT ${form} is not a form of the reflection; it is json or h")
+    endif()
+    list(APPEND reflection ${folder}/${shader_NAME}.reflect.${form})
+    list(APPEND arguments --reflect=${folder}/${shader_NAME}.reflect.${form})
+  endforeach()
+  if(shader_STRUCT_PREFIX)
+    list(APPEND arguments --struct-prefix=${shader_STRUCT_PREFIX})
   endif()
 
   set(spirv_arguments ${arguments})
-  list(FILTER spirv_arguments EXCLUDE REGEX "^--reflect=|^--fragment=|^--pixel-output=")
+  list(FILTER spirv_arguments EXCLUDE REGEX "^--(reflect|struct-prefix|fragment|pixel-output)=")
   if(shader_PAIR)
     list(APPEND spirv_arguments --pixel-output=${folder}/${shader_NAME}.frag.spv)
   endif()
@@ -154,8 +171,6 @@ function(clipc_add_shader target)
     list(APPEND spirv_arguments --pixel-shader=${shader_PIXEL_SHADER})
   endif()
 
-  # clipc writes one form of the table at a time; it warns the first time.
-  set(compile ${compiler} ${source} -o ${glsl} ${arguments} ${shader_OPTIONS})
   set(tables ${folder}/${shader_NAME}.clip.h)
   if(shader_TABLE AND NOT shader_TABLE MATCHES "^[.]")
     set(shader_TABLE .${shader_TABLE})
@@ -166,13 +181,10 @@ function(clipc_add_shader target)
   list(TRANSFORM tables PREPEND --table= OUTPUT_VARIABLE table_options)
   if(NOT stage STREQUAL "vert")
     set(tables)
-    set(table_options -MD)
+    set(table_options)
   endif()
-  set(commands)
-  foreach(option IN LISTS table_options)
-    list(APPEND commands COMMAND ${compile} ${option} -MD -MF ${header}.d -MT ${header})
-    list(APPEND compile -w)
-  endforeach()
+  set(commands COMMAND ${compiler} ${source} -o ${glsl} ${arguments} ${shader_OPTIONS} ${table_options}
+    -MD -MF ${header}.d -MT ${header})
   set(spirv)
   if(shader_SPIRV)
     set(spirv ${folder}/${shader_NAME}.spv.h ${folder}/${shader_NAME}.spv)

@@ -52,6 +52,10 @@ if(FRAGMENT)
   add_constant(${NAME}_frag "${FRAGMENT}")
 endif()
 if(SPIRV)
+  # That file may be included by itself too.
+  cmake_path(REPLACE_FILENAME HEADER ${NAME}.spv.h OUTPUT_VARIABLE words)
+  file(READ ${words} text)
+  file(WRITE ${words} "#pragma once\n${text}")
   string(APPEND out "\n#include \"${NAME}.spv.h\"\n")
 endif()
 string(APPEND out "

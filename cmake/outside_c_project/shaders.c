@@ -6,8 +6,9 @@
 
 #include "variants.shader.h"
 #include "water.clip.h"
-#include "water.layout.h"
+#include "water.reflect.h"
 #include "water.shader.h"
+#include "water.spv.h"
 
 int main(void) {
   char message[CLIPC_MESSAGE_SIZE];
