@@ -2,12 +2,14 @@
 #include "runtime/edge_error.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
+
+#include "runtime/vertex_rounding.h"
 
 namespace clipc::runtime {
 namespace {
+
+using namespace rounding;
 
 // The most places. Up to kFewPlaces, each place has all directions; with more, each has a fourth of
 // them, in turn.
@@ -17,210 +19,34 @@ constexpr std::size_t kEdges = std::max(kFewPlaces, kPlaces / kTurns) * kDirecti
 constexpr double kGoldenAngle = 2.399963229728653;  // of a turn, in radians: fills circles evenly
 constexpr double kLeastSine = 0.05;                 // 3 degrees
 
-constexpr std::uint64_t kExponent = 0x7ff0'0000'0000'0000, kMantissa = 0x000f'ffff'ffff'ffff;
-// The largest power of two that is not above |x|, or that of float's least normal number. The
-// functions of <cmath> for exponents take most of a prediction's time.
-double PowerOf(double x) {
-  return std::max(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kExponent), 0x1p-126);
-}
-// The variance of the error that rounding a number of this size to float adds, evenly over half a
-// unit in the last place; none for 0.
-double Rounding(double x) {
-  if (x == 0) return 0;
-  const double half_unit = PowerOf(x) * 0x1p-24;
-  return half_unit * half_unit / 3;
-}
-// Whether `x` is a power of two, which float holds and multiplies without rounding.
-bool IsExact(double x) {
-  return x != 0 && std::isfinite(x) && (std::bit_cast<std::uint64_t>(x) & kMantissa) == 0;
-}
-// The variance that rounding adds to the sum of two floats; none where one of them is 0.
-double RoundingOfSum(double a, double b) { return a == 0 || b == 0 ? 0 : Rounding(a + b); }
-double RoundingOfConstant(double x) { return IsExact(x) ? 0 : Rounding(x); }
-
-struct Vector4 {
-  double c[4];
-};
-Vector4 Transform(const Vector4& v, const Matrix& m) {
-  Vector4 to = {};
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) to.c[j] += v.c[i] * m.m[i][j];
-  }
-  return to;
-}
-// The slopes of a number by the coordinates before `m`, from its slopes by those after it.
-Vector4 Before(const Matrix& m, const Vector4& slopes) {
-  Vector4 before = {};
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) before.c[i] += m.m[i][j] * slopes.c[j];
-  }
-  return before;
-}
-Vector4 RowOf(const Matrix& m, int i) { return {{m.m[i][0], m.m[i][1], m.m[i][2], m.m[i][3]}}; }
-
-bool IsSameInFloat(const Matrix& m, int row) {
-  return static_cast<float>(m.m[row][2]) == static_cast<float>(m.m[row][3]);
-}
-
-// The variance of slopes.c[2] * z + slopes.c[3] * w where z and w are rounded. Two numbers of one
-// binade differ after rounding by one of the two multiples of its unit that are next to what they
-// differ by.
-double OfPair(double z, double w, const Vector4& slopes) {
-  const double of_z = slopes.c[2] * slopes.c[2], of_w = slopes.c[3] * slopes.c[3];
-  if (z == 0 || w == 0 || PowerOf(z) != PowerOf(w)) return of_z * Rounding(z) + of_w * Rounding(w);
-  const double unit = PowerOf(z) * 0x1p-23, units = std::fabs(z - w) / unit;
-  const double part = units - std::floor(units), both = slopes.c[2] + slopes.c[3];
-  return both * both * Rounding(w) + std::min(of_z, of_w) * part * (1 - part) * unit * unit;
-}
-
-// The variance that rounding the elements of `m` adds to a number that depends on v * m by
-// `slopes`. Elements of z and w that are the same, as under an infinite projection, have one error.
-double OfElements(const Vector4& v, const Matrix& m, const Vector4& slopes) {
-  double sum = 0;
-  for (int i = 0; i < 4; ++i) {
-    const bool is_same = IsSameInFloat(m, i);
-    // The difference of the z and w elements is lost.
-    const double lost = is_same ? v.c[i] * slopes.c[2] * (m.m[i][2] - m.m[i][3]) : 0;
-    sum += lost * lost;
-    for (int j = 0; j < 2; ++j) {
-      const double slope = v.c[i] * slopes.c[j];
-      sum += slope * slope * RoundingOfConstant(m.m[i][j]);
-    }
-    const double z = m.m[i][2], w = m.m[i][3], both = slopes.c[2] + slopes.c[3];
-    const Vector4 of_pair = {{0, 0, IsExact(z) ? 0 : slopes.c[2], IsExact(w) ? 0 : slopes.c[3]}};
-    sum +=
-        v.c[i] * v.c[i] * (is_same ? both * both * RoundingOfConstant(w) : OfPair(z, w, of_pair));
-  }
-  return sum;
-}
-
-// The variance that the operations of v * m add; `m` is in float.
-double OfOperations(const Vector4& v, const Matrix& m, const Vector4& slopes) {
-  double sum = 0;
-  int alike = 0;  // the rows up to which z and w are sums of the same products
-  while (alike < 4 && IsSameInFloat(m, alike)) ++alike;
-  double partial[4] = {};
-  for (int i = 0; i < 4; ++i) {
-    double rounded[4], sums[4];
-    bool is_rounded[4];
-    for (int j = 0; j < 4; ++j) {
-      const double product = v.c[i] * m.m[i][j];
-      rounded[j] = IsExact(v.c[i]) || IsExact(m.m[i][j]) ? 0 : Rounding(product);
-      sums[j] = partial[j] + product;
-      is_rounded[j] = RoundingOfSum(partial[j], product) > 0;
-      partial[j] = sums[j];
-    }
-    for (int j = 0; j < 2; ++j) {
-      const double size = rounded[j] + (is_rounded[j] ? Rounding(sums[j]) : 0);
-      sum += slopes.c[j] * slopes.c[j] * size;
-    }
-    const double both = slopes.c[2] + slopes.c[3];
-    if (i < alike) {
-      sum += both * both * (rounded[3] + (is_rounded[3] ? Rounding(sums[3]) : 0));
-      continue;
-    }
-    sum += slopes.c[2] * slopes.c[2] * rounded[2] + slopes.c[3] * slopes.c[3] * rounded[3];
-    sum += OfPair(is_rounded[2] ? sums[2] : 0, is_rounded[3] ? sums[3] : 0, slopes);
-  }
-  return sum;
-}
-
-// The matrix as the shader or the application has it in float.
-Matrix InFloat(const Matrix& matrix) {
-  Matrix rounded;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j)
-      rounded.m[i][j] = static_cast<double>(static_cast<float>(matrix.m[i][j]));
-  }
-  return rounded;
-}
-
-class Shader {
+// The distance that a shader computes, and its errors as above.
+class ShaderDistance {
  public:
-  explicit Shader(const DistanceArithmetic& arithmetic) : arithmetic_(arithmetic) {
+  explicit ShaderDistance(const DistanceArithmetic& arithmetic)
+      : arithmetic_(arithmetic), chain_(arithmetic) {
     const Plane& c = arithmetic.constant;
-    slopes_[arithmetic.count] =
-        arithmetic.is_xyw1 ? Vector4{{c.x, c.y, 0, c.z}} : Vector4{{c.x, c.y, c.z, c.w}};
+    last_ = arithmetic.is_xyw1 ? Vector4{{c.x, c.y, 0, c.z}} : Vector4{{c.x, c.y, c.z, c.w}};
+    slopes_ = chain_.SlopesOf(last_);
     constant_[0] = c.x, constant_[1] = c.y, constant_[2] = c.z, constant_[3] = c.w;
-    for (int k = arithmetic.count; k > 0; --k)
-      slopes_[k - 1] = Before(arithmetic.matrices[k - 1], slopes_[k]);
-    for (int k = 0; k < arithmetic.count; ++k) {
-      in_float_[k] = InFloat(arithmetic.matrices[k]);
-      products_[k] = k == 0 ? in_float_[k] : Multiply(products_[k - 1], in_float_[k]);
-    }
-    for (int k = arithmetic.count; k-- > 0;)
-      rests_[k] = k + 1 == arithmetic.count ? in_float_[k] : Multiply(in_float_[k], rests_[k + 1]);
   }
 
   // The distance, but for a part that is the same at every place.
-  double ValueAt(const double (&place)[3]) const { return ValueOf(Last(place)); }
-  // The variances of the error of the distance: of the part that all vertices share, from
-  // constants, and of the part that each vertex has of its own, from the shader's operations.
-  double SharedAt(const double (&place)[3]) const { return VarianceAt<true>(place); }
-  double OwnAt(const double (&place)[3]) const { return VarianceAt<false>(place); }
-
- private:
-  template <bool kShared>
-  double VarianceAt(const double (&place)[3]) const {
+  double ValueAt(const double (&place)[3]) const {
+    const Vector4 v = chain_.Last(place);
     double sum = 0;
-    const int count = arithmetic_.count;
-    const bool is_product = arithmetic_.product != FloatProduct::kNone;
-    const Vector4 vertex = {{place[0], place[1], place[2], 1}};
-    Vector4 v = vertex;
-    for (int k = 0; k < count; ++k) {
-      const Matrix& matrix = arithmetic_.matrices[k];
-      if (!kShared && !is_product) sum += OfOperations(v, in_float_[k], slopes_[k + 1]);
-      if (kShared) {
-        sum += OfElements(v, matrix, slopes_[k + 1]);
-        if (arithmetic_.product == FloatProduct::kFromLeft && k > 0)
-          sum += OfProduct(vertex, products_[k - 1], in_float_[k], slopes_[k + 1]);
-        if (arithmetic_.product == FloatProduct::kFromRight && k + 1 < count)
-          sum += OfProduct(v, in_float_[k], rests_[k + 1], slopes_[count]);
-      }
-      v = Transform(v, matrix);
-    }
-    if (!kShared && is_product && count > 0)
-      sum += OfOperations(vertex, products_[count - 1], slopes_[count]);
-    return sum + (kShared ? SharedOfDot(v) : OwnOfDot(v));
-  }
-
-  Vector4 Last(const double (&place)[3]) const {
-    Vector4 v = {{place[0], place[1], place[2], 1}};
-    for (int k = 0; k < arithmetic_.count; ++k) v = Transform(v, arithmetic_.matrices[k]);
-    return v;
-  }
-  double ValueOf(const Vector4& v) const {
-    double sum = 0;
-    for (int j = 0; j < 4; ++j) sum += v.c[j] * slopes_[arithmetic_.count].c[j];
+    for (int j = 0; j < 4; ++j) sum += v.c[j] * last_.c[j];
     return sum;
   }
-  // The variance from multiplying two matrices, where `v` is multiplied by the first, and the
-  // distance depends by `slopes` on the result.
-  static double OfProduct(const Vector4& v, const Matrix& first, const Matrix& second,
-                          const Vector4& slopes) {
-    double sum = 0;
-    for (int i = 0; i < 4; ++i) {
-      Vector4 of_row = slopes;
-      for (double& slope : of_row.c) slope *= v.c[i];
-      sum += OfOperations(RowOf(first, i), second, of_row);
-    }
-    return sum;
-  }
-  // The numbers that the constant is dotted with.
-  Vector4 Operand(const Vector4& v) const {
-    return arithmetic_.is_xyw1 ? Vector4{{v.c[0], v.c[1], v.c[3], 1}} : v;
-  }
-  // The variances from the dot product with the constant.
-  double SharedOfDot(const Vector4& v) const {
-    const Vector4 operand = Operand(v);
-    double sum = 0;
+  double SharedAt(const double (&place)[3]) const {
+    const Vector4 operand = OperandAt(place);
+    double sum = chain_.SharedAt(place, slopes_);
     for (int j = 0; j < 4; ++j)
       sum += operand.c[j] * operand.c[j] * RoundingOfConstant(constant_[j]);
     return sum;
   }
-  double OwnOfDot(const Vector4& v) const {
-    const Vector4 operand = Operand(v);
-    double partial = 0, sum = 0;
+  double OwnAt(const double (&place)[3]) const {
+    const Vector4 operand = OperandAt(place);
+    double partial = 0, sum = chain_.OwnAt(place, slopes_);
     for (int j = 0; j < 4; ++j) {
       const double product = operand.c[j] * constant_[j], before = partial;
       partial += product;
@@ -230,12 +56,18 @@ class Shader {
     return sum;
   }
 
+ private:
+  // The numbers that the constant is dotted with.
+  Vector4 OperandAt(const double (&place)[3]) const {
+    const Vector4 v = chain_.Last(place);
+    return arithmetic_.is_xyw1 ? Vector4{{v.c[0], v.c[1], v.c[3], 1}} : v;
+  }
+
   const DistanceArithmetic& arithmetic_;
+  Chain chain_;
+  Vector4 last_;
+  Slopes slopes_;
   double constant_[4];
-  Vector4 slopes_[4] = {};  // of the distance, by the vector before each matrix and after the last
-  Matrix in_float_[3];      // each matrix
-  Matrix products_[3];      // of the matrices up to each, in float
-  Matrix rests_[3];         // of the matrices from each on, in float
 };
 
 struct Vector3 {
@@ -268,15 +100,22 @@ class View {
   double WAt(const Vector3& place) const {
     return projection_.m[2][3] * place.c[2] + projection_.m[3][3];
   }
+  // The slopes of a place's pixels, across and up, by the clip-space position that it has.
+  void SlopesAt(const Vector3& place, Vector4 (&slopes)[2]) const {
+    const double w = WAt(place), halves[2] = {half_width_, half_height_};
+    for (int j = 0; j < 2; ++j) {
+      slopes[j] = {};
+      slopes[j].c[j] = halves[j] / w;
+      slopes[j].c[3] = -halves[j] * At(place, j) / (w * w);
+    }
+  }
   // The number of pixels that a place moves by in the image when it moves by `direction`.
   double PixelsOf(const Vector3& place, const Vector3& direction) const {
     const double w = WAt(place), dw = projection_.m[2][3] * direction.c[2];
     double moved[2];
     for (int j = 0; j < 2; ++j) {
-      const double at =
-          place.c[j] * projection_.m[j][j] + place.c[2] * projection_.m[2][j] + projection_.m[3][j];
       const double by = direction.c[j] * projection_.m[j][j] + direction.c[2] * projection_.m[2][j];
-      moved[j] = (by - at / w * dw) / w;
+      moved[j] = (by - At(place, j) / w * dw) / w;
     }
     return std::hypot(moved[0] * half_width_, moved[1] * half_height_);
   }
@@ -294,6 +133,12 @@ class View {
   }
 
  private:
+  // The clip-space coordinate x or y of a place.
+  double At(const Vector3& place, int j) const {
+    return place.c[j] * projection_.m[j][j] + place.c[2] * projection_.m[2][j] +
+           projection_.m[3][j];
+  }
+
   Matrix projection_;
   double half_height_, half_width_;
   Vector3 to_object_[3] = {};
@@ -361,31 +206,96 @@ double Percentile99(const double* deviations, std::size_t count) {
   return number;
 }
 
+// The places of a cut that lie before the eye, as many as count.
+class Places {
+ public:
+  Places(const SeenDraw& draw, const View& view, const SeenCut& cut)
+      : draw_(draw), view_(view), cut_(cut), count_(std::min(cut.count, kPlaces)) {}
+
+  // Calls use(number, place in the object's space, place in view space) for each.
+  template <typename Use>
+  void ForEach(Use use) const {
+    for (std::size_t place = 0; place < count_; ++place) {
+      double at[3];
+      std::copy_n(cut_.places + 3 * (place * cut_.count / count_), 3, at);
+      Vector3 seen = {};
+      for (int j = 0; j < 3; ++j) {
+        seen.c[j] = draw_.world_view.m[3][j];
+        for (int i = 0; i < 3; ++i) seen.c[j] += at[i] * draw_.world_view.m[i][j];
+      }
+      if (view_.WAt(seen) > 0) use(place, at, seen);
+    }
+  }
+  int Stride() const { return count_ > kFewPlaces ? kTurns : 1; }
+
+ private:
+  const SeenDraw& draw_;
+  const View& view_;
+  const SeenCut& cut_;
+  std::size_t count_;
+};
+
+// The length of a place's displacement has the variance of this share of both coordinates'
+// together, as a normal number of the same 99th percentile has it.
+constexpr double kOfBoth = 0.69;
+// A cut lies between two vertices, where it takes a part of each one's own error.
+constexpr double kOfEach = 0.28;
+
+// The variance of the displacement of the surface's places in the image, in pixels; a place takes
+// this share of the error that a vertex there has of its own.
+double OfPosition(const Chain& chain, const View& view, const double (&at)[3], const Vector3& seen,
+                  double share) {
+  Vector4 slopes[2];
+  view.SlopesAt(seen, slopes);
+  double sum = 0;
+  for (const Vector4& each : slopes) {
+    const Slopes before = chain.SlopesOf(each);
+    sum += chain.SharedAt(at, before) + share * chain.OwnAt(at, before);
+  }
+  return kOfBoth * sum;
+}
+
 }  // namespace
 
-double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane,
-                   const Matrix& world_view, const Matrix& projection, const SeenCut& cut,
-                   double image_height, double sine) noexcept {
-  const Shader shader(arithmetic);
-  const View view(world_view, projection, image_height);
-  const Directions directions(view_plane, sine);
-  double deviations[kEdges];
+VertexArithmetic PositionArithmetic(const DrawMatrices& draw) noexcept {
+  VertexArithmetic arithmetic;
+  const auto add = [&](const Matrix& matrix) { arithmetic.matrices[arithmetic.count++] = matrix; };
+  switch (draw.order) {
+    case MatrixOrder::kWorldFirst:
+      add(draw.world), add(Multiply(draw.view, draw.projection));
+      break;
+    case MatrixOrder::kWorldViewFirst:
+      add(Multiply(draw.world, draw.view)), add(draw.projection);
+      break;
+    case MatrixOrder::kThreeMatrices:
+    case MatrixOrder::kFloatWorldView:
+    case MatrixOrder::kFloatViewProjection:
+      add(draw.world), add(draw.view), add(draw.projection);
+      arithmetic.product = draw.order == MatrixOrder::kFloatWorldView ? FloatProduct::kFromLeft
+                           : draw.order == MatrixOrder::kFloatViewProjection
+                               ? FloatProduct::kFromRight
+                               : FloatProduct::kNone;
+      break;
+    default: add(Multiply(Multiply(draw.world, draw.view), draw.projection));
+  }
+  return arithmetic;
+}
+
+EdgeDisplacement EdgeErrorOf(const DistanceArithmetic& arithmetic, const SeenDraw& draw,
+                             const SeenCut& cut, double image_height, double sine) noexcept {
+  const ShaderDistance shader(arithmetic);
+  const Chain position(draw.position);
+  const View view(draw.world_view, draw.projection, image_height);
+  const Directions directions(draw.view_plane, sine);
+  const Places places(draw, view, cut);
+  double along_surface[kEdges], of_vertices[kEdges], in_image[kEdges];
   std::size_t count = 0;
-  const std::size_t places = std::min(cut.count, kPlaces);
-  const int stride = places > kFewPlaces ? kTurns : 1;
-  for (std::size_t place = 0; place < places; ++place) {
-    double at[3];
-    std::copy_n(cut.places + 3 * (place * cut.count / places), 3, at);
-    Vector3 seen = {};
-    for (int j = 0; j < 3; ++j) {
-      seen.c[j] = world_view.m[3][j];
-      for (int i = 0; i < 3; ++i) seen.c[j] += at[i] * world_view.m[i][j];
-    }
-    if (!(view.WAt(seen) > 0)) continue;
+  places.ForEach([&](std::size_t place, const double(&at)[3], const Vector3& seen) {
     const double length = cut.edge * view.HalfImageAt(seen);
-    const double shared = shader.SharedAt(at);
-    for (int number = static_cast<int>(place % static_cast<std::size_t>(stride));
-         number < kDirections; number += stride) {
+    const double shared = shader.SharedAt(at),
+                 vertices = OfPosition(position, view, at, seen, 2 * kOfEach);
+    for (int number = static_cast<int>(place % static_cast<std::size_t>(places.Stride()));
+         number < kDirections; number += places.Stride()) {
       const Vector3 along = directions.At(number, static_cast<double>(place));
       const Vector3 half_edge = view.InObject(along);
       double own = 0, values[2];
@@ -395,13 +305,36 @@ double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane
         own += shader.OwnAt(vertex);
         values[end] = shader.ValueAt(vertex);
       }
-      // The cut lies between the ends, where it takes a part of each one's own error.
-      const double variance = shared + 0.28 * own;
       const double slope = std::fabs(values[1] - values[0]) / length;
-      deviations[count++] = std::sqrt(variance) / slope * view.PixelsOf(seen, along);
+      const double moved = std::sqrt(shared + kOfEach * own) / slope * view.PixelsOf(seen, along);
+      along_surface[count] = moved, of_vertices[count] = std::sqrt(vertices);
+      in_image[count++] = std::sqrt(moved * moved + vertices);
     }
-  }
-  return Percentile99(deviations, count);
+  });
+  return {Percentile99(along_surface, count), Percentile99(of_vertices, count),
+          Percentile99(in_image, count)};
+}
+
+EdgeDisplacement ClippedVertexErrorOf(const SeenDraw& draw, const SeenCut& cut,
+                                      double image_height) noexcept {
+  const Chain position(draw.position);
+  const View view(draw.world_view, draw.projection, image_height);
+  double along_surface[kPlaces], of_vertices[kPlaces], in_image[kPlaces];
+  std::size_t count = 0;
+  Places(draw, view, cut).ForEach([&](std::size_t, const double(&at)[3], const Vector3& seen) {
+    const double vertices = OfPosition(position, view, at, seen, 1);
+    double rounded = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector3 step;
+      for (int j = 0; j < 3; ++j) step.c[j] = draw.world_view.m[axis][j];
+      const double pixels = view.PixelsOf(seen, step);
+      rounded += kOfBoth * pixels * pixels * Rounding(at[axis]);
+    }
+    along_surface[count] = std::sqrt(rounded), of_vertices[count] = std::sqrt(vertices);
+    in_image[count++] = std::sqrt(rounded + vertices);
+  });
+  return {Percentile99(along_surface, count), Percentile99(of_vertices, count),
+          Percentile99(in_image, count)};
 }
 
 }  // namespace clipc::runtime

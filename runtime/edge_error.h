@@ -5,36 +5,44 @@
 
 #include "matrix.h"
 #include "plane_space.h"
+#include "vertex_rounding.h"
 
 /// The rounding errors of a vertex shader's float arithmetic, followed from the vertex to the cut.
 /// Not part of the public interface.
 namespace clipc::runtime {
 
-/// How the application multiplies the matrices with each other in float; kNone: not at all, the
-/// shader multiplies the vertex by one after the other.
-enum class FloatProduct {
-  kNone,
-  kFromLeft,   ///< (matrices[0] matrices[1]) matrices[2]
-  kFromRight,  ///< matrices[0] (matrices[1] matrices[2])
-};
+using rounding::FloatProduct;
+using rounding::VertexArithmetic;
 
-/// The way of a vertex to its distance from the plane: v * matrices[0] * matrices[1] ..., from left
-/// to right in float, dotted with the constant.
-struct DistanceArithmetic {
-  Matrix matrices[3];
-  int count = 0;
-  FloatProduct product = FloatProduct::kNone;  ///< the vertex is multiplied with it
-  bool is_xyw1 = false;                        ///< (x, y, w, 1) is dotted instead of (x, y, z, w)
+/// The way of a vertex to its distance from the plane: through the matrices, and dotted with the
+/// constant.
+struct DistanceArithmetic : VertexArithmetic {
+  bool is_xyw1 = false;  ///< (x, y, w, 1) is dotted instead of (x, y, z, w)
   Plane constant;
 };
 
-/// The 99th percentile of the distance in pixels between the cut and where it belongs, over random
-/// directions of the edges: those at an angle of `sine` to the plane, or all of 3 degrees and more
-/// for kAnySurface. To first order: each operation rounds by a random number of the size that
-/// rounding has there. `view_plane` has a unit normal; at most 256 places of the cut count.
-/// Infinity where no place lies before the eye.
-double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane,
-                   const Matrix& world_view, const Matrix& projection, const SeenCut& cut,
-                   double image_height, double sine) noexcept;
+/// What of a draw its errors depend on: `view_plane` has a unit normal, `position` is the way of a
+/// vertex to its position in the image.
+struct SeenDraw {
+  Plane view_plane;
+  Matrix world_view, projection;
+  VertexArithmetic position;
+};
+
+/// The way of a vertex to its position by the matrices of a draw.
+VertexArithmetic PositionArithmetic(const DrawMatrices& draw) noexcept;
+
+/// The displacements of a draw's edges, to first order: each operation rounds by a random number of
+/// the size that rounding has there. They are 99th percentiles in pixels over random directions of
+/// the edges: those at an angle of `sine` to the plane, or all of 3 degrees and more for
+/// kAnySurface. At most 256 places of the cut count. All are infinity where no place lies before
+/// the eye.
+EdgeDisplacement EdgeErrorOf(const DistanceArithmetic& arithmetic, const SeenDraw& draw,
+                             const SeenCut& cut, double image_height, double sine) noexcept;
+
+/// The same where the application clips in double: the cut is an edge between vertices, which are
+/// rounded to float in the object's own space.
+EdgeDisplacement ClippedVertexErrorOf(const SeenDraw& draw, const SeenCut& cut,
+                                      double image_height) noexcept;
 
 }  // namespace clipc::runtime

@@ -22,9 +22,12 @@ double ErrorOf(const DistanceArithmetic& arithmetic, const double (&normal)[3],
   Matrix world_view;
   for (int j = 0; j < 3; ++j) world_view.m[3][j] = (j == 2 ? 10 : 0) - places[j];
   const double length = std::hypot(normal[0], normal[1], normal[2]);
-  return EdgeErrorOf(arithmetic, {normal[0] / length, normal[1] / length, normal[2] / length, 0},
-                     world_view, PerspectiveCamera(0.1, 100).projection,
-                     {places.data(), places.size() / 3, 0.1}, 1080, kAnySurface);
+  const SeenDraw draw = {{normal[0] / length, normal[1] / length, normal[2] / length, 0},
+                         world_view,
+                         PerspectiveCamera(0.1, 100).projection,
+                         {}};
+  return EdgeErrorOf(arithmetic, draw, {places.data(), places.size() / 3, 0.1}, 1080, kAnySurface)
+      .along_surface;
 }
 
 // The shader dots one coordinate of v * matrix.

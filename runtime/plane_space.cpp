@@ -52,6 +52,9 @@ std::optional<Plane> Unit(const Plane& plane) {
   return Plane{scaled.x / length, scaled.y / length, scaled.z / length, scaled.w / length};
 }
 
+// The displacement of vertices, in roundings of half an image, by the reach.
+constexpr double kVertexFactor = 4.5;
+
 // The factors of e in the header's table.
 double PerspectiveLaw(PlaneSpace space, const Plane& n, const ProjectionShape& s, double reach) {
   const double py = std::fabs(s.py), off_centre = std::hypot(s.ox / s.e, s.oy / s.e);
@@ -79,28 +82,6 @@ double ReachOfWorld(const DrawMatrices& draw) {
   return w > 0 ? std::hypot(at[0], at[1], at[2]) * std::fabs(s.py) / (2 * w) : 0;
 }
 
-// Adds the matrices that the shader multiplies the vertex by, or the factors of a float product.
-void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
-  const auto add = [&](const Matrix& matrix) { to.matrices[to.count++] = matrix; };
-  switch (draw.order) {
-    case MatrixOrder::kWorldFirst:
-      add(draw.world), add(Multiply(draw.view, draw.projection));
-      return;
-    case MatrixOrder::kWorldViewFirst:
-      add(Multiply(draw.world, draw.view)), add(draw.projection);
-      return;
-    case MatrixOrder::kThreeMatrices:
-    case MatrixOrder::kFloatWorldView:
-    case MatrixOrder::kFloatViewProjection:
-      add(draw.world), add(draw.view), add(draw.projection);
-      to.product = draw.order == MatrixOrder::kFloatWorldView        ? FloatProduct::kFromLeft
-                   : draw.order == MatrixOrder::kFloatViewProjection ? FloatProduct::kFromRight
-                                                                     : FloatProduct::kNone;
-      return;
-    default: add(Multiply(Multiply(draw.world, draw.view), draw.projection));
-  }
-}
-
 // PredictEdgeError of a draw whose cut is not known: of an object around its own origin, which lies
 // where the world matrix puts it; 0 where there is no prediction.
 double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& draw,
@@ -122,6 +103,14 @@ double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& 
     }
     default: return own;
   }
+}
+
+// The displacement of the vertices of such an object in the image; 0 where there is no prediction.
+double VerticesOf(const DrawMatrices& draw, double image_height) {
+  using enum MatrixOrder;
+  const bool is_of_world = draw.order != kOneMatrix && draw.order != kWorldViewFirst;
+  const double reach = is_of_world ? std::max(kAroundOrigin, ReachOfWorld(draw)) : kAroundOrigin;
+  return 0x1p-24 * image_height / 2 * kVertexFactor * reach;
 }
 
 }  // namespace
@@ -155,6 +144,15 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                 const DrawMatrices& draw, const SeenCut& cut, double image_height,
                                 double sine) noexcept {
+  const auto all = PredictEdgeDisplacement(space, plane, known_in, draw, cut, image_height, sine);
+  if (!all.ok()) return all.status;
+  return all.value.along_surface;
+}
+
+Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& plane,
+                                                 KnownIn known_in, const DrawMatrices& draw,
+                                                 const SeenCut& cut, double image_height,
+                                                 double sine) noexcept {
   const Step in_view = InView(plane, known_in, draw);
   const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
   if (!constant.ok()) return constant.status;
@@ -163,13 +161,14 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn kn
   if (const auto law = PredictEdgeError(space, seen, draw.projection, image_height, sine);
       !law.ok())
     return law.status;
+  const SeenDraw seen_draw = {*Unit(seen), Multiply(draw.world, draw.view), draw.projection,
+                              PositionArithmetic(draw)};
   DistanceArithmetic arithmetic;
+  if (space != PlaneSpace::kObject) static_cast<VertexArithmetic&>(arithmetic) = seen_draw.position;
   arithmetic.constant = constant.value.plane;
   arithmetic.is_xyw1 = space == PlaneSpace::kXyw1;
-  if (space != PlaneSpace::kObject) AddMatrices(draw, arithmetic);
-  const double pixels = EdgeErrorOf(arithmetic, *Unit(seen), Multiply(draw.world, draw.view),
-                                    draw.projection, cut, image_height, sine);
-  if (!std::isfinite(pixels) || !(cut.edge > 0))
+  const EdgeDisplacement pixels = EdgeErrorOf(arithmetic, seen_draw, cut, image_height, sine);
+  if (!std::isfinite(pixels.in_image) || !(cut.edge > 0))
     return Status::Failure(Error::kInvalidArgument,
                            "no place of the cut lies before the eye, or its edges have no length");
   return pixels;
@@ -185,10 +184,14 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
   result.plane = constant.value;
   const Plane seen = Rounded(in_view.value);
   result.edge_error = PredictOf(space, seen, draw, image.height);
-  if (result.edge_error > image.most_pixels) {
+  if (result.edge_error > 0) result.vertex_error = VerticesOf(draw, image.height);
+  const double off = image.judged_in == JudgedIn::kImage
+                         ? std::hypot(result.edge_error, result.vertex_error)
+                         : result.edge_error;
+  if (off > image.most_pixels) {
     const Result<double> of_one_step = PredictEdgeError(space, seen, draw.projection, image.height);
     const char* const cure =
-        of_one_step.value < result.edge_error / 2
+        of_one_step.value < off / 2
             ? "; multiply its matrices in double, or let the world begin at the camera"
         : space != PlaneSpace::kClip ? ""
         : ShapeOf(draw.projection).is_perspective()
@@ -197,7 +200,7 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
     result.warning =
         Status::Failure(Error::kIllConditioned,
                         "plane space %s displaces the cut by about %.2g pixels of %g rows%s",
-                        NameOf(space), result.edge_error, image.height, cure);
+                        NameOf(space), off, image.height, cure);
   }
   return result;
 }

@@ -47,21 +47,32 @@ struct SeenCut {
   double edge = 0.1;  ///< the length of the triangles' edges, in half images
 };
 
+/// What the displacement of a cut is measured against.
+enum class JudgedIn : std::uint8_t {
+  kImage,    ///< its right place in the image: what one sees
+  kSurface,  ///< its right place on the surface as it is drawn, wherever its vertices are
+};
+
 /// The image that the draw goes to, in which errors are measured.
 struct Image {
   double height = 1080;      ///< rows of pixels
   double most_pixels = 0.5;  ///< the largest displacement of an edge without a warning, in pixels
+  JudgedIn judged_in = JudgedIn::kImage;  ///< what that displacement is
 };
 
 struct SpaceConstant {
   PlaneConstant plane;  ///< plane.constant is for the shader's constant buffer
-  /// PredictEdgeError of the space, in pixels, for an object around its own origin; 0 if there is
-  /// no prediction. Where DrawMatrices::order has the world's coordinates in float, it counts the
-  /// distance from the world's origin.
+  /// PredictEdgeError of the space, in pixels along the surface, for an object around its own
+  /// origin; 0 if there is no prediction. Where DrawMatrices::order has the world's coordinates in
+  /// float, it counts the distance from the world's origin.
   double edge_error = 0;
-  /// ok(), or kIllConditioned with a sentence if edge_error exceeds image.most_pixels. The
-  /// constant is then as good as the space allows, and another space is better.
+  /// ok(), or kIllConditioned with a sentence if the displacement exceeds image.most_pixels. The
+  /// constant is then as good as the space allows, and another space or order is better.
   Status warning;
+  /// How far float displaces the object's vertices in the image, in pixels, and the cut with them;
+  /// 0 if there is no prediction. With edge_error it makes sqrt(edge_error^2 + vertex_error^2) in
+  /// the image.
+  double vertex_error = 0;
 };
 
 /// The constant for plane space `space`: every float4 position p of that space (see PlaneSpace) has
@@ -83,7 +94,8 @@ inline constexpr double kAnySurface = 0.1;
 inline constexpr double kAroundOrigin = 0.5;
 
 /// The 99th percentile of the distance, in pixels, by which float arithmetic in the vertex shader
-/// displaces the edge that the plane cuts into a surface. `sine` is the sine of the angle between
+/// displaces the edge that the plane cuts into a surface, along the surface as it is drawn: the
+/// surface's own displacement is not in it. `sine` is the sine of the angle between
 /// surface and plane, 1 if they are perpendicular. With e = 2^-24 H/2 / sine of an image of H
 /// rows, the plane (N, Cw) with a unit normal, the elements of ProjectionShape, the reach R, o = 1
 /// + 2 |(ox, oy)|, K = |Nz - ox Nx/Px - oy Ny/Py| and t = 1 + 2 |(tx, ty)|:
@@ -116,15 +128,34 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
                                 double image_height, double sine = kAnySurface,
                                 double reach = kAroundOrigin) noexcept;
 
-/// The edge error of one draw, followed from its own matrices and places of its cut through each
-/// rounding of the shader to the image, which takes half a millisecond for 256 places, the most
-/// that count. `plane` is known in `known_in`. Tests in study/ compare it with __float128 over
-/// 10,000 draws of each order of matrices, up to 20 pixels, by which an edge is too short: what 20
-/// neighbouring views of a draw lose is 0.2 to 3 times it in all but a few (docs/study.md).
-/// Errors: as above, and those of PlaneConstantFor; kInvalidArgument unless a place of the cut lies
-/// before the eye and the edges have a length.
+/// The displacements of a cut's edge, in pixels: each is a 99th percentile.
+struct EdgeDisplacement {
+  double along_surface = 0;  ///< along the surface as it is drawn: PredictEdgeError
+  double of_vertices = 0;    ///< of the surface's places in the image, which take the cut with them
+  double in_image = 0;       ///< of the cut in the image: both together
+
+  double In(JudgedIn where) const noexcept {
+    return where == JudgedIn::kImage ? in_image : along_surface;
+  }
+};
+
+/// The edge error of one draw, along its surface, followed from its own matrices and places of its
+/// cut through each rounding of the shader to the image, which takes half a millisecond for 256
+/// places, the most that count. `plane` is known in `known_in`. Tests in study/ compare it with
+/// __float128 over 10,000 draws of each order of matrices, up to 20 pixels, by which an edge is too
+/// short: what 20 neighbouring views of a draw lose is 0.2 to 3 times it in all but a few
+/// (docs/laws.md). Errors: as above, and those of PlaneConstantFor; kInvalidArgument unless a
+/// place of the cut lies before the eye and the edges have a length.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                 const DrawMatrices& draw, const SeenCut& cut, double image_height,
                                 double sine = kAnySurface) noexcept;
+
+/// The same, and what the image shows of it: the position of a vertex goes through draw.order in
+/// float too. Far from the world's origin, space `object` keeps the cut where it belongs on the
+/// surface under every order, but the surface itself is displaced. Errors: as above.
+Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& plane,
+                                                 KnownIn known_in, const DrawMatrices& draw,
+                                                 const SeenCut& cut, double image_height,
+                                                 double sine = kAnySurface) noexcept;
 
 }  // namespace clipc::runtime

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -196,6 +197,55 @@ TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
   EXPECT_EQ(error(1080, 1, NAN), Error::kNotFinite);
   EXPECT_EQ(error(1080, 1, INFINITY), Error::kNotFinite);
   EXPECT_TRUE(PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, -1}, projection, 1080).ok());
+}
+
+// Far from the world's origin a rounded world-space vertex takes its cut with it: the surface is
+// displaced, and the cut keeps its place on it.
+TEST(PredictEdgeError, TellsTheSurfaceFromTheImage) {
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
+  const double offset[3] = {8000, -5000, 3300}, place[] = {0.3, -0.2, 0.1};
+  for (int i = 0; i < 3; ++i) {
+    draw.world.m[3][i] = offset[i] + (i == 2 ? 10 : 0);
+    draw.view.m[3][i] = -offset[i];
+  }
+  const Plane cut = {0.4, 0.5, 0.77, -7.7};
+  const auto error = [&](PlaneSpace space, MatrixOrder order) {
+    draw.order = order;
+    const auto all =
+        PredictEdgeDisplacement(space, cut, KnownIn::kView, draw, {place, 1, 0.1}, 1080);
+    EXPECT_TRUE(all.ok());
+    EXPECT_EQ(all.value.along_surface,
+              PredictEdgeError(space, cut, KnownIn::kView, draw, {place, 1, 0.1}, 1080).value);
+    EXPECT_EQ(all.value.In(JudgedIn::kSurface), all.value.along_surface);
+    EXPECT_EQ(all.value.In(JudgedIn::kImage), all.value.in_image);
+    EXPECT_GE(all.value.in_image, all.value.along_surface);
+    return all.value;
+  };
+  const EdgeDisplacement one = error(PlaneSpace::kObject, MatrixOrder::kOneMatrix);
+  EXPECT_LT(one.in_image, 0.001);
+  for (const MatrixOrder order : {MatrixOrder::kWorldFirst, MatrixOrder::kThreeMatrices}) {
+    const EdgeDisplacement object = error(PlaneSpace::kObject, order),
+                           xyw1 = error(PlaneSpace::kXyw1, order);
+    EXPECT_EQ(object.along_surface, one.along_surface);
+    EXPECT_GT(object.of_vertices, 0.05);
+    EXPECT_EQ(object.of_vertices, xyw1.of_vertices);
+    EXPECT_NEAR(object.in_image / object.of_vertices, 1, 0.01);
+    EXPECT_GT(xyw1.in_image, 2 * object.in_image);
+  }
+  // An application that judges by the surface is not warned of its vertices.
+  for (int i = 0; i < 3; ++i) draw.world.m[3][i] *= 100, draw.view.m[3][i] *= 100;
+  draw.world.m[3][2] = -draw.view.m[3][2] + 10, draw.order = MatrixOrder::kWorldFirst;
+  const auto constant = [&](JudgedIn judged_in) {
+    return PlaneConstantFor(PlaneSpace::kObject, cut, KnownIn::kView, draw, {1080, 0.5, judged_in})
+        .value;
+  };
+  const SpaceConstant seen = constant(JudgedIn::kImage);
+  EXPECT_LT(seen.edge_error, 0.001);
+  EXPECT_GT(seen.vertex_error, 5);
+  EXPECT_EQ(seen.warning.error(), Error::kIllConditioned);
+  EXPECT_NE(std::string(seen.warning.message()).find("multiply its matrices in double"),
+            std::string::npos);
+  EXPECT_TRUE(constant(JudgedIn::kSurface).warning.ok());
 }
 
 TEST(PredictEdgeError, NamesWhatIsWrongWithAProjection) {

@@ -11,10 +11,14 @@ namespace clipc::study {
 namespace {
 
 // The law of a way in a draw: of the plane where it is largest.
-double LawOf(const Way& way, const DrawFacts& facts) {
-  double worst = 0;
-  for (const Setup& cut : facts.cuts)
-    worst = std::max(worst, LawOf(cut, way, facts.means.order, facts.image_height));
+runtime::EdgeDisplacement LawOf(const Way& way, const DrawFacts& facts) {
+  runtime::EdgeDisplacement worst;
+  for (const Setup& cut : facts.cuts) {
+    const auto law = LawOf(cut, way, facts.means.order, facts.image_height);
+    worst.along_surface = std::max(worst.along_surface, law.along_surface);
+    worst.of_vertices = std::max(worst.of_vertices, law.of_vertices);
+    worst.in_image = std::max(worst.in_image, law.in_image);
+  }
   return worst;
 }
 
@@ -71,7 +75,7 @@ void ReverseDepth(DrawFacts& facts) {
 
 std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance) {
   std::vector<Advice> all;
-  std::map<Method (*)(), double> laws;  // of ways that have the same arithmetic
+  std::map<Method (*)(), runtime::EdgeDisplacement> laws;  // of ways that have the same arithmetic
   for (const Way& way : kWays) {
     if (way.kind == WayKind::kNone || way.kind == WayKind::kNearPlaneFloat) continue;
     Advice& advice = all.emplace_back(Advice{way.name});
@@ -81,25 +85,27 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     if (advice.possible) {
       const auto [law, is_new] = laws.try_emplace(way.method);
       if (is_new) law->second = LawOf(way, facts);
-      advice.predicted = law->second;
+      advice.along_surface = law->second.along_surface, advice.in_image = law->second.in_image;
+      advice.predicted = law->second.In(facts.judged_in);
     }
     advice.bound = kBound * advice.predicted;
-    advice.meets = advice.possible && advice.bound <= tolerance && std::isfinite(advice.cost);
+    advice.meets = advice.possible && advice.bound <= tolerance;
   }
   double least = INFINITY;
   for (const Advice& a : all) {
     if (a.meets) least = std::min(least, a.cost);
   }
   const auto rank = [&](const Advice& a) {
-    if (!a.possible) return 3;
-    if (!a.meets) return 2;
+    if (!a.possible) return 4;
+    if (!a.meets) return 3;
+    if (!a.has_cost()) return 2;
     return a.cost <= least * (1 + kSameCost) ? 0 : 1;
   };
   // The order of the ways decides between equals.
   std::ranges::stable_sort(all, [&](const Advice& a, const Advice& b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
     if (rank(a) == 1) return a.cost < b.cost;
-    const double least_seen = rank(a) == 0 ? kInvisible : 0;
+    const double least_seen = rank(a) < 3 ? kInvisible : 0;
     return std::max(a.predicted, least_seen) < std::max(b.predicted, least_seen);
   });
   return all;

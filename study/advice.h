@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -31,6 +32,8 @@ struct DrawFacts {
   // nearest cut is worst for some ways, the plane farthest from the eye for others.
   std::vector<Setup> cuts;
   double image_height = kImageHeight;  // pixels
+  // What is compared with the tolerance.
+  runtime::JudgedIn judged_in = runtime::JudgedIn::kImage;
   Means means;
 };
 
@@ -41,12 +44,16 @@ using CostTable = std::map<std::pair<std::string, int>, double>;
 struct Advice {
   std::string way;
   bool possible = false;  // by the means, the projection and the place of the eye
-  double predicted = 0;   // pixels: the law (study/law.h) of the plane where it is largest
+  // Pixels: the law (study/law.h) of the plane where it is largest, along the object's surface and
+  // in the image, and the one of the two by which the draw is judged.
+  double along_surface = 0, in_image = 0, predicted = 0;
   // Pixels: the 99th percentile of edges as long as a twentieth of the depth stays under it;
   // kBound times the law.
   double bound = 0;
-  bool meets = false;  // possible, with a cost, and the bound is within the tolerance
+  bool meets = false;  // possible, and the bound is within the tolerance
   double cost = 0;     // from the table; infinity where the table does not have the way
+
+  bool has_cost() const { return cost < INFINITY; }
 };
 
 // The factor by which a law is off at most (study/regimes.h holds it against measurements).
@@ -59,8 +66,9 @@ inline constexpr double kSameCost = 0.15;
 inline constexpr double kInvisible = 1.0 / 256;
 
 // All ways but `none` and `near-plane-f32`, the recommended one first: the cheapest of those that
-// meet `tolerance`, and the most accurate of equally cheap ones. Where none meets it, the most
-// accurate way that is possible comes first. Impossible ways come last, without a prediction.
+// meet `tolerance`, and the most accurate of equally cheap ones; then the ways that meet it without
+// a cost, the most accurate first. Where none meets it, the most accurate way that is possible
+// comes first. Impossible ways come last, without a prediction.
 std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance = 0.5);
 
 // The change to the application by which a way meets a tolerance that none meets; empty where none

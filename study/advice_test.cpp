@@ -87,9 +87,10 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   Config config = PlaneAway(10);
   using enum runtime::MatrixOrder;
   runtime::MatrixOrder order = kOneMatrix;
+  runtime::JudgedIn judged_in = runtime::JudgedIn::kSurface;
   const auto bound = [&](const char* way) {
     DrawFacts facts = FactsFor(config);
-    facts.means.order = order;
+    facts.means.order = order, facts.judged_in = judged_in;
     return Of(Advise(facts, SomeCosts()), way).bound;
   };
   const double object = bound("object"), xyw1 = bound("xyw1"), cpu = bound("cpu");
@@ -101,6 +102,13 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   EXPECT_NEAR(bound("object") / object, 1, 0.5);
   EXPECT_GT(bound("xyw1"), 100 * xyw1);
   EXPECT_NEAR(bound("cpu") / cpu, 1, 0.01);
+  // In the image the object goes with its vertices, and its cut with it.
+  judged_in = runtime::JudgedIn::kImage;
+  const double in_image = bound("object");
+  EXPECT_GT(in_image, 1000 * object);
+  EXPECT_LT(in_image, bound("xyw1") / 2);
+  EXPECT_NEAR(bound("cpu") / in_image, 1, 0.3);
+  judged_in = runtime::JudgedIn::kSurface;
   order = kOneMatrix, config.world_offset = 0, config.mesh_offset = 1e5;
   for (const auto& [way, before] :
        {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
@@ -136,10 +144,15 @@ TEST(Advice, CostsAreThoseOfEnoughPlanes) {
     const std::vector<Advice> all = Advise(facts, costs);
     EXPECT_EQ(Of(all, "object").cost, cost);
     EXPECT_EQ(Of(all, "near-plane").possible, planes == 1);
-    // A way that nobody measured is not advised.
-    EXPECT_FALSE(Of(all, "xyw1").meets);
+    // A way that nobody measured is not advised where another meets the tolerance.
+    EXPECT_TRUE(Of(all, "xyw1").meets);
+    EXPECT_FALSE(Of(all, "xyw1").has_cost());
     EXPECT_NE(all.front().way, "xyw1");
   }
+  // It is where no other does.
+  facts = FactsFor(PlaneAway(300)), facts.means.rigid = facts.means.can_discard = false;
+  for (const int planes : {1, 3, 6}) costs.erase({"world", planes});
+  EXPECT_EQ(Advise(facts, costs).front().way, "xyw1");
 }
 
 TEST(Advice, OrdersWhatIsNotRecommended) {
@@ -186,8 +199,9 @@ TEST(Advice, KnowsCures) {
 TEST(Advice, TheBoundIsThreeTimesTheLaw) {
   const DrawFacts facts = FactsFor(PlaneAway(3));
   const Advice clip = Of(Advise(facts, SomeCosts()), "clip");
-  EXPECT_DOUBLE_EQ(clip.predicted, LawOf(facts.cuts.front(), WayOf(WayKind::kClip),
-                                         runtime::MatrixOrder::kOneMatrix));
+  EXPECT_DOUBLE_EQ(
+      clip.predicted,
+      LawOf(facts.cuts.front(), WayOf(WayKind::kClip), runtime::MatrixOrder::kOneMatrix).in_image);
   EXPECT_DOUBLE_EQ(clip.bound, 3 * clip.predicted);
   EXPECT_TRUE(Of(Advise(facts, SomeCosts(), 3.01 * clip.predicted), "clip").meets);
   EXPECT_FALSE(Of(Advise(facts, SomeCosts(), 2.99 * clip.predicted), "clip").meets);
@@ -208,7 +222,8 @@ TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
   EXPECT_GT(predicted(far, "cpu"), 100 * predicted(config, "cpu"));
   const auto setup = Prepare(config);
   const auto law = [&](WayKind way, double sine) {
-    return LawOf(setup, WayOf(way), runtime::MatrixOrder::kOneMatrix, kImageHeight, sine);
+    return LawOf(setup, WayOf(way), runtime::MatrixOrder::kOneMatrix, kImageHeight, sine)
+        .along_surface;
   };
   EXPECT_GT(law(WayKind::kObject, 0.01), 10 * law(WayKind::kObject, 1));
   EXPECT_EQ(law(WayKind::kCpu, 0.01), law(WayKind::kCpu, 1));
@@ -289,7 +304,7 @@ TEST(Scenes, FactsAreThoseOfTheObjectAndEachOfItsPlanes) {
   // the last plane does not cut the object.
   scene.planes.push_back({"wall", {0, 0, 1, -40}});
   scene.planes.push_back({"none", {0, 0, 0, 1}});
-  scene.planes.push_back({"beyond", {0, 0, 1, -400}});
+  scene.planes.push_back({"beyond", {0, 0, -1, 400}});
   const DrawFacts water = FactsOf(object, camera, scene, 0b0001),
                   all = FactsOf(object, camera, scene, 0b1111);
   EXPECT_EQ(water.planes, 1);
@@ -300,6 +315,8 @@ TEST(Scenes, FactsAreThoseOfTheObjectAndEachOfItsPlanes) {
   EXPECT_NEAR(std::abs(all.cuts[0].view_plane.w), 5, 1e-9);
   EXPECT_NEAR(std::abs(all.cuts[1].view_plane.w), 40, 1e-9);
   EXPECT_EQ(all.image_height, 700);
+  // The wall removes the part of the water before it.
+  for (const Vector& corner : all.cuts[0].cut) EXPECT_GT(corner.z, 40 - 1e-4);
   // The cuts are inside the cube.
   for (const auto& cut : all.cuts) {
     for (const Vector& corner : cut.cut) EXPECT_NEAR(corner.z, 40, 1.001);

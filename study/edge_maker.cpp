@@ -30,6 +30,10 @@ SeenEdge::SeenEdge(const Setup& setup, const Edge& edge)
     : clip_{ClipOf(setup, edge.ends[0]), ClipOf(setup, edge.ends[1])},
       half_width_(HalfWidth(setup)) {}
 
+SeenEdge::SeenEdge(const Setup& setup, const Vec4<float>& first, const Vec4<float>& second)
+    : clip_{ConvertTo<long double>(first), ConvertTo<long double>(second)},
+      half_width_(HalfWidth(setup)) {}
+
 Point SeenEdge::At(long double share) const {
   Vec4<long double> p;
   for (int i = 0; i < 4; ++i) p[i] = clip_[0][i] + share * (clip_[1][i] - clip_[0][i]);
@@ -38,6 +42,10 @@ Point SeenEdge::At(long double share) const {
 
 Point PointOf(const Setup& setup, const Vec4<float>& vertex) {
   return PixelOf(ClipOf(setup, vertex), HalfWidth(setup));
+}
+
+Point PointOfPosition(const Setup& setup, const Vec4<float>& position) {
+  return PixelOf(ConvertTo<long double>(position), HalfWidth(setup));
 }
 
 long double CutShare(const Edge& edge, const double (&distances)[2]) {

@@ -25,6 +25,8 @@ double Between(const Point& a, const Point& b);
 class SeenEdge {
  public:
   SeenEdge(const Setup& setup, const Edge& edge);
+  // The edge between positions that float made: as it is drawn.
+  SeenEdge(const Setup& setup, const Vec4<float>& first, const Vec4<float>& second);
   // The place that divides the edge in that share.
   Point At(long double share) const;
 
@@ -33,8 +35,9 @@ class SeenEdge {
   long double half_width_;     // pixels
 };
 
-// The place of a vertex.
+// The place of a vertex, and of a clip-space position.
 Point PointOf(const Setup& setup, const Vec4<float>& vertex);
+Point PointOfPosition(const Setup& setup, const Vec4<float>& position);
 
 // The share of the edge at which a clipper that gets these distances cuts it. Where it keeps the
 // whole edge the cut has moved to the end that should have been dropped; where it drops the whole,

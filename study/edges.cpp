@@ -10,56 +10,82 @@
 namespace clipc::study {
 namespace {
 
-// The distance in pixels between the true cut and the method's; infinity where a distance is not a
-// number.
-double Displacement(const Setup& setup, const Edge& edge, const SeenEdge& seen, Point right,
-                    const Distance& distance, bool makes_vertices) {
-  const double d[2] = {distance(edge.ends[0]), distance(edge.ends[1])};
-  if (!std::isfinite(d[0]) || !std::isfinite(d[1])) return INFINITY;
-  if (!makes_vertices || (d[0] >= 0) == (d[1] >= 0))
-    return Between(seen.At(CutShare(edge, d)), right);
+// A method in a draw.
+struct InDraw {
+  Distance distance;
+  Position position;
+  bool makes_vertices;
+};
+
+// Adds the distances in pixels between the true cut and the method's; infinity where a distance is
+// not a number.
+void AddDisplacement(const Setup& setup, const Edge& edge, const SeenEdge& seen, Point right,
+                     const InDraw& method, Displacements& to) {
+  const double d[2] = {method.distance(edge.ends[0]), method.distance(edge.ends[1])};
+  if (!std::isfinite(d[0]) || !std::isfinite(d[1])) {
+    to.along_surface.push_back(INFINITY), to.in_image.push_back(INFINITY);
+    return;
+  }
+  if (!method.makes_vertices || (d[0] >= 0) == (d[1] >= 0)) {
+    const long double share = CutShare(edge, d);
+    const SeenEdge drawn(setup, method.position(edge.ends[0]), method.position(edge.ends[1]));
+    to.along_surface.push_back(Between(seen.At(share), right));
+    to.in_image.push_back(Between(drawn.At(share), right));
+    return;
+  }
   Vec4<float> cut = edge.ends[0];
   for (int i = 0; i < 3; ++i) {
     const double from = static_cast<double>(edge.ends[0][i]),
-                 to = static_cast<double>(edge.ends[1][i]);
-    cut[i] = static_cast<float>(from + d[0] / (d[0] - d[1]) * (to - from));
+                 to_end = static_cast<double>(edge.ends[1][i]);
+    cut[i] = static_cast<float>(from + d[0] / (d[0] - d[1]) * (to_end - from));
   }
-  return Between(PointOf(setup, cut), right);
+  to.along_surface.push_back(Between(PointOf(setup, cut), right));
+  to.in_image.push_back(Between(PointOfPosition(setup, method.position(cut)), right));
 }
 
-EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
+EdgeErrors Summary(const std::string& method, Displacements pixels) {
   EdgeErrors errors;
   errors.method = method;
   errors.applies = true;
-  errors.edges = static_cast<long>(pixels.size());
-  if (pixels.empty()) return errors;
-  std::ranges::sort(pixels);
-  const auto at = [&](double share) {
-    return pixels[std::min(pixels.size() - 1,
-                           static_cast<std::size_t>(share * static_cast<double>(pixels.size())))];
+  errors.edges = static_cast<long>(pixels.along_surface.size());
+  if (pixels.along_surface.empty()) return errors;
+  const auto at = [](std::vector<double>& all, double share) {
+    std::ranges::sort(all);
+    return all[std::min(all.size() - 1,
+                        static_cast<std::size_t>(share * static_cast<double>(all.size())))];
   };
-  errors.median = at(0.5), errors.p99 = at(0.99), errors.largest = pixels.back();
-  errors.not_finite = static_cast<long>(std::ranges::count(pixels, INFINITY));
+  errors.median = at(pixels.along_surface, 0.5), errors.p99 = at(pixels.along_surface, 0.99);
+  errors.largest = pixels.along_surface.back();
+  errors.p99_in_image = at(pixels.in_image, 0.99);
+  errors.not_finite = static_cast<long>(std::ranges::count(pixels.along_surface, INFINITY));
   return errors;
 }
 
+void Append(std::vector<double>& to, const std::vector<double>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+void Append(Displacements& to, const Displacements& from) {
+  Append(to.along_surface, from.along_surface), Append(to.in_image, from.in_image);
+}
+
 // The displacements of `count` edges for each method; none for a method that does not apply.
-std::vector<std::optional<std::vector<double>>> PixelsOf(const Setup& setup,
-                                                         const std::vector<Method>& methods,
-                                                         long count, std::uint64_t seed) {
-  std::vector<std::optional<Distance>> distances;
-  std::vector<std::optional<std::vector<double>>> pixels;
+std::vector<std::optional<Displacements>> PixelsOf(const Setup& setup,
+                                                   const std::vector<Method>& methods, long count,
+                                                   std::uint64_t seed) {
+  std::vector<std::optional<InDraw>> in_draw;
+  std::vector<std::optional<Displacements>> pixels;
   for (const Method& method : methods) {
-    pixels.emplace_back();
-    if (distances.emplace_back(method.prepare(setup))) pixels.back().emplace();
+    pixels.emplace_back(), in_draw.emplace_back();
+    if (auto distance = method.prepare(setup)) {
+      pixels.back().emplace();
+      in_draw.back() = {*distance, PositionBy(method.order, setup), method.makes_vertices};
+    }
   }
   for (const Edge& edge : MakeEdges(setup, count, seed)) {
     const SeenEdge seen(setup, edge);
     const Point right = seen.At(TrueShare(edge));
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      if (distances[i])
-        pixels[i]->push_back(
-            Displacement(setup, edge, seen, right, *distances[i], methods[i].makes_vertices));
+      if (in_draw[i]) AddDisplacement(setup, edge, seen, right, *in_draw[i], *pixels[i]);
     }
   }
   return pixels;
@@ -84,23 +110,23 @@ Config Nearby(const Config& config, Random& random) {
 
 // The displacements of `count` edges in each view for each method; none for a method that does not
 // apply in all of them.
-std::vector<std::optional<std::vector<double>>> OverViews(const Config& config,
-                                                          const std::vector<Method>& methods,
-                                                          long count, std::uint64_t seed) {
+std::vector<std::optional<Displacements>> OverViews(const Config& config,
+                                                    const std::vector<Method>& methods, long count,
+                                                    std::uint64_t seed) {
   Random random(seed);
-  std::vector<std::optional<std::vector<double>>> all(methods.size(), std::vector<double>());
+  std::vector<std::optional<Displacements>> all(methods.size(), Displacements());
   for (int view = 0; view < kViews; ++view) {
     const auto pixels = PixelsOf(Prepare(Nearby(config, random)), methods, count, seed + 1 + view);
     for (std::size_t i = 0; i < methods.size(); ++i) {
       if (!pixels[i]) all[i].reset();
-      if (all[i]) all[i]->insert(all[i]->end(), pixels[i]->begin(), pixels[i]->end());
+      if (all[i]) Append(*all[i], *pixels[i]);
     }
   }
   return all;
 }
 
 std::vector<EdgeErrors> Summaries(const std::vector<Method>& methods,
-                                  std::vector<std::optional<std::vector<double>>> pixels) {
+                                  std::vector<std::optional<Displacements>> pixels) {
   std::vector<EdgeErrors> errors;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     errors.push_back(pixels[i] ? Summary(methods[i].name, std::move(*pixels[i]))
@@ -116,9 +142,9 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
   return Summaries(methods, PixelsOf(Prepare(config), methods, count, seed));
 }
 
-std::vector<double> DisplacementsOverViews(const Config& config, const Method& method, long count,
-                                           std::uint64_t seed) {
-  return OverViews(config, {method}, count, seed).front().value_or(std::vector<double>());
+Displacements DisplacementsOverViews(const Config& config, const Method& method, long count,
+                                     std::uint64_t seed) {
+  return OverViews(config, {method}, count, seed).front().value_or(Displacements());
 }
 
 std::vector<EdgeErrors> MeasureViews(const Config& config, const std::vector<Method>& methods,
@@ -126,13 +152,13 @@ std::vector<EdgeErrors> MeasureViews(const Config& config, const std::vector<Met
   return Summaries(methods, OverViews(config, methods, count, seed));
 }
 
-EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,
-                             std::uint64_t seed) {
+EdgeErrors MeasureDirections(double ratio, bool reversed, const Method& method, int planes,
+                             long count, std::uint64_t seed) {
   Random random(seed);
-  std::vector<double> all;
+  Displacements all;
   for (int i = 0; i < planes; ++i) {
     Config config;
-    config.camera.far = 1e7;
+    config.camera.far = 1e7, config.camera.reversed = reversed;
     Vector normal = random.Direction();
     // The eye on the clipped side, and the plane before it.
     normal.z = std::max(std::fabs(normal.z), 0.2);
@@ -141,9 +167,10 @@ EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, lon
     CutThrough(config, normal, {0, 0, depth});
     config.camera.yaw = random.Between(-3, 3), config.camera.pitch = random.Between(-1, 1);
     const auto pixels = PixelsOf(Prepare(config), {method}, count, seed + 1 + i).front();
-    if (pixels) all.insert(all.end(), pixels->begin(), pixels->end());
+    if (pixels) Append(all, *pixels);
   }
-  return all.empty() ? EdgeErrors{.method = method.name} : Summary(method.name, std::move(all));
+  return all.along_surface.empty() ? EdgeErrors{.method = method.name}
+                                   : Summary(method.name, std::move(all));
 }
 
 }  // namespace clipc::study

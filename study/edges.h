@@ -16,8 +16,14 @@ struct EdgeErrors {
   std::string method;
   bool applies = false;  // the method can be used here
   long edges = 0;
-  double median = 0, p99 = 0, largest = 0;  // pixels
+  double median = 0, p99 = 0, largest = 0;  // along the surface as it is drawn
+  double p99_in_image = 0;                  // with the displacement of the surface's own vertices
   long not_finite = 0;                      // edges with a distance that is NaN or infinite
+};
+
+// The displacements of edges, beside each other, in pixels.
+struct Displacements {
+  std::vector<double> along_surface, in_image;
 };
 
 // Cuts `count` random edges that cross the plane inside the image. The true sign and place follow
@@ -34,17 +40,17 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
 // of the draw.
 inline constexpr int kViews = 20;
 
-// The displacements in pixels of `count` edges in each view; none where the method does not apply.
-std::vector<double> DisplacementsOverViews(const Config& config, const Method& method, long count,
-                                           std::uint64_t seed);
+// The displacements of `count` edges in each view; none where the method does not apply.
+Displacements DisplacementsOverViews(const Config& config, const Method& method, long count,
+                                     std::uint64_t seed);
 
 // As MeasureEdges, over `count` edges in each view.
 std::vector<EdgeErrors> MeasureViews(const Config& config, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
 
 // Measures over planes of random directions, `ratio` near distances from the eye, each with a
-// camera and an object of its own; standard depth, 60 degrees.
-EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,
-                             std::uint64_t seed);
+// camera and an object of its own; 60 degrees.
+EdgeErrors MeasureDirections(double ratio, bool reversed, const Method& method, int planes,
+                             long count, std::uint64_t seed);
 
 }  // namespace clipc::study

@@ -21,24 +21,33 @@ Setup Panned(const Setup& first, double yaw) {
   return setup;
 }
 
-// The shares of the edges at which the method cuts them; none where it does not apply.
-std::optional<std::vector<long double>> SharesOf(const Setup& setup, const Method& method,
-                                                 const std::vector<Edge>& edges) {
+// Where a method cuts edges: the shares of them, and how far from the right place it is in the
+// image.
+struct Cuts {
+  std::vector<long double> shares;
+  std::vector<Point> off;
+};
+
+// The cuts of the edges; none where the method does not apply.
+std::optional<Cuts> CutsOf(const Setup& setup, const Method& method,
+                           const std::vector<Edge>& edges) {
   const std::optional<Distance> distance = method.prepare(setup);
   if (!distance) return std::nullopt;
-  std::vector<long double> shares;
-  shares.reserve(edges.size());
-  for (const Edge& edge : edges)
-    shares.push_back(CutShare(edge, {(*distance)(edge.ends[0]), (*distance)(edge.ends[1])}));
-  return shares;
+  const Position position = PositionBy(method.order, setup);
+  Cuts cuts;
+  for (const Edge& edge : edges) {
+    const Vec4<float>(&ends)[2] = edge.ends;
+    const long double share = CutShare(edge, {(*distance)(ends[0]), (*distance)(ends[1])});
+    const Point drawn = SeenEdge(setup, position(ends[0]), position(ends[1])).At(share),
+                right = SeenEdge(setup, edge).At(TrueShare(edge));
+    cuts.shares.push_back(share), cuts.off.push_back({drawn.x - right.x, drawn.y - right.y});
+  }
+  return cuts;
 }
 
-Flicker FlickerOf(const std::string& method, std::vector<double> pixels) {
+double At(std::vector<double>& pixels, double share) {
   std::ranges::sort(pixels);
-  const auto at = [&](double share) {
-    return pixels[static_cast<std::size_t>(share * static_cast<double>(pixels.size() - 1))];
-  };
-  return {method, true, at(0.5), at(0.99), pixels.back()};
+  return pixels[static_cast<std::size_t>(share * static_cast<double>(pixels.size() - 1))];
 }
 
 }  // namespace
@@ -49,19 +58,23 @@ std::vector<Flicker> MeasureFlicker(const Config& config, const std::vector<Meth
   const std::vector<Edge> edges = MakeEdges(first, count, seed);
   std::vector<Flicker> all;
   for (const Method& method : methods) {
-    auto before = SharesOf(first, method, edges);
-    std::vector<double> pixels;
+    auto before = CutsOf(first, method, edges);
+    std::vector<double> along_surface, in_image;
     for (int frame = 1; before && frame < frames; ++frame) {
       const Setup setup = Panned(first, frame * step);
-      auto now = SharesOf(setup, method, edges);
+      auto now = CutsOf(setup, method, edges);
       for (std::size_t i = 0; now && i < edges.size(); ++i) {
         const SeenEdge seen(setup, edges[i]);
-        pixels.push_back(Between(seen.At((*before)[i]), seen.At((*now)[i])));
+        along_surface.push_back(Between(seen.At(before->shares[i]), seen.At(now->shares[i])));
+        in_image.push_back(Between(before->off[i], now->off[i]));
       }
       before = std::move(now);
     }
-    all.push_back(before && !pixels.empty() ? FlickerOf(method.name, std::move(pixels))
-                                            : Flicker{.method = method.name});
+    Flicker& flicker = all.emplace_back(Flicker{.method = method.name});
+    if (!before || along_surface.empty()) continue;
+    flicker.applies = true;
+    flicker.median = At(along_surface, 0.5), flicker.p99 = At(along_surface, 0.99);
+    flicker.largest = along_surface.back(), flicker.p99_in_image = At(in_image, 0.99);
   }
   return all;
 }

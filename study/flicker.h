@@ -15,7 +15,8 @@ namespace clipc::study {
 struct Flicker {
   std::string method;
   bool applies = false;                     // the method can be used in every frame
-  double median = 0, p99 = 0, largest = 0;  // pixels a frame
+  double median = 0, p99 = 0, largest = 0;  // pixels a frame, along the surface as it is drawn
+  double p99_in_image = 0;                  // with the trembling of the surface's own vertices
 };
 
 // Pans by `step` radians a frame over `frames` frames, with `count` edges that the plane cuts in

@@ -19,63 +19,71 @@ constexpr auto kXyw1Position = [](const Vec4<float>& p) {
   return Vec4<float>{{p[0], p[1], p[3], 1}};
 };
 
-// The position of a vertex by matrices that float multiplies in an order.
-constexpr auto kBy = [](runtime::MatrixOrder order) {
-  return [order](const Setup& setup) {
-    using enum runtime::MatrixOrder;
-    const Mat4<float> world = ConvertTo<float>(setup.world), view = ConvertTo<float>(setup.view),
-                      projection = ConvertTo<float>(setup.projection);
-    std::vector<Mat4<float>> chain;
-    switch (order) {
-      case kWorldFirst:
-        chain = {world, ConvertTo<float>(Multiply(setup.view, setup.projection))};
-        break;
-      case kWorldViewFirst: chain = {ConvertTo<float>(setup.world_view), projection}; break;
-      case kThreeMatrices: chain = {world, view, projection}; break;
-      case kFloatWorldView: chain = {Multiply(Multiply(world, view), projection)}; break;
-      case kFloatViewProjection: chain = {Multiply(world, Multiply(view, projection))}; break;
-      default: chain = {ConvertTo<float>(setup.world_view_projection)};
-    }
-    return [chain](Vec4<float> v) {
-      for (const Mat4<float>& matrix : chain) v = Transform(v, matrix);
-      return v;
-    };
-  };
-};
 // What the name of a method adds for an order.
 std::string SuffixOf(runtime::MatrixOrder order) {
   constexpr const char* kSuffixes[] = {"",       "-steps",   "-worldview",
                                        "-three", "-product", "-product-vp"};
   return kSuffixes[static_cast<int>(order)];
 }
-constexpr auto kAsItIs = [](const Setup&) { return kWhole; };
 
-// A method with the runtime's constant for that space, from the world-space plane.
-template <typename Pick, typename Positions>
-Method BySpace(const std::string& name, PlaneSpace space, Pick pick, Positions positions) {
-  return {name, [=](const Setup& setup) -> std::optional<Distance> {
+// A method with the runtime's constant for that space, from the world-space plane. The operand of
+// the dot product is picked from the position.
+template <typename Pick>
+Method BySpace(const std::string& name, PlaneSpace space, Pick pick, runtime::MatrixOrder order) {
+  return {name + SuffixOf(order),
+          [=](const Setup& setup) -> std::optional<Distance> {
             const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
             const auto constant =
                 PlaneConstantFor(space, setup.world_plane, runtime::KnownIn::kWorld, draw);
             if (!constant.ok()) return std::nullopt;
-            return [position = positions(setup), plane = VectorOf(constant.value.plane.constant),
-                    pick](const Vec4<float>& v) {
+            const Vec4<float> plane = VectorOf(constant.value.plane.constant);
+            if (space == PlaneSpace::kObject)
+              return [plane](const Vec4<float>& v) { return static_cast<double>(Dot(v, plane)); };
+            return [position = PositionBy(order, setup), plane, pick](const Vec4<float>& v) {
               return static_cast<double>(Dot(pick(position(v)), plane));
             };
-          }};
+          },
+          false, order};
 }
 
 }  // namespace
 
+Position PositionBy(runtime::MatrixOrder order, const Setup& setup) {
+  using enum runtime::MatrixOrder;
+  const Mat4<float> world = ConvertTo<float>(setup.world), view = ConvertTo<float>(setup.view),
+                    projection = ConvertTo<float>(setup.projection);
+  std::vector<Mat4<float>> chain;
+  switch (order) {
+    case kWorldFirst:
+      chain = {world, ConvertTo<float>(Multiply(setup.view, setup.projection))};
+      break;
+    case kWorldViewFirst: chain = {ConvertTo<float>(setup.world_view), projection}; break;
+    case kThreeMatrices: chain = {world, view, projection}; break;
+    case kFloatWorldView: chain = {Multiply(Multiply(world, view), projection)}; break;
+    case kFloatViewProjection: chain = {Multiply(world, Multiply(view, projection))}; break;
+    default: chain = {ConvertTo<float>(setup.world_view_projection)};
+  }
+  return [chain](Vec4<float> v) {
+    for (const Mat4<float>& matrix : chain) v = Transform(v, matrix);
+    return v;
+  };
+}
+
 Method ClipSpaceBy(runtime::MatrixOrder order) {
-  return BySpace("clip" + SuffixOf(order), PlaneSpace::kClip, kWhole, kBy(order));
+  return BySpace("clip", PlaneSpace::kClip, kWhole, order);
 }
 Method Xyw1SpaceBy(runtime::MatrixOrder order) {
-  return BySpace("xyw1" + SuffixOf(order), PlaneSpace::kXyw1, kXyw1Position, kBy(order));
+  return BySpace("xyw1", PlaneSpace::kXyw1, kXyw1Position, order);
+}
+Method InOrder(Method method, runtime::MatrixOrder order) {
+  method.name += SuffixOf(order), method.order = order;
+  return method;
 }
 Method ClipSpace() { return ClipSpaceBy(runtime::MatrixOrder::kOneMatrix); }
 Method Xyw1Space() { return Xyw1SpaceBy(runtime::MatrixOrder::kOneMatrix); }
-Method ObjectSpace() { return BySpace("object", PlaneSpace::kObject, kWhole, kAsItIs); }
+Method ObjectSpace() {
+  return BySpace("object", PlaneSpace::kObject, kWhole, runtime::MatrixOrder::kOneMatrix);
+}
 
 Method WorldSpace() {
   return {"world", [](const Setup& setup) -> std::optional<Distance> {
@@ -164,13 +172,17 @@ std::vector<Method> AllMethods() {
           Xyw1SpaceBy(kWorldFirst),
           Xyw1SpaceBy(kFloatWorldView),
           ObjectSpace(),
+          InOrder(ObjectSpace(), kWorldFirst),
           WorldSpace(),
+          InOrder(WorldSpace(), kWorldFirst),
           ViewSpace(),
           DocumentFormula(),
           FloatInverse(),
           NearPlane(),
+          InOrder(NearPlane(), kWorldFirst),
           NearPlaneFloat(),
-          CpuDouble()};
+          CpuDouble(),
+          InOrder(CpuDouble(), kWorldFirst)};
 }
 
 }  // namespace clipc::study

@@ -25,7 +25,16 @@ struct Method {
   // Whether the cut becomes a float vertex of object space, instead of a place that the clipper
   // finds.
   bool makes_vertices = false;
+  // How float multiplies the matrices that make the positions of vertices.
+  runtime::MatrixOrder order = runtime::MatrixOrder::kOneMatrix;
 };
+
+// The clip-space position of a vertex by matrices that float multiplies in that order.
+using Position = std::function<Vec4<float>(const Vec4<float>& vertex)>;
+Position PositionBy(runtime::MatrixOrder order, const Setup& setup);
+
+// The same distances, for positions by matrices that float multiplies in that order.
+Method InOrder(Method method, runtime::MatrixOrder order);
 
 Method ClipSpace();    // [clipplanes] as fxc compiles it: dot(SV_Position, C_P); also SetClipPlane
 Method Xyw1Space();    // --plane-space=xyw1

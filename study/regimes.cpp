@@ -28,7 +28,8 @@ constexpr const char* kNames[kRegimes] = {"one matrix, multiplied in double",
                                           "off centre",
                                           "ground",
                                           "mirrored",
-                                          "uneven scale"};
+                                          "uneven scale",
+                                          "clipped by the application"};
 
 // The orders of the regimes that begin with them.
 constexpr MatrixOrder kOrders[] = {MatrixOrder::kOneMatrix,      MatrixOrder::kWorldFirst,
@@ -124,6 +125,11 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
     case Regime::kUnevenScale:
       for (double& scale : config.scale) scale = random.Magnitude(1e-3, 1e3);
       break;
+    case Regime::kProcessor:
+      config.camera.fov = random.Between(5, 160);
+      if (random.Below(2) == 0) config.mesh_offset = random.Magnitude(1, 3e4) * depth;
+      way = WayKind::kCpu;
+      break;
   }
   if (order != MatrixOrder::kOneMatrix) way = takes_clip ? WayKind::kClip : WayKind::kXyw1;
   // The surfaces have this angle, or all angles.
@@ -136,6 +142,32 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
   return {regime, config, way, sine, order};
 }
 
+// What draws lose over what a law says of them.
+class Shares {
+ public:
+  void Add(std::vector<double> pixels, double predicted) {
+    for (double& each : pixels) each /= predicted;
+    all_.insert(all_.end(), pixels.begin(), pixels.end());
+    const double share = At(pixels, 0.99);
+    of_draws_.push_back(share);
+    held_.low += share < 0.2, held_.high += share > 3;
+  }
+  Held Summary() {
+    held_.least = At(of_draws_, 0), held_.median = At(of_draws_, 0.5);
+    held_.most = At(of_draws_, 1), held_.pooled = At(all_, 0.99);
+    return held_;
+  }
+
+ private:
+  static double At(std::vector<double>& values, double share) {
+    std::ranges::sort(values);
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  }
+
+  std::vector<double> of_draws_, all_;
+  Held held_;
+};
+
 }  // namespace
 
 const char* NameOf(Regime regime) { return kNames[static_cast<int>(regime)]; }
@@ -145,35 +177,29 @@ DrawsOf::DrawsOf(Regime regime, std::uint64_t seed)
 
 RegimeDraw DrawsOf::Next() { return OneDraw(regime_, random_); }
 
-double LawOf(const RegimeDraw& draw) {
+runtime::EdgeDisplacement LawOf(const RegimeDraw& draw) {
   return LawOf(Prepare(draw.config), WayOf(draw.way), draw.order, kImageHeight, draw.sine);
 }
 
 RegimeHeld HoldLaw(Regime regime, int count, long edges, std::uint64_t seed,
-                   const std::function<double(const RegimeDraw&)>& law) {
-  RegimeHeld held{.regime = regime};
-  std::vector<double> shares, all;
-  const auto at = [](std::vector<double>& values, double share) {
-    std::ranges::sort(values);
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-  };
+                   const std::function<runtime::EdgeDisplacement(const RegimeDraw&)>& law) {
+  RegimeHeld held;
+  held.regime = regime;
+  Shares along_surface, in_image;
   DrawsOf draws(regime, seed);
   for (int tries = 0; held.draws < count && tries < 2 * count; ++tries) {
     const RegimeDraw draw = draws.Next();
-    const double predicted = law(draw);
-    if (!(predicted > 0 && predicted <= kSaturates)) continue;
-    std::vector<double> pixels =
+    const runtime::EdgeDisplacement predicted = law(draw);
+    if (!(predicted.along_surface > 0 && predicted.in_image <= kSaturates)) continue;
+    Displacements pixels =
         DisplacementsOverViews(draw.config, MethodOf(WayOf(draw.way), draw.order), edges, ++seed);
-    if (std::ssize(pixels) < kViews * edges / 2) continue;
-    for (double& each : pixels) each /= predicted;
-    all.insert(all.end(), pixels.begin(), pixels.end());
-    const double share = at(pixels, 0.99);
-    shares.push_back(share);
-    ++held.draws, held.low += share < 0.2, held.high += share > 3;
+    if (std::ssize(pixels.along_surface) < kViews * edges / 2) continue;
+    along_surface.Add(std::move(pixels.along_surface), predicted.along_surface);
+    in_image.Add(std::move(pixels.in_image), predicted.in_image);
+    ++held.draws;
   }
-  if (shares.empty()) return held;
-  held.least = at(shares, 0), held.median = at(shares, 0.5), held.most = at(shares, 1);
-  held.pooled = at(all, 0.99);
+  if (held.draws == 0) return held;
+  held.along_surface = along_surface.Summary(), held.in_image = in_image.Summary();
   return held;
 }
 

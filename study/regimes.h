@@ -27,8 +27,9 @@ enum class Regime {
   kGround,         // one plane from near to far
   kMirrored,       // the view of a reflection
   kUnevenScale,    // a world matrix that stretches
+  kProcessor,      // the application clips, in views of up to 160 degrees
 };
-inline constexpr int kRegimes = static_cast<int>(Regime::kUnevenScale) + 1;
+inline constexpr int kRegimes = static_cast<int>(Regime::kProcessor) + 1;
 const char* NameOf(Regime regime);
 
 // A draw of a regime, and the way that clips it.
@@ -52,15 +53,20 @@ class DrawsOf {
 };
 
 // The law (study/law.h) of a draw.
-double LawOf(const RegimeDraw& draw);
+runtime::EdgeDisplacement LawOf(const RegimeDraw& draw);
+
+// The agreement of a law with displacements.
+struct Held {
+  int low = 0, high = 0;  // draws with a 99th percentile below 0.2, above 3 predictions
+  double least = 0, median = 0, most = 0;  // draws' 99th percentiles over their predictions
+  double pooled = 0;  // 99th percentile of all edges' displacements over their draws' predictions
+};
 
 // The agreement of a law with the draws of a regime.
 struct RegimeHeld {
   Regime regime;
   int draws = 0;
-  int low = 0, high = 0;  // draws with a 99th percentile below 0.2, above 3 predictions
-  double least = 0, median = 0, most = 0;  // draws' 99th percentiles over their predictions
-  double pooled = 0;  // 99th percentile of all edges' displacements over their draws' predictions
+  Held along_surface, in_image;
 };
 
 // Measures `count` draws of a regime, `edges` edges in each view (study/edges.h), and holds their
@@ -68,6 +74,6 @@ struct RegimeHeld {
 // edges, or that lose more than 20 pixels, by which an edge is too short; fewer draws are held
 // where that leaves out half of all. Equal arguments give equal results.
 RegimeHeld HoldLaw(Regime regime, int count, long edges, std::uint64_t seed,
-                   const std::function<double(const RegimeDraw&)>& law);
+                   const std::function<runtime::EdgeDisplacement(const RegimeDraw&)>& law);
 
 }  // namespace clipc::study

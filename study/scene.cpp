@@ -52,9 +52,10 @@ Vector Through(const Matrix& matrix, Vector p) {
   return {at(0), at(1), at(2)};
 }
 
-// The draw of one plane through an object, with the part of its cut that is seen; none where no
-// part is, or where the plane has no normal.
-std::optional<Setup> SetupOf(const Camera& camera, const SceneObject& object, const Plane& plane) {
+// The draw of one plane through an object, with the part of its cut that is seen and that the other
+// planes, in world space, keep; none where no part is, or where the plane has no normal.
+std::optional<Setup> SetupOf(const Camera& camera, const SceneObject& object, const Plane& plane,
+                             const std::vector<Plane>& others) {
   Setup setup;
   setup.config.camera = camera;
   setup.world = object.world, setup.view = camera.View(), setup.projection = camera.Projection();
@@ -79,6 +80,8 @@ std::optional<Setup> SetupOf(const Camera& camera, const SceneObject& object, co
   if (!(farthest > nearest)) return std::nullopt;
   setup.cut = CutOfBox(VisibleCut(camera, setup.config.view_plane, nearest, farthest), object.box,
                        setup.world_view);
+  for (const Plane& other : others)
+    setup.cut = KeptBy(setup.cut, PlaneBefore(camera.ViewToWorld(), other));
   if (setup.cut.size() < 3) return std::nullopt;
   // Edges as long as a twentieth of the depth, or as half the object where that is less.
   const double depth = camera.orthographic ? camera.half_height : setup.cut.front().z;
@@ -126,11 +129,16 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   facts.camera = camera;
   facts.planes = std::max(1, std::popcount(needed));
   facts.image_height = scene.image_height;
+  facts.judged_in = scene.judged_in;
   facts.means = scene.means;
   facts.means.rigid = object.rigid;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;
-    if (auto cut = SetupOf(camera, object, scene.planes[i].plane))
+    std::vector<Plane> others;
+    for (std::size_t j = 0; j < scene.planes.size(); ++j) {
+      if (j != i && (needed >> j & 1) != 0) others.push_back(scene.planes[j].plane);
+    }
+    if (auto cut = SetupOf(camera, object, scene.planes[i].plane, others))
       facts.cuts.push_back(std::move(*cut));
   }
   return facts;

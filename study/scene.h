@@ -34,6 +34,7 @@ struct Scene {
   std::string name;
   double image_height = 1080;
   double tolerance = 0.5;  // pixels that an edge may be displaced by
+  runtime::JudgedIn judged_in = runtime::JudgedIn::kImage;  // what that displacement is
   Means means;
   std::vector<NamedCamera> cameras;
   std::vector<NamedPlane> planes;
@@ -81,7 +82,8 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
                                       const std::function<void(double)>& progress = {});
 
 // The facts that Advise needs about drawing that object with the planes `needed`, a bit for each.
-// Each plane that has a normal, and whose cut the camera sees, is one of the facts' cuts.
+// Each plane that has a normal, and whose cut the camera sees where the other planes keep it, is
+// one of the facts' cuts.
 DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& scene,
                   std::uint8_t needed);
 

@@ -11,6 +11,9 @@ namespace {
 
 // The width of a polygon, by its length, that the image shows as a line.
 constexpr double kThin = 1e-3;
+// The distance beyond a plane that counts as kept, by the largest number that the distance is made
+// of.
+constexpr double kBeyond = 1e-7;
 
 double At(const Plane& plane, Vector p) {
   return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w;
@@ -67,6 +70,16 @@ std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& bo
     }
   }
   return visible;
+}
+
+std::vector<Vector> KeptBy(const std::vector<Vector>& polygon, const Plane& view_plane) {
+  const Vector normal = NormalOf(view_plane);
+  double largest = std::fabs(view_plane.w);
+  for (const Vector& p : polygon)
+    largest = std::max(largest, std::sqrt(Dot(normal, normal) * Dot(p, p)));
+  Plane beyond = view_plane;
+  beyond.w += kBeyond * largest;
+  return Kept(polygon, beyond);
 }
 
 Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random) {

@@ -18,6 +18,10 @@ std::vector<Vector> VisibleCut(const Camera& camera, const Plane& view_plane, do
 std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& box,
                              const Matrix& to_view);
 
+// The part of a polygon on the kept side of a plane, and a little beyond it: what lies in the plane
+// itself, but for rounding, is kept.
+std::vector<Vector> KeptBy(const std::vector<Vector>& polygon, const Plane& view_plane);
+
 // A random place of a polygon with at least one corner, evenly over the image; evenly over the
 // polygon where the image shows a line.
 Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random);

@@ -77,7 +77,9 @@ inline const Way& WayNamed(std::string_view name) {
 inline Method MethodOf(const Way& way, runtime::MatrixOrder order) {
   if (way.space == PlaneSpace::kClip) return ClipSpaceBy(order);
   if (way.space == PlaneSpace::kXyw1) return Xyw1SpaceBy(order);
-  return way.method();
+  Method method = way.method();
+  method.order = order;
+  return method;
 }
 
 }  // namespace clipc::study

@@ -18,6 +18,8 @@ import subprocess
 import sys
 import tempfile
 
+import bench_limits
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = ROOT / "study/tables"
 CHART, MATPLOTLIB = ROOT / "study/speed-accuracy.svg", "3.6.3"
@@ -27,13 +29,14 @@ POINTS = (
     ("mesh offset / depth", "1000"),
     ("orthographic, depth / half height", "3000"),
 )
-METHODS = ("clip", "clip-steps", "xyw1", "xyw1-steps", "object")
 RATIOS = ("10", "100", "400", "1000")
 MOVED = ("clip", "xyw1", "near-plane", "object", "world", "cpu")
+FAR = "10000"  # world_offset in flicker.csv
 TAKEN = {
     "directions": lambda row: True,
-    "edges": lambda row: (row["sweep"], row["parameter"]) in POINTS and row["method"] in METHODS,
-    "flicker": lambda row: row["eye_to_plane"] in RATIOS and row["method"] in MOVED,
+    "edges": lambda row: (row["sweep"], row["parameter"]) in POINTS,
+    "flicker": lambda row: row["world_offset"] == FAR
+    or (row["eye_to_plane"] in RATIOS and row["method"] in MOVED),
     "laws": lambda row: True,
     "scene-costs": lambda row: True,
     "speed": lambda row: True,
@@ -75,16 +78,22 @@ def code(names):
 
 def situations():
     speed = {(r["workload"], r["way"], r["planes"]): r for r in read("speed")}
-    edges = {(r["sweep"], r["parameter"], r["method"]): r["p99_px"] for r in read("edges")}
-    lost = lambda point: lambda method: short(float(edges[(*point, method)]))
-    usual = lambda method: short(p99(method))
+    edges = {(r["sweep"], r["parameter"], r["method"]): r for r in read("edges")}
+    # In the image; and along the object, where that is less by a tenth or more.
+    both = lambda row: short(float(row["p99_in_image_px"])) + (
+        f" (along it {short(float(row['p99_px']))})"
+        if float(row["p99_px"]) < 0.9 * float(row["p99_in_image_px"])
+        else ""
+    )
+    lost = lambda point: lambda method: both(edges[(*point, method)])
+    usual = lambda method: both(direction(method))
     world, mesh, sun = map(lost, POINTS)
     cost = lambda way: f"{float(speed['image', way, '6']['paired_ratio']):.2f}"
     rows = [
         ["vertices around their own origin", "`object`", usual("object"), usual("clip")],
         [
             "a large or baked mesh, 1,000 depths from its own origin",
-            "an origin near the cut, and `object`",
+            "`object`, and an origin near the cut unless the plane is along an axis",
             f"{usual('object')}; without such an origin {mesh('object')}",
             mesh("clip"),
         ],
@@ -96,8 +105,8 @@ def situations():
         ],
         [
             "10,000 units from the world's origin, seen at 10, `mul(mul(v, world), view_projection)`",
-            "`object`",
-            f"{world('object')}; `xyw1` {world('xyw1-steps')}, with one matrix in double {world('xyw1')}",
+            "`object`, and one matrix in double",
+            f"{world('object')}; without that {world('object-steps')}, `xyw1` {world('xyw1-steps')}",
             world("clip-steps"),
         ],
         ["orthographic, 1,500 heights of the image away", "`object`", sun("object"), sun("clip")],
@@ -109,29 +118,74 @@ def situations():
     )
 
 
+def advantage():
+    times = lambda method, ratio: float(direction("clip", ratio)["p99_in_image_px"]) / float(
+        direction(method, ratio)["p99_in_image_px"]
+    )
+    near, middle = ([times(m, ratio) for m in ("xyw1", "object")] for ratio in ("10", "400"))
+    return (
+        f"{short(near[1])} and {short(near[0])} times less if the plane is 10 near distances from the eye, "
+        f"{round(middle[1], -2):,.0f} and {round(middle[0], -1):,.0f} times less at 400."
+    )
+
+
+def saved_time():
+    """For each scene of scene-costs.csv."""
+    rows = {(r["scene"], r["planes"]): float(r["least_ms"]) for r in read("scene-costs")}
+    return {
+        scene: 100 * max(0, 1 - ms / rows[scene, "all"])
+        for (scene, planes), ms in rows.items()
+        if planes == "needed"
+    }
+
+
+def saved():
+    saved = saved_time()
+    return (
+        f"{short(saved['water'])} % for a reflection in water, {short(saved['portal'])} % for a portal, "
+        f"{short(saved['cut-away'])} % for a cut-away and {short(saved['cascade'])} % for a slice of a shadow cascade."
+    )
+
+
 def held():
     rows = read("laws")
     least, most = min(float(r["least"]) for r in rows), max(float(r["most"]) for r in rows)
-    draws, outside = (
-        sum(int(r[c]) for c in names for r in rows) for names in (["draws"], ["low", "high"])
-    )
+    draws = sum(int(r["draws"]) for r in rows) // 2
+    outside = {
+        judged_in: sum(int(r["low"]) + int(r["high"]) for r in rows if r["judged_in"] == judged_in)
+        for judged_in in ("image", "surface")
+    }
     medians = [float(r["median"]) for r in rows]
     return (
-        f"Held against {draws:,} random draws, 10,000 of each order of matrices and of each of eight other regimes:\n\n"
+        f"Held against {draws:,} random draws, 10,000 of each order of matrices and of each of nine other regimes:\n\n"
         f"- In the middle of each regime, a draw loses {min(medians):.2f} to {max(medians):.2f} of the prediction.\n"
-        f"- All but {outside} draws lose 0.2 to 3 of it. The others lose {short(least)} to {short(most)} of it."
+        f"- All but {outside['image']} draws lose 0.2 to 3 of it in the image, all but {outside['surface']} along the object. "
+        f"The others lose {short(least)} to {short(most)} of it."
     )
 
 
 def flicker():
     rows = read("flicker")
-    found = {(r["method"], r["eye_to_plane"]): short(float(r["p99_px"])) for r in rows}
-    methods_by = {}  # their numbers
+    found = {
+        (r["method"], r["eye_to_plane"]): [short(float(r[c])) for c in ("p99_px", "p99_in_image_px")]
+        for r in rows
+        if r["world_offset"] == "0"
+    }
+    far = {r["method"]: float(r["p99_in_image_px"]) for r in rows if r["world_offset"] == FAR}
+    lines = []
     for method in MOVED:
-        methods_by.setdefault(tuple(found[method, ratio] for ratio in RATIOS), []).append(method)
+        along, seen = zip(*(found[method, ratio] for ratio in RATIOS), strict=True)
+        # Along the object alone where the image shows the same, or nothing moves.
+        moves = any(number != "0" for number in along)
+        lines.append((method, along if moves else ["0"] * len(RATIOS), far[f"{method}-steps"]))
+    merged = {}  # methods by their numbers
+    for method, numbers, at in lines:
+        merged.setdefault((*numbers, short(at)), []).append(method)
     return table(
-        ["eye to plane, near distances"] + [f"{int(r):,}" for r in RATIOS],
-        [[code(methods), *numbers] for numbers, methods in methods_by.items()],
+        ["eye to plane, near distances"]
+        + [f"{int(r):,}" for r in RATIOS]
+        + ["in the image, 10,000 units from the origin"],
+        [[code(methods), *numbers] for numbers, methods in merged.items()],
     )
 
 
@@ -163,61 +217,22 @@ def planned():
         every, needed = (rows[scene, planes] for planes in ("all", "needed"))
         count, planned = (int(row["planes_drawn"]) for row in (every, needed))
         each = count // int(every["draws"])
-        saved = 1 - float(needed["least_ms"]) / float(every["least_ms"])
         lines.append(
             [
                 f"{name}, {each} plane{'s' * (each > 1)}",
                 count,
                 planned,
                 short(count / planned),
-                f"{100 * max(saved, 0):.0f} %",
+                f"{short(saved_time()[scene])} %",
             ]
         )
     head = ["scene", "all planes for all objects", "planned", "times fewer", "CPU time saved"]
     return table(head, lines)
 
 
-# The words of the table in docs/speed.md, and the words that tools/bench/main.cpp reports with a limit.
-SPOKEN = [
-    ('processor time of a start, to a static "hello world"', "cold, to a static hello world"),
-    ("start to exit, to `glslangValidator -D -V`", "cold, to glslangValidator -D -V"),
-    (
-        "with `--validate`, to `glslangValidator` on the GLSL",
-        "cold with --validate, to glslangValidator on the GLSL",
-    ),
-    (
-        "in one process, to glslang (HLSL to SPIR-V, legalised as its programs do) and SPIRV-Cross",
-        "in one process, to glslang + SPIRV-Cross",
-    ),
-    (
-        "a pixel shader in one process, to glslang and SPIRV-Cross",
-        "a pixel shader in one process, to glslang + SPIRV-Cross",
-    ),
-    ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
-    ("`--target=hlsl`, to GLSL of the same shader", "--target=hlsl, to GLSL of the same shader"),
-    (
-        "an effect of 50 passes, to its 15 different shaders in one process",
-        "an effect with 50 passes, to its 15 shaders",
-    ),
-    ("validation of each in a batch, milliseconds", "validation of one shader in a batch"),
-    ("cost a byte at 10 MB, to that at 100 kB", "cost a byte at 10 MB, to that at 100 kB"),
-    ("cost a byte at 10 MB, to that at 1 MB", "cost a byte at 10 MB, to that at 1 MB"),
-    ("peak memory beyond 8 MiB, bytes for each byte of text", "peak memory beyond 8 MiB"),
-]
-
-
 def limits():
-    text = (ROOT / "tools/bench/main.cpp").read_text()
-
-    def limit(what):
-        found = re.search(
-            rf'Report\("{re.escape(what)}",[^;]*?,\s*"[^"]*",\s*([\d.]+)(?: / (\d+))?\)', text
-        )
-        return f"{float(found[1]) / float(found[2] or 1):g}"
-
-    return table(
-        ["a shader of 60 lines", "at most"], [[said, limit(what)] for said, what in SPOKEN]
-    )
+    rows = bench_limits.read((ROOT / "tools/bench/main.cpp").read_text())
+    return table(["a shader of 60 lines", "at most"], rows)
 
 
 BLOCKS = {
@@ -225,6 +240,8 @@ BLOCKS = {
     for f in (
         limits,
         situations,
+        advantage,
+        saved,
         held,
         flicker,
         costs,
@@ -236,11 +253,12 @@ U, ROWS, PY = 2.0**-24, 1080, 1 / math.tan(math.radians(30))
 ANY = U * ROWS / 2 / 0.1  # the unit of PredictEdgeError for surfaces of every direction
 
 
-def p99(method, ratio="400"):
+def direction(method, ratio="400", depth="standard"):
+    """The row of directions.csv."""
     return next(
-        float(r["p99_px"])
+        r
         for r in read("directions")
-        if (r["method"], r["eye_to_plane"]) == (method, ratio)
+        if (r["method"], r["eye_to_plane"], r["depth"]) == (method, ratio, depth)
     )
 
 
@@ -262,7 +280,7 @@ INLINE = [
         lambda: 1 / constant("study/advice.h", r"kInvisible = 1.0 / (\d+);"),
     ),
     (
-        "docs/study.md",
+        "docs/laws.md",
         r"1.5 R: ([\d.]+) for an object no larger",
         lambda: ANY * 0.75,
     ),
@@ -272,6 +290,11 @@ INLINE = [
         lambda: 100 * constant("study/program/check_tables.py", r"more <= 1(\.\d+)"),
     ),
     (
+        "docs/laws.md",
+        r"u H/2 ([\d.]+) R, with",
+        lambda: constant("runtime/plane_space.cpp", r"kVertexFactor = ([\d.]+);"),
+    ),
+    (
         "docs/testing.md",
         r"reads (\d+) scenes, which",
         lambda: constant("study/scenes/check_advice.py", r"arguments else (\d+)"),
@@ -279,12 +302,12 @@ INLINE = [
     (
         "docs/scene.md",
         r"which (\d+) of [\d,]+ random draws exceed",
-        lambda: sum(int(r["high"]) for r in read("laws")),
+        lambda: sum(int(r["high"]) for r in read("laws") if r["judged_in"] == "image"),
     ),
     (
         "docs/scene.md",
         r"which \d+ of ([\d,]+) random draws exceed",
-        lambda: sum(int(r["draws"]) for r in read("laws")),
+        lambda: sum(int(r["draws"]) for r in read("laws") if r["judged_in"] == "image"),
     ),
     (
         "docs/scene.md",
@@ -365,7 +388,8 @@ def check_inline():
 # The numbers that describe the measurements and not their results: images' sizes, factors of the laws and of the checks, defaults of
 # files, specifications.
 GIVEN = {
-    "docs/study.md": {"2.0", "100", "1920", "256", "400", "1.5", "10,000"},
+    "docs/study.md": {"2.0", "100", "1920", "256", "400", "10,000"},
+    "docs/laws.md": {"2.0", "100", "0.0002", "1.5"},
     "docs/scene.md": {"2.0", "100", "0.5", "1080", "256"},
     "docs/runtime.md": {"1080", "100"},
     "README.md": {"2.0", "4.5"},
@@ -437,7 +461,7 @@ def main():
     if "--take" in arguments:
         take(pathlib.Path(arguments[arguments.index("--take") + 1]))
     problems, blocks = [], 0
-    for name in ("docs/study.md", "docs/scene.md", "docs/runtime.md", "docs/speed.md", "README.md"):
+    for name in ("docs/study.md", "docs/laws.md", "docs/scene.md", "docs/runtime.md", "docs/speed.md", "README.md"):
         found, count = check_blocks(ROOT / name, write)
         problems += found
         blocks += count

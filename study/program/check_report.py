@@ -5,7 +5,7 @@
 usage: check_report.py FOLDER [--self-test]
 
 A chart must be drawn at least 300 by 150 pixels large, hold marks and text, and have all its text inside it and at least
-6 pixels high. --self-test breaks the report in several ways and fails unless each is noticed."""
+6 pixels high; the first has no text over another. --self-test breaks the report in several ways and fails unless each is noticed."""
 
 import csv
 import json
@@ -21,6 +21,7 @@ for(const svg of document.querySelectorAll('.chart svg')){const box=svg.getBound
 const rects=text.map(t=>t.getBoundingClientRect()).filter(r=>r.width>0);
 all[svg.id]={width:box.width,height:box.height,texts:rects.length,least:Math.min(...text.map(t=>{const m=t.getScreenCTM();return parseFloat(getComputedStyle(t).fontSize)*Math.sqrt(Math.abs(m.a*m.d-m.b*m.c))})),
 outside:rects.filter(r=>r.left<box.left-2||r.right>box.right+2||r.top<box.top-2||r.bottom>box.bottom+2).length,
+overlaps:rects.filter((r,i)=>rects.some((o,j)=>j<i&&r.left<o.right-1&&o.left<r.right-1&&r.top<o.bottom-2&&o.top<r.bottom-2)).length,
 marks:svg.querySelectorAll('path,use,rect').length,visible:getComputedStyle(svg).visibility}}
 const images=[...document.querySelectorAll('.image img')].map(i=>i.naturalWidth);
 const pre=document.createElement('pre');pre.id='measured';pre.textContent=JSON.stringify({charts:all,images:images,rows:document.querySelectorAll('td').length});
@@ -85,6 +86,9 @@ def problems(page, sweeps):
             found.append(f"chart {name} has text {chart['least']} pixels high")
         if chart["outside"]:
             found.append(f"chart {name} has {chart['outside']} texts that stick out of it")
+    overlaps = result["charts"].get("chart-speed-accuracy", {}).get("overlaps")
+    if overlaps:
+        found.append(f"chart speed-accuracy has {overlaps} texts over others")
     if len(result["images"]) < 10 or 0 in result["images"]:
         found.append(f"images are missing: {result['images']}")
     if result["rows"] < 40:
@@ -105,6 +109,11 @@ def main():
             "a hidden chart": page.replace("</style>", "#chart-pixels{display:none}</style>", 1),
             "text outside": page.replace(
                 "</style>", "#chart-cost text{transform:translate(900px,0)!important}</style>", 1
+            ),
+            "texts over others": page.replace(
+                "</style>",
+                "#chart-speed-accuracy text{transform:translate(300px,200px)!important}</style>",
+                1,
             ),
             "a broken image": page.replace(
                 "data:image/png;base64,iVBOR", "data:image/png;base64,AAAA", 1

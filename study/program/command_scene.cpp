@@ -73,8 +73,11 @@ OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const 
   }
   json["method"] = advice.best ? advice.best->way : "any";
   json["pixels_off"] = advice.best ? advice.best->bound : 0;
+  json["pixels_along_object"] = advice.best ? kBound * advice.best->along_surface : 0;
+  json["pixels_in_image"] = advice.best ? kBound * advice.best->in_image : 0;
   json["cost"] = advice.best ? advice.best->cost : 1;
   if (!advice.best) return json;
+  if (!advice.best->has_cost()) json["cost"] = nullptr;
   const std::string command =
       CommandOf(object, WayNamed(advice.best->way), std::popcount(plan.needed));
   if (!command.empty()) json["command"] = command;
@@ -101,23 +104,30 @@ std::string Counted(std::size_t count, const std::string& what) {
 }
 
 void Print(const OrderedJson& image) {
-  std::printf("%s, camera %s: %s, %s, tolerance %g pixels\n", Cell(image["scene"]).c_str(),
+  std::printf("%s, camera %s: %s, %s, tolerance %g pixels %s\n", Cell(image["scene"]).c_str(),
               Cell(image["camera"]).c_str(),
               Counted(image["planes"].get<std::size_t>(), "plane").c_str(),
-              Counted(image["objects"].size(), "object").c_str(), image["tolerance"].get<double>());
-  std::printf("%-20s %-14s %-28s %-16s %12s %6s %13s\n", "object", "drawn", "planes needed",
-              "method", "off, pixels", "meets", "cost, times 1");
+              Counted(image["objects"].size(), "object").c_str(), image["tolerance"].get<double>(),
+              image["judged_in"] == "image" ? "in the image" : "along the object");
+  std::printf("%-20s %-14s %-20s %-14s %12s %12s %6s %13s\n", "object", "drawn", "planes needed",
+              "method", "along object", "in image", "meets", "cost, times 1");
   for (const OrderedJson& object : image["objects"]) {
     std::printf("%-20s %-14s", Cell(object["object"]).c_str(),
                 object["drawn"].get<std::string>().c_str());
     if (object.contains("refused")) {
       std::printf(" refused: %s", object["refused"].get<std::string>().c_str());
     } else if (object.contains("planes") && object["method"].is_null()) {
-      std::printf(" %-28s %-16s %12s %6s", Cell(object["planes"]).c_str(), "none", "-", "no");
+      std::printf(" %-20s %-14s %12s %12s %6s", Cell(object["planes"]).c_str(), "none", "-", "-",
+                  "no");
     } else if (object.contains("planes")) {
-      std::printf(" %-28s %-16s %12.2g %6s %13.3f", Cell(object["planes"]).c_str(),
-                  Cell(object["method"]).c_str(), object["pixels_off"].get<double>(),
-                  object["meets"] ? "yes" : "no", object["cost"].get<double>());
+      std::printf(" %-20s %-14s %12.2g %12.2g %6s", Cell(object["planes"]).c_str(),
+                  Cell(object["method"]).c_str(), object["pixels_along_object"].get<double>(),
+                  object["pixels_in_image"].get<double>(), object["meets"] ? "yes" : "no");
+      if (object["cost"].is_null())
+        std::printf(" %13s\n  the table of costs does not have `%s`", "unknown",
+                    object["method"].get<std::string>().c_str());
+      else
+        std::printf(" %13.3f", object["cost"].get<double>());
     }
     if (object.contains("command"))
       std::printf("\n  %s", object["command"].get<std::string>().c_str());
@@ -176,11 +186,13 @@ int RunScene(const std::vector<std::string>& arguments) {
       int& most = variants[advice[i].best->way];
       most = std::max(most, std::popcount(advice[i].plan.needed));
     }
-    images.push_back({{"scene", scene.name},
-                      {"camera", camera.name},
-                      {"planes", scene.planes.size()},
-                      {"tolerance", scene.tolerance},
-                      {"objects", std::move(objects)}});
+    images.push_back(
+        {{"scene", scene.name},
+         {"camera", camera.name},
+         {"planes", scene.planes.size()},
+         {"tolerance", scene.tolerance},
+         {"judged_in", scene.judged_in == runtime::JudgedIn::kImage ? "image" : "surface"},
+         {"objects", std::move(objects)}});
     Print(images.back());
   }
   for (const auto& [way, planes] : variants) {

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "chart.text.h"
 #include "report.text.h"
 #include "study/edges.h"
 #include "study/flicker.h"
@@ -57,14 +58,14 @@ class Study {
 
   void Edges() {
     Csv csv(Path("edges.csv"), {"sweep", "parameter", "method", "applies", "edges", "median_px",
-                                "p99_px", "largest_px", "not_finite"});
+                                "p99_px", "largest_px", "not_finite", "p99_in_image_px"});
     Progress progress("displaced edges");
     const std::vector<SweepPoint> points = AllSweeps(options_.quick);
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (const EdgeErrors& errors :
            MeasureViews(points[i].config, AllMethods(), options_.quick ? 50 : 300, 12345)) {
         csv.Row(points[i].sweep, points[i].parameter, errors.method, errors.applies, errors.edges,
-                errors.median, errors.p99, errors.largest, errors.not_finite);
+                errors.median, errors.p99, errors.largest, errors.not_finite, errors.p99_in_image);
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
     }
@@ -73,43 +74,55 @@ class Study {
   // Writes each way's error over plane directions that nobody chose, at some distances from the
   // eye.
   void Directions() {
-    Csv csv(Path("directions.csv"),
-            {"eye_to_plane", "method", "planes", "median_px", "p99_px", "largest_px"});
+    Csv csv(Path("directions.csv"), {"depth", "eye_to_plane", "method", "planes", "median_px",
+                                     "p99_px", "largest_px", "p99_in_image_px"});
     const int planes = options_.quick ? 8 : 60;
+    const auto measure = [&](double ratio, bool reversed, const Method& method) {
+      const EdgeErrors errors = MeasureDirections(ratio, reversed, method, planes, 400, 12);
+      if (errors.applies)
+        csv.Row(reversed ? "reversed" : "standard", ratio, method.name, planes, errors.median,
+                errors.p99, errors.largest, errors.p99_in_image);
+    };
     for (const double ratio : {10.0, 400.0, 10000.0}) {
-      for (const Method& method : AllMethods()) {
-        const EdgeErrors errors = MeasureDirections(ratio, method, planes, 400, 12);
-        if (errors.applies)
-          csv.Row(ratio, method.name, planes, errors.median, errors.p99, errors.largest);
-      }
+      for (const Method& method : AllMethods()) measure(ratio, false, method);
+      for (const Method& method : {ClipSpace(), Xyw1Space(), ObjectSpace()})
+        measure(ratio, true, method);
     }
   }
 
   // Writes the agreement of PredictEdgeError with the regimes that users are in.
   void Laws() {
-    Csv csv(Path("laws.csv"),
-            {"regime", "draws", "low", "high", "least", "median", "most", "pooled_p99"});
+    Csv csv(Path("laws.csv"), {"regime", "judged_in", "draws", "low", "high", "least", "median",
+                               "most", "pooled_p99"});
     Progress progress("laws");
     for (int i = 0; i < kRegimes; ++i) {
       const RegimeHeld held = HoldLaw(static_cast<Regime>(i), options_.quick ? 100 : 10000, 40,
                                       424242, [](const RegimeDraw& draw) { return LawOf(draw); });
-      csv.Row(NameOf(held.regime), held.draws, held.low, held.high, held.least, held.median,
-              held.most, held.pooled);
+      for (const auto& [name, each] :
+           {std::pair{"surface", held.along_surface}, std::pair{"image", held.in_image}}) {
+        csv.Row(NameOf(held.regime), name, held.draws, each.low, each.high, each.least, each.median,
+                each.most, each.pooled);
+      }
       progress(static_cast<double>(i + 1) / kRegimes);
     }
   }
 
   // Writes the flicker of a camera that pans by a sixth of a degree a frame.
   void Flickers() {
-    Csv csv(Path("flicker.csv"), {"eye_to_plane", "method", "median_px", "p99_px", "largest_px"});
-    for (const double ratio : {10.0, 30.0, 100.0, 400.0, 1000.0, 3000.0}) {
-      const Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+    Csv csv(Path("flicker.csv"), {"world_offset", "eye_to_plane", "method", "median_px", "p99_px",
+                                  "largest_px", "p99_in_image_px"});
+    const auto measure = [&](double offset, double ratio) {
+      Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+      config.world_offset = offset;
       for (const Flicker& flicker :
            MeasureFlicker(config, AllMethods(), options_.quick ? 6 : 20, 0.003, 500, 5)) {
         if (flicker.applies)
-          csv.Row(ratio, flicker.method, flicker.median, flicker.p99, flicker.largest);
+          csv.Row(offset, ratio, flicker.method, flicker.median, flicker.p99, flicker.largest,
+                  flicker.p99_in_image);
       }
-    }
+    };
+    for (const double ratio : {10.0, 30.0, 100.0, 400.0, 1000.0, 3000.0}) measure(0, ratio);
+    measure(1e4, 77);  // seen at 10, as the sweep of world offsets
   }
 
   void Pixels() {
@@ -217,7 +230,12 @@ class Study {
 void MakeReport(const std::string& folder) {
   const pid_t child = fork();
   if (child == 0) {
-    execlp("/usr/bin/python3", "python3", "-c", report_text, folder.c_str(), nullptr);
+    // The report's script imports the chart's.
+    constexpr char kStart[] =
+        "import sys, types; chart = sys.modules['chart'] = types.ModuleType('chart'); "
+        "report = sys.argv.pop(); exec(sys.argv.pop(), chart.__dict__); exec(report)";
+    execlp("/usr/bin/python3", "python3", "-c", kStart, folder.c_str(), chart_text, report_text,
+           nullptr);
     std::_Exit(127);
   }
   int status = 0;

@@ -143,6 +143,13 @@ class Converter {
     means.clip_distances = Flag(extras, "clip_distances", means.clip_distances, "scene");
     means.user_planes = Flag(extras, "user_planes", means.user_planes, "scene");
     means.can_discard = Flag(extras, "can_discard", means.can_discard, "scene");
+    if (extras.IsObject() && extras.Has("judged_in")) {
+      const auto& value = extras.Get("judged_in");
+      const std::string judged_in = value.IsString() ? value.Get<std::string>() : "";
+      Require(judged_in == "image" || judged_in == "surface", "scene.extras.judged_in",
+              "is neither \"image\" nor \"surface\"");
+      if (judged_in == "surface") scene_.judged_in = runtime::JudgedIn::kSurface;
+    }
     if (extras.IsObject() && extras.Has("one_matrix") && extras.Get("one_matrix").IsString()) {
       const auto order = OrderNamed(extras.Get("one_matrix").Get<std::string>());
       Require(order.has_value(), "scene.extras.one_matrix", kUnknownOrder);

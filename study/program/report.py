@@ -17,10 +17,10 @@ import math
 import pathlib
 import sys
 
+import chart
 import matplotlib
-
-matplotlib.use("svg")
 import matplotlib.pyplot as plt
+from chart import STEP
 
 plt.rcParams.update(
     {
@@ -47,6 +47,10 @@ COLORS = {
     "near-plane-f32": "#6e2c00",
     "clip-steps": "#e57373",
     "xyw1-steps": "#7fb3d5",
+    "object-steps": "#73c6b6",
+    "world-steps": "#bb8fce",
+    "near-plane-steps": "#82e0aa",
+    "cpu-steps": "#85929e",
     "clip-product": "#f1948a",
     "xyw1-product": "#aed6f1",
     "discard": "#e84393",
@@ -54,13 +58,6 @@ COLORS = {
     "discard-world": "#6c5ce7",
     "cpu": "#2c3e50",
     "none": "#aaaaaa",
-}
-# The arithmetic (edges.csv) of the ways (speed.csv, pixels.csv) that is not named like them.
-ARITHMETIC = {
-    "level9": "clip",
-    "discard": "clip",
-    "discard-object": "object",
-    "discard-world": "world",
 }
 HOW = {
     "clip": "[clipplanes] as fxc means it; also DXC and wined3d",
@@ -76,6 +73,10 @@ HOW = {
     "cpu": "the application clips in double",
     "clip-steps": "clip, where the shader multiplies by world and then by view * projection",
     "xyw1-steps": "xyw1, likewise",
+    "object-steps": "object, likewise",
+    "world-steps": "world, likewise",
+    "near-plane-steps": "near-plane, likewise",
+    "cpu-steps": "cpu, likewise",
     "clip-product": "clip, with one matrix that was multiplied in float",
     "xyw1-product": "xyw1, likewise",
     "view": "SV_ClipDistance of the view-space vertex",
@@ -130,71 +131,9 @@ def by_sweep(rows, key):
     return sweeps
 
 
-STEP = 1 / 256  # pixels: the grid that a rasteriser snaps to
-# The names of the ways in the chart of all of them.
-PLAIN = {
-    "object": "object space",
-    "xyw1": "x, y and w (xyw1)",
-    "world": "world space",
-    "near-plane": "sheared near plane",
-    "clip": "clip space (fxc, dxc)",
-    "level9": "SetClipPlane",
-    "near-plane-f32": "near plane sheared in float",
-    "cpu": "clipped by the application",
-    "discard": "discard, clip space",
-    "discard-object": "discard, object space",
-    "discard-world": "discard, dot product in each pixel",
-}
-
-
-def main_chart(charts, directions, speed):
-    """A bar for each way, of what it loses from near to far, at the cost of the most planes that it takes. Ways of one cost that
-    stay below STEP are one dot in a band."""
-    lost = {(r["method"], number(r["eye_to_plane"])): number(r["p99_px"]) for r in directions}
-    figure, axis = plt.subplots(figsize=(9.5, 5))
-    least = STEP / 90
-    axis.axvspan(least, STEP, color="#e4f1e4", zorder=0)
-    green = {"color": "#2e6b2e", "ha": "center"}
-    axis.text(least * 9, 1.745, "below a rasteriser's step", **green)
-    groups = {}  # ways that are at one place of the chart
-    for way in PLAIN:
-        method = ARITHMETIC.get(way, way)
-        cost = cost_of(speed, way, 6) or cost_of(speed, way)
-        if cost and (method, 400) in lost:
-            bar = None if lost[method, 10000] < STEP else method
-            groups.setdefault((bar, round(cost / 0.04)), []).append((way, cost))
-    for (method, _), ways in groups.items():
-        cost, color = sum(cost for _, cost in ways) / len(ways), COLORS[ways[0][0]]
-        names = [PLAIN[way] for way, _ in ways]
-        if method is None:
-            axis.plot(least * 1.25, cost, "o", color=color, markersize=8)
-            lines = "\n".join(", ".join(names[i : i + 2]) for i in range(0, len(names), 2))
-            axis.text(least * 1.5, cost, lines, va="top" if len(names) > 1 else "center")
-            continue
-        near, middle, far = (lost[method, ratio] for ratio in (10, 400, 10000))
-        at, size = (far, cost + 0.015, "bottom", "right"), 3
-        if method == "near-plane-f32":  # as cheap as clip, and drawn over it
-            at, size = (near, cost - 0.018, "top", "left"), 1
-        axis.plot([near, far], [cost] * 2, color=color, linewidth=size, solid_capstyle="butt")
-        axis.plot(middle, cost, "o", color=color, markersize=4 + 1.3 * size)
-        axis.text(*at[:2], ", ".join(names), va=at[2], ha=at[3], color=color)
-    arrow = {"arrowstyle": "-|>", "color": "#2e6b2e", "linewidth": 2}
-    axis.annotate("better", (0.012, 1.33), (0.045, 1.48), arrowprops=arrow, fontsize=12, **green)
-    axis.set_xscale("log")
-    axis.set_xlim(least, 20)
-    axis.set_xticks([STEP, 0.01, 0.1, 1, 10])
-    axis.set_xticklabels(["1/256", "0.01", "0.1", "1", "10"])
-    axis.minorticks_off()
-    axis.set_ylim(0.9, 1.8)
-    axis.set_xlabel("pixels that an edge is off (99th percentile), plane near the eye to far away")
-    axis.set_ylabel("time of a frame with six planes / without\n(a software rasteriser's CPU)")
-    charts.add(
-        "speed-accuracy",
-        "Further left and down is better: 1920x1080, 60 degrees, standard depth, six planes that cut nothing (near plane: one) of "
-        "random directions from 10 near distances before the eye (left end of a bar) over 400 (dot) to 10,000.",
-        figure,
-        "each way to clip by what it loses and what it costs",
-    )
+def main_chart(charts, directions, edges, speed):
+    figure = chart.draw(directions, edges, speed)
+    charts.add("speed-accuracy", chart.CAPTION, figure, "each way to clip by what it loses and what it costs")
 
 
 def flicker_chart(charts, flicker):
@@ -202,7 +141,7 @@ def flicker_chart(charts, flicker):
     for method in collections.OrderedDict.fromkeys(r["method"] for r in flicker):
         if method not in ("object", "world", "cpu", "near-plane", "xyw1", "clip", "near-plane-f32"):
             continue
-        rows = [r for r in flicker if r["method"] == method]
+        rows = [r for r in flicker if r["method"] == method and r["world_offset"] == "0"]
         values = [number(r["p99_px"]) for r in rows]
         label = method + (" (exactly 0)" if not any(values) else "")
         axis.plot(
@@ -220,7 +159,7 @@ def flicker_chart(charts, flicker):
     axis.set_xlabel("eye to plane, near distances")
     axis.set_ylabel("p99, pixels a frame")
     axis.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    title = "Flicker of a cut that stands still, while the camera pans"
+    title = "Flicker along a surface of a cut that stands still, while the camera pans"
     charts.add("flicker", title, figure, "flicker by distance of eye and plane")
 
 
@@ -285,7 +224,7 @@ def cost_chart(charts, speed):
     workloads = ["image", "vertices", "cut"]
     figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.2))
     for axis, workload in zip(axes, workloads):
-        ways = [w for w in PLAIN if cost_of(speed, w, 1, workload) is not None]
+        ways = [w for w in chart.WAYS if cost_of(speed, w, 1, workload) is not None]
         for offset, planes in enumerate((1, 3, 6)):
             bars = [(i, cost_of(speed, w, planes, workload)) for i, w in enumerate(ways)]
             bars = [(i, c) for i, c in bars if c is not None]
@@ -411,9 +350,11 @@ def special_table(special):
 
 def laws_table(laws):
     return table(
-        "regime, draws, below 0.2, above 3, least, median, most, all edges together".split(", "),
+        "regime, judged in, draws, below 0.2, above 3, least, median, most, all edges together".split(
+            ", "
+        ),
         [
-            [r["regime"], r["draws"], r["low"], r["high"]]
+            [r["regime"], r["judged_in"], r["draws"], r["low"], r["high"]]
             + [f"{number(r[c]):.2f}" for c in ("least", "median", "most", "pooled_p99")]
             for r in laws
         ],
@@ -440,13 +381,14 @@ table{border-collapse:collapse;font-size:13px}td,th{border:1px solid #ccc;paddin
 def main():
     if sys.argv[1] == "--chart":
         tables, folder = map(pathlib.Path, sys.argv[2:])
-        main_chart(Charts(folder), read(tables, "directions.csv"), read(tables, "speed.csv"))
+        names = ("directions.csv", "edges.csv", "speed.csv")
+        main_chart(Charts(folder), *(read(tables, name) for name in names))
         return
     folder = pathlib.Path(sys.argv[1])
     edges, pixels, speed = (read(folder, f"{n}.csv") for n in ("edges", "pixels", "speed"))
     scenes = read(folder, "scenes.csv")
     charts = Charts(folder)
-    main_chart(charts, read(folder, "directions.csv"), speed)
+    main_chart(charts, read(folder, "directions.csv"), edges, speed)
     charts.text("<h2>In motion</h2>")
     flicker_chart(charts, read(folder, "flicker.csv"))
     charts.text("<h2>Which method for which scene</h2>" + which_table(scenes))

@@ -2,6 +2,7 @@
 #include "study/program/scene_file.h"
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -16,6 +17,8 @@ namespace {
 
 using harness::DrawError;
 using Json = nlohmann::json;
+
+constexpr double kLongest = 1e18;  // of the lengths in a scene
 
 // One JSON object; every key must be asked for, so that a misspelt one is an error.
 class Reader {
@@ -62,6 +65,20 @@ class Reader {
       to[i] = (*value)[i].get<double>();
     }
   }
+  // Fails where a number of `key` is longer than any length may be.
+  template <std::size_t N>
+  void CheckLengths(const char* key, const double (&lengths)[N]) const {
+    for (const double length : lengths) {
+      if (!(std::fabs(length) <= kLongest)) {
+        char what[120];
+        std::snprintf(
+            what, sizeof what,
+            "has %g; lengths are at most %g, since a float holds the square of no longer one",
+            length, kLongest);
+        Fail(key, what);
+      }
+    }
+  }
   // Calls read(element, where) for each element of the list `key`.
   template <typename Read>
   void List(const char* key, Read read) {
@@ -105,6 +122,7 @@ Camera CameraFrom(Reader& reader) {
   reader.Numbers("offset", offset, false);
   camera.offset_x = offset[0], camera.offset_y = offset[1];
   reader.Numbers("eye", camera.eye, false);
+  reader.CheckLengths("eye", camera.eye);
   camera.yaw = reader.Number("yaw", 0), camera.pitch = reader.Number("pitch", 0),
   camera.roll = reader.Number("roll", 0);
   if (camera.fov >= 180) reader.Fail("fov", "is 180 degrees or more");
@@ -129,6 +147,12 @@ SceneObject ObjectFrom(Reader& reader, std::size_t number) {
   object.rigid = reader.Flag("rigid", true);
   double low[3], high[3], world[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   reader.Numbers("low", low), reader.Numbers("high", high), reader.Numbers("world", world, false);
+  reader.CheckLengths("low", low), reader.CheckLengths("high", high);
+  reader.CheckLengths("world", world);
+  for (int i = 0; i < 4; ++i) {
+    if (world[4 * i + 3] != (i == 3))
+      reader.Fail("world", "is not a world matrix: elements 3, 7, 11 and 15 are 0, 0, 0 and 1");
+  }
   for (int i = 0; i < 3; ++i) {
     if (!(low[i] <= high[i])) reader.Fail("low", "lies above `high`");
     // The bounds are rounded outwards, so that the box still holds everything.
@@ -152,6 +176,10 @@ Scene SceneFrom(const Json& json) {
   scene.means.user_planes = reader.Flag("user_planes", false);
   scene.means.can_discard = reader.Flag("can_discard", true);
   scene.means.order = OrderFrom(reader);
+  const std::string judged_in = reader.Text("judged_in", "image");
+  if (judged_in != "image" && judged_in != "surface")
+    reader.Fail("judged_in", "is neither \"image\" nor \"surface\"");
+  if (judged_in == "surface") scene.judged_in = runtime::JudgedIn::kSurface;
   reader.List("cameras", [&](const Json& element, const std::string& where) {
     Reader camera(element, where);
     scene.cameras.push_back({camera.Text("name", "camera " + std::to_string(scene.cameras.size())),

@@ -136,7 +136,18 @@ class Draw:
             3
         ] * self.rows / 2
 
-    def places(self, view_plane, r):
+    def places(self, view_plane, others, r):
+        """Random places of the cut that the image shows and the other planes keep, in view space."""
+        kept = [[float(x) for x in other] for other in others]
+        for place, to_object in self.places_of_plane(view_plane, r):
+            for other in kept:
+                terms = [a * b for a, b in zip(other, [*place, 1])]
+                if sum(terms) < -1e-9 * sum(map(abs, terms)):
+                    break
+            else:
+                yield place, to_object
+
+    def places_of_plane(self, view_plane, r):
         """Random places of the cut that the image shows, in view space."""
         c = self.camera
         inverse = [
@@ -221,11 +232,14 @@ class Draw:
         chain = self.chain()
 
         def distance(v):
-            for columns in chain:
-                v = transform32(v, columns)
-            return dot32(pick(v), constant)
+            return dot32(pick(self.position(v, chain)), constant)
 
         return distance
+
+    def position(self, v, chain):
+        for columns in chain:
+            v = transform32(v, columns)
+        return v
 
     def chain(self):
         """The columns of the matrices that the shader multiplies a vertex by, by the scene's `one_matrix`."""
@@ -239,7 +253,7 @@ class Draw:
             "float": lambda: [multiply32(w, multiply32(v, p))],
         }[self.scene["one_matrix"]]()
 
-    def edges(self, view_plane, exact, r):
+    def edges(self, view_plane, others, exact, r):
         """Edges through the cut: vertices, true distances as whole numbers."""
         normal = [float(x) for x in view_plane[:3]]
         length = math.sqrt(sum(x * x for x in normal))
@@ -255,7 +269,7 @@ class Draw:
             )
         )
         made = []
-        for place, to_object in self.places(view_plane, r):
+        for place, to_object in self.places(view_plane, others, r):
             while True:
                 along = [r.gauss(0, 1) for _ in range(3)]
                 size = math.sqrt(sum(x * x for x in along))
@@ -280,42 +294,50 @@ class Draw:
 
     def lost(self, way, names, every_plane=False):
         """The 99th percentile of displacements, of the plane where it is largest; none where hardly a cut of any plane is
-        seen or, with `every_plane`, of one of them."""
+        seen or, with `every_plane`, where hardly a cut of one of them is, but some of it."""
         worst = None
-        for plane in self.scene["planes"]:
-            if plane["name"] not in names:
-                continue
+        planes = [plane for plane in self.scene["planes"] if plane["name"] in names]
+        in_view = [solve(self.view, plane["plane"]) for plane in planes]
+        for i, plane in enumerate(planes):
             world_plane = [F(x) for x in plane["plane"]]
-            view_plane = solve(self.view, world_plane)
+            view_plane = in_view[i]
             in_object = before(self.world, world_plane)
             scale = max(abs(x) for x in in_object) or 1
             exact = [int(x / scale * 2**160) for x in in_object]
-            edges = self.edges(view_plane, exact, random.Random(plane["name"]))
+            others = in_view[:i] + in_view[i + 1 :]
+            edges = self.edges(view_plane, others, exact, random.Random(plane["name"]))
             if len(edges) < EDGES // 3:
-                if every_plane:
+                if every_plane and edges:
                     return None
                 continue
             distance = self.distance_by(way, world_plane, view_plane)
-            pixels = sorted(self.displacement(*edge, distance, way == "cpu") for edge in edges)
+            chain = self.chain()
+            pixels = sorted(
+                self.displacement(*edge, distance, chain, way == "cpu") for edge in edges
+            )
             worst = max(worst or 0, pixels[int(0.99 * len(pixels))])
         return worst
 
-    def displacement(self, ends, true, distance, makes_vertices):
+    def displacement(self, ends, true, distance, chain, makes_vertices):
+        """How far the cut is off in the image, in pixels."""
         right = true[0] / (true[0] - true[1])
         got = [distance(v) for v in ends]
         if not all(math.isfinite(g) for g in got):
             return math.inf
         clip = [[sum(v[i] * self.all[i][j] for i in range(4)) for j in range(4)] for v in ends]
-        at = lambda share: self.pixel([a + share * (b - a) for a, b in zip(*clip)])
+        drawn = [self.position(v, chain) for v in ends]
+        if not all(d[3] > 0 and math.isfinite(d[3]) for d in drawn):
+            return math.inf
+        at = lambda share, ends: self.pixel([a + share * (b - a) for a, b in zip(*ends)])
         if (got[0] >= 0) == (got[1] >= 0):
-            where = at(1.0 if (true[0] >= 0) == (got[0] >= 0) else 0.0)
+            where = at(1.0 if (true[0] >= 0) == (got[0] >= 0) else 0.0, drawn)
         elif makes_vertices:
             share = got[0] / (got[0] - got[1])
             v = [f32(a + share * (b - a)) for a, b in zip(*ends)]
-            where = self.pixel([sum(v[i] * self.all[i][j] for i in range(4)) for j in range(4)])
+            where = self.pixel(self.position([*v[:3], 1.0], chain))
         else:
-            where = at(got[0] / (got[0] - got[1]))
-        return math.dist(where, at(right))
+            where = at(got[0] / (got[0] - got[1]), drawn)
+        return math.dist(where, at(right, clip))
 
 
 def is_possible(way, scene, thing):

@@ -44,7 +44,7 @@ async function compiledAndMeasured(action) {
 
 await page.loaded('Number(document.documentElement.dataset.shows) > 0');
 
-/** A column of the study's table directions.csv, by distance of eye and plane in near distances. */
+/** The column p99_px of the study's table directions.csv, by distance of eye and plane in near distances. */
 function studied(method) {
   const rows = readFileSync(join(tables, 'directions.csv'), 'utf8')
     .trim()
@@ -52,8 +52,8 @@ function studied(method) {
     .slice(1)
     .map((line) => line.split(','));
   return rows
-    .filter((row) => row[1] === method)
-    .map(([ratio, , , , p99]) => ({ ratio: Number(ratio), p99: Number(p99) }));
+    .filter((row) => row[0] === 'standard' && row[2] === method)
+    .map(([, ratio, , , , p99]) => ({ ratio: Number(ratio), p99: Number(p99) }));
 }
 
 /** The distance of the eye from the plane that goes through the mesh's middle, in near distances. */
