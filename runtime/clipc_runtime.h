@@ -134,7 +134,8 @@ clipc_error clipc_object_plane(const float world_plane[4], const float world[16]
 
 /** plane_space.h: PlaneConstantFor, the constant of a plane for the table's plane space. A matrix
  * that is NULL is the identity. Warning: none, or CLIPC_ILL_CONDITIONED with a sentence where the
- * edge moves by more than `most_pixels` in an image of `rows` rows. */
+ * edge, with the object's own vertices, moves by more than `most_pixels` in an image of `rows`
+ * rows. */
 typedef enum clipc_known_in {
   CLIPC_KNOWN_IN_OBJECT = 0,
   CLIPC_KNOWN_IN_WORLD,
@@ -157,7 +158,7 @@ typedef struct clipc_draw_matrices {
 } clipc_draw_matrices;
 typedef struct clipc_space_constant {
   float constant[4];
-  double edge_error; /**< in pixels; 0 if there is no prediction */
+  double edge_error; /**< in pixels along the surface; 0 if there is no prediction */
   clipc_error warning;
   char warning_message[CLIPC_MESSAGE_SIZE];
 } clipc_space_constant;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "matrix.h"
 
@@ -16,7 +16,11 @@ inline constexpr std::uint64_t kExponent = 0x7ff0'0000'0000'0000, kMantissa = 0x
 // The largest power of two that is not above |x|, or that of float's least normal number. The
 // functions of <cmath> for exponents take most of a prediction's time.
 inline double PowerOf(double x) {
-  return std::max(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kExponent), 0x1p-126);
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits &= kExponent;
+  std::memcpy(&x, &bits, sizeof bits);
+  return std::max(x, 0x1p-126);
 }
 // The variance of the error that rounding a number of this size to float adds, evenly over half a
 // unit in the last place; none for 0.
@@ -27,7 +31,9 @@ inline double Rounding(double x) {
 }
 // Whether `x` is a power of two, which float holds and multiplies without rounding.
 inline bool IsExact(double x) {
-  return x != 0 && std::isfinite(x) && (std::bit_cast<std::uint64_t>(x) & kMantissa) == 0;
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return x != 0 && std::isfinite(x) && (bits & kMantissa) == 0;
 }
 // The variance that rounding adds to the sum of two floats; none where one of them is 0.
 inline double RoundingOfSum(double a, double b) { return a == 0 || b == 0 ? 0 : Rounding(a + b); }

@@ -93,7 +93,7 @@ def situations():
         ["vertices around their own origin", "`object`", usual("object"), usual("clip")],
         [
             "a large or baked mesh, 1,000 depths from its own origin",
-            "`object`, and an origin near the cut unless the plane is along an axis",
+            "an origin near the cut, and `object`",
             f"{usual('object')}; without such an origin {mesh('object')}",
             mesh("clip"),
         ],

@@ -292,6 +292,19 @@ TEST(SceneCommand, JudgesInTheImageOrAlongTheObject) {
   EXPECT_EQ(seen["pixels_off"], seen["pixels_in_image"]);
 }
 
+// A tide line across one mesh of a whole country: `object` multiplies its height by one number, and
+// loses nothing along it.
+TEST(SceneCommand, CutsAlongAnAxisOfABakedMeshAreExactAlongIt) {
+  const std::string country = R"({"name": "country", "low": [19900, -10, 29900],
+    "high": [20100, 90, 30100]})";
+  const Said said =
+      SayFor(R"("judged_in": "surface", )", "[0, 1, 0, -0.3]", country, "[20000, 20, 29800]");
+  const auto object = said.images[0]["objects"][0];
+  EXPECT_EQ(object["method"], "object");
+  EXPECT_LT(object["pixels_along_object"], 1e-4);
+  EXPECT_GT(object["pixels_in_image"], 0.01);
+}
+
 // The portal removes the part of the tide line that is next to the eye.
 TEST(SceneCommand, WhatAnotherPlaneRemovesDoesNotCount) {
   const std::string json = ::testing::TempDir() + "clipc_portal.json";
