@@ -114,21 +114,21 @@ void ExpressionCheck::IntrinsicUse(const IntrinsicCall& call, Span span) {
   if (CategoryOf(call.op) == IntrinsicCategory::kWave ||
       CategoryOf(call.op) == IntrinsicCategory::kQuad)
     Check(FeatureOfWave(call.op), diag::TargetWave, span, NameOf(call.op));
-  if (call.op == Intrinsic::kCheckAccessFullyMapped)
+  if (call.op == CommonIntrinsic::kCheckAccessFullyMapped)
     Check(Feature::kTextureStatus, diag::TargetTiled, span, "a status");
   if (CategoryOf(call.op) == IntrinsicCategory::kMemory)
     Check(Feature::kMemoryBarriers, diag::TargetBarrier, span, NameOf(call.op));
   if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
     Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
   }
-  if (call.op == Intrinsic::kNonUniform && !target_.IsVulkan() &&
+  if (call.op == CommonIntrinsic::kNonUniform && !target_.IsVulkan() &&
       !std::exchange(non_uniform_reported_, true))
     Report(span, diag::TargetNonUniform);
 }
 
 // Checks the evaluation of an input at another place: the argument is that input.
 void ExpressionCheck::Interpolant(const IntrinsicCall& call, Span span) {
-  const bool is_vertex = call.op == Intrinsic::kAttributeAtVertex;
+  const bool is_vertex = call.op == CommonIntrinsic::kAttributeAtVertex;
   Check(is_vertex ? Feature::kBarycentrics : Feature::kInterpolants, diag::TargetInterpolant, span,
         NameOf(call.op));
   ExprId place = program_.expr_lists[call.arguments][0];

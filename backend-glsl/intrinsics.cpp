@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <iterator>
 
+#include "ir/intrinsic_list.h"
+
 namespace clipc::glsl {
 
 using namespace ir;

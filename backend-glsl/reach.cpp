@@ -33,7 +33,7 @@ class Walker {
     const auto visit = [&](const Expr& expr) {
       if (const auto* ref = std::get_if<VarRef>(&expr.node)) Variable(ref->var);
       const auto* call = std::get_if<IntrinsicCall>(&expr.node);
-      if (call && call->op == Intrinsic::kAttributeAtVertex)
+      if (call && call->op == CommonIntrinsic::kAttributeAtVertex)
         reached_.per_vertex.push_back(RootOf(program_, program_.expr_lists[call->arguments][0]));
     };
     const auto enters = [&](FunctionId id) {

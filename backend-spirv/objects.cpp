@@ -164,7 +164,7 @@ bool Writer::IsNonUniform(ExprId path) const {
   if (options_.is_opengl) return false;
   for (const Index* index = As<Index>(path); index; index = As<Index>(index->base)) {
     const auto* mark = As<IntrinsicCall>(index->index);
-    if (mark && mark->op == Intrinsic::kNonUniform) return true;
+    if (mark && mark->op == CommonIntrinsic::kNonUniform) return true;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "backend-spirv/writer.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::spirv {
 

@@ -23,7 +23,8 @@ if(CLIPC_SANITIZE MATCHES "address")
 endif()
 
 # clipc_unite(TARGET): a unity build compiles the files of a folder as one unit, so that the files whose unnamed namespaces are one
-# are the same in every such build. A file with the property SKIP_UNITY_BUILD_INCLUSION is compiled by itself.
+# are the same in every such build. The files that name enumerators of ir/intrinsics.def are a unit of their own, so that a new row
+# compiles no others. A file with the property SKIP_UNITY_BUILD_INCLUSION is compiled by itself.
 function(clipc_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -34,6 +35,11 @@ function(clipc_unite target)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
     string(MAKE_C_IDENTIFIER "${folder}" folder)
+    get_filename_component(file ${source} ABSOLUTE)
+    file(STRINGS ${file} names_intrinsics REGEX "^#include \"ir/intrinsic_list.h\"")
+    if(names_intrinsics)
+      string(APPEND folder "_intrinsics")
+    endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
   endforeach()
 endfunction()

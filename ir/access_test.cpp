@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ir/intrinsic_list.h"
 #include "ir/test_program.h"
 
 namespace clipc::ir {

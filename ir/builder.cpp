@@ -160,7 +160,7 @@ ExprId Builder::ClipsAt(ExprId value) {
   ExprId zero = LiteralOf(program_.types[type].scalar, 0);
   if (TypeOf(zero) != type) zero = SplatTo(type, zero);
   const ExprId is_below = BinaryOf(BinaryOp::kLess, value, zero);
-  return TypeOf(is_below) == one ? is_below : IntrinsicOf(Intrinsic::kAny, one, {is_below});
+  return TypeOf(is_below) == one ? is_below : IntrinsicOf(CommonIntrinsic::kAny, one, {is_below});
 }
 
 ExprId Builder::CommaOf(ExprId first, ExprId second) {

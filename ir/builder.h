@@ -64,7 +64,7 @@ class Builder {
   ExprId Add(TypeId type, const Node& node) {
     if constexpr (std::is_same_v<Node, ObjectCall>) program_.calls_objects = true;
     if constexpr (std::is_same_v<Node, IntrinsicCall>)
-      program_.calls_nonuniform |= node.op == Intrinsic::kNonUniform;
+      program_.calls_nonuniform |= node.op == CommonIntrinsic::kNonUniform;
     return program_.exprs.Make(type, span_, node);
   }
   // Adds a copy of the node. The copy has a list of operands of its own, so that they can be

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 #include "ir/print.h"
 #include "ir/test_program.h"
 #include "ir/verify.h"

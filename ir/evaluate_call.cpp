@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "base/invariant.h"
+#include "ir/access.h"
 #include "ir/evaluate_machine.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::ir {

@@ -20,8 +20,8 @@ bool MayBeConstant(const Program& program, ExprId expr) {
                    [](const Unary& node) { return !ChangesOperand(node.op); },
                    [](const IntrinsicCall& node) {
                      const bool writes = node.arguments.size > 1 && WritesArgument(node.op, 1);
-                     return !writes && node.op != Intrinsic::kAsDouble &&
-                            node.op != Intrinsic::kCheckAccessFullyMapped &&
+                     return !writes && node.op != CommonIntrinsic::kAsDouble &&
+                            node.op != CommonIntrinsic::kCheckAccessFullyMapped &&
                             CategoryOf(node.op) != IntrinsicCategory::kMemory &&
                             CategoryOf(node.op) != IntrinsicCategory::kAtomic;
                    },

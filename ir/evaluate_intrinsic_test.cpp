@@ -7,6 +7,7 @@
 
 #include "ir/builder.h"
 #include "ir/evaluate.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 #include "ir/test_program.h"
 #include "ir/verifier.h"

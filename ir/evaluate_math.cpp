@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/invariant.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::ir {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "ir/evaluate_math.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 // Source: "HLSL Shader Model 6.4" and "HLSL Shader Model 6.6 Pack/Unpack Math Intrinsics" of the

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ir/evaluate_machine.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::ir {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ir/intrinsic_list.h"
 #include "ir/test_evaluator.h"
 
 // Pixels that run in quads.

@@ -5,6 +5,7 @@
 
 #include "base/invariant.h"
 #include "ir/evaluate_math.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::ir {

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "ir/intrinsic_list.h"
+
 namespace clipc::ir {
 namespace {
 
@@ -34,6 +36,30 @@ constexpr IntrinsicInfo MakeInfo(const char* name, const char* signature,
 }
 
 }  // namespace
+
+#define COMMON(Name) constexpr Intrinsic CommonIntrinsic::Name = Intrinsic::Name;
+COMMON(kAll)
+COMMON(kAny)
+COMMON(kAsDouble)
+COMMON(kAsFloat)
+COMMON(kAsUint)
+COMMON(kAttributeAtVertex)
+COMMON(kCheckAccessFullyMapped)
+COMMON(kClip)
+COMMON(kDot)
+COMMON(kFloor)
+COMMON(kIsNan)
+COMMON(kMad)
+COMMON(kMax)
+COMMON(kMul)
+COMMON(kNonUniform)
+COMMON(kPow)
+COMMON(kSaturate)
+COMMON(kSign)
+COMMON(kSmoothstep)
+COMMON(kTranspose)
+COMMON(kWaveReadLaneFirst)
+#undef COMMON
 
 const IntrinsicInfo& InfoOf(Intrinsic op) {
   using enum IntrinsicCategory;

@@ -9,9 +9,13 @@
 // each, where the columns are explained.
 namespace clipc::ir {
 
-enum class Intrinsic : std::uint8_t {
-#define INTRINSIC(Enumerator, ...) k##Enumerator,
-#include "ir/intrinsics.def"
+enum class Intrinsic : std::uint8_t;  // ir/intrinsic_list.h has the enumerators
+
+// The functions that sources without the enumerators name.
+struct CommonIntrinsic {
+  static const Intrinsic kAll, kAny, kAsDouble, kAsFloat, kAsUint, kAttributeAtVertex,
+      kCheckAccessFullyMapped, kClip, kDot, kFloor, kIsNan, kMad, kMax, kMul, kNonUniform, kPow,
+      kSaturate, kSign, kSmoothstep, kTranspose, kWaveReadLaneFirst;
 };
 
 // One argument, or the result, of a signature.

@@ -312,7 +312,7 @@ void ExprVerifier::Check(const Call& node) {
 }
 
 void ExprVerifier::Check(const IntrinsicCall& node) {
-  if (node.op == Intrinsic::kNonUniform)
+  if (node.op == CommonIntrinsic::kNonUniform)
     Require(program_.calls_nonuniform, "the program says that it calls NonUniformResourceIndex");
   const auto problem =
       CheckIntrinsic(program_.types, node.op, IdOf(expr_), TypesOf(node.arguments));

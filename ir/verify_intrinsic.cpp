@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "ir/intrinsic_list.h"
 #include "ir/verifier.h"
 
 namespace clipc::ir {

@@ -6,6 +6,7 @@
 
 #include "base/overloaded.h"
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 #include "ir/verifier.h"
 
 namespace clipc::ir {

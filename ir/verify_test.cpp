@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ir/intrinsic_list.h"
 #include "ir/test_verifier.h"
 
 // Each test breaks one promise of program.h and expects Verify to say so.

@@ -6,6 +6,7 @@
 #include "base/overloaded.h"
 #include "ir/access.h"
 #include "ir/evaluate.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 

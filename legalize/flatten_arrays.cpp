@@ -58,7 +58,7 @@ class Flattener {
       const auto [base, index] = *step;
       ExprId part = index;
       const auto* mark = As<IntrinsicCall>(program_, index);
-      if (mark && mark->op == Intrinsic::kNonUniform) {
+      if (mark && mark->op == CommonIntrinsic::kNonUniform) {
         may_differ = true;
         part = program_.expr_lists[mark->arguments][0];
       }
@@ -80,7 +80,8 @@ class Flattener {
       path = base;
     }
     if (may_differ)
-      number = at.IntrinsicOf(Intrinsic::kNonUniform, program_.types.Make(Scalar::kUint), {number});
+      number = at.IntrinsicOf(CommonIntrinsic::kNonUniform, program_.types.Make(Scalar::kUint),
+                              {number});
     program_.exprs[element].node = Index{path, number};
   }
 

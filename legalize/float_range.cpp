@@ -7,6 +7,7 @@
 
 #include "ir/access.h"
 #include "ir/evaluate.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::legalize {

@@ -82,7 +82,7 @@ Term Formula::Number(Scalar kind, double value, bool is_mask) {
 }
 
 Term Formula::Sign(const Term& x) {
-  return To(TypeOf(body_.program, x.expr).scalar, Call(Intrinsic::kSign, {x}));
+  return To(TypeOf(body_.program, x.expr).scalar, Call(CommonIntrinsic::kSign, {x}));
 }
 
 Term Formula::Call(Intrinsic op, std::initializer_list<Operand> arguments) {
@@ -98,7 +98,7 @@ Term Formula::Call(Intrinsic op, std::initializer_list<Operand> arguments) {
 
 Term Formula::Bits(Scalar kind, const Term& x) {
   const TypeId type = body_.program.types.WithScalar(TypeIdOf(body_.program, x.expr), kind);
-  const Intrinsic op = kind == Scalar::kUint ? Intrinsic::kAsUint : Intrinsic::kAsFloat;
+  const Intrinsic op = kind == Scalar::kUint ? CommonIntrinsic::kAsUint : CommonIntrinsic::kAsFloat;
   return {&body_, body_.b.IntrinsicOf(op, type, {x.expr})};
 }
 

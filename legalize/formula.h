@@ -11,7 +11,7 @@
 
 // Bodies of helper functions that read as the functions do:
 //
-//   const Local x = f[0], e = f.Let("e", f.Call(Intrinsic::kExp, {-2.0 * x}));
+//   const Local x = f[0], e = f.Let("e", f.Call(kExp, {-2.0 * x}));
 //   f.Return((1.0 - e) / (1.0 + e));
 //
 // A number beside a value has the value's type; beside a shift it is an int. A scalar stands for

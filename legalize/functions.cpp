@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::legalize {

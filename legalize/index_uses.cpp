@@ -65,7 +65,8 @@ void IndexUses::Mark(ExprId expr) {
               if (KeepsSize(node.op)) Mark(node.left), Mark(node.right);
             },
             [&](const IntrinsicCall& node) {
-              if (node.op == Intrinsic::kNonUniform) Mark(program_.expr_lists[node.arguments][0]);
+              if (node.op == CommonIntrinsic::kNonUniform)
+                Mark(program_.expr_lists[node.arguments][0]);
             },
             [&](const Construct& node) {
               for (const ExprId part : program_.expr_lists[node.arguments]) Mark(part);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ir/evaluate.h"
+#include "ir/intrinsic_list.h"
 #include "legalize/test_shader.h"
 
 // The reference evaluator runs the program before and after the legalising passes: its outputs have

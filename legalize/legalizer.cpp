@@ -62,7 +62,7 @@ bool MayDiffer(const Program& program, const Needs& needs, const IntrinsicCall& 
   if (arguments.empty()) return false;
   const Type& type = program.types[program.exprs[arguments[0]].type];
   if (!type.IsNumeric() || !IsFloat(type.scalar)) return true;
-  if (call.op == Intrinsic::kMul) return needs.square_matrices;
+  if (call.op == CommonIntrinsic::kMul) return needs.square_matrices;
   return type.kind == TypeKind::kMatrix || IsComposed(call.op) || WritesArguments(call.op) ||
          FindFunction(call.op, type, needs) || IsOfScalars(call.op, type, needs);
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 #include "legalize/constant.h"
 #include "legalize/legalize.h"

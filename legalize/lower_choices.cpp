@@ -19,9 +19,10 @@ void LowerLogical(Legalizer& legalizer, ExprId expr, const Binary& node) {
   const bool is_pure = legalizer.MayBeSkipped(node.right);
   TypeTable& types = legalizer.program.types;
   const ExprId both = is_pure ? left : b.ConstructOf(types.Vector(Scalar::kBool, 2), {left, right});
-  const ExprId value = is_pure ? b.BinaryOf(lazy, left, right)
-                               : b.IntrinsicOf(is_and ? Intrinsic::kAll : Intrinsic::kAny,
-                                               types.Make(Scalar::kBool), {both});
+  const ExprId value = is_pure
+                           ? b.BinaryOf(lazy, left, right)
+                           : b.IntrinsicOf(is_and ? CommonIntrinsic::kAll : CommonIntrinsic::kAny,
+                                           types.Make(Scalar::kBool), {both});
   const TypeId type = legalizer.program.exprs[expr].type;
   legalizer.Become(expr, b.TypeOf(value) == type ? value : b.ConstructOf(type, {value}));
 }

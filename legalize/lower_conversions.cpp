@@ -129,7 +129,7 @@ class ConversionLowering {
   ExprId AtLeastZero(Builder b, ExprId x) {
     const TypeId type = b.TypeOf(x);
     const ExprId zero = b.SplatTo(type, b.LiteralOf(program_.types[type].scalar, 0));
-    return b.IntrinsicOf(Intrinsic::kMax, type, {zero, x});
+    return b.IntrinsicOf(CommonIntrinsic::kMax, type, {zero, x});
   }
 
   // Returns x >= 2^32 ? 2^32 - 1 : uint(max(0, x)).
@@ -145,8 +145,9 @@ class ConversionLowering {
   ExprId Int(HelperBody& body, TypeId type) {
     Builder& b = body.b;
     const ExprId is_below = Compare(body, BinaryOp::kLess, kTwoTo31);
-    const ExprId least = b.IntrinsicOf(Intrinsic::kMax, program_.vars[body.parameters[0]].type,
-                                       {Limit(body, -kTwoTo31), body[0]});
+    const ExprId least =
+        b.IntrinsicOf(CommonIntrinsic::kMax, program_.vars[body.parameters[0]].type,
+                      {Limit(body, -kTwoTo31), body[0]});
     const ExprId whole = Converted(body, type, least);
     const ExprId rest = b.Add(type, Conditional{Compare(body, BinaryOp::kGreater, 0),
                                                 Number(body, type, kTwoTo31 - 1), b.ZeroOf(type)});

@@ -36,7 +36,7 @@ class FunctionLowering {
     if (!function) return;
     // Languages like GLSL leave smoothstep undefined if the edges are not in order; else it is
     // theirs.
-    if (call.op == Intrinsic::kSmoothstep &&
+    if (call.op == CommonIntrinsic::kSmoothstep &&
         AreInOrder(ConstantOf(program_, listed[0]), ConstantOf(program_, listed[1])))
       return;
     const bool is_wrapped = function->of_scalars && first.kind != TypeKind::kScalar;

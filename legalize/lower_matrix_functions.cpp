@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "ir/intrinsic_list.h"
 #include "legalize/legalize.h"
 
 namespace clipc::legalize {

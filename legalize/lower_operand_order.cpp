@@ -335,7 +335,7 @@ class OperandOrder {
                      [&](const Call& node) { VisitCall(expr, node.function); },
                      [&](const IntrinsicCall& node) {
                        if (WritesArguments(node.op)) return VisitCall(expr, {});
-                       if (node.op == Intrinsic::kMul) return VisitReversed(expr);
+                       if (node.op == CommonIntrinsic::kMul) return VisitReversed(expr);
                        ForEachOperand(program_, expr, [&](ExprId operand) { Visit(operand); });
                      },
                      [&](const Select&) { VisitReversed(expr); },

@@ -31,7 +31,7 @@ struct WordAlong {
 // The word that holds a component.
 ExprId WordOf(Builder& b, ExprId component, TypeId word, Scalar kind) {
   if (BaseOf(kind) != Scalar::kFloat) return b.ConvertTo(Scalar::kUint, component);
-  return b.IntrinsicOf(Intrinsic::kAsUint, word, {b.ConvertTo(Scalar::kFloat, component)});
+  return b.IntrinsicOf(CommonIntrinsic::kAsUint, word, {b.ConvertTo(Scalar::kFloat, component)});
 }
 
 // The stores of the components of a value, in their order, into words that follow each other.

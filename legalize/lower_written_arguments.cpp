@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <vector>
 
+#include "ir/intrinsic_list.h"
 #include "legalize/legalize.h"
 
 namespace clipc::legalize {

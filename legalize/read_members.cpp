@@ -202,7 +202,7 @@ class MemberReading {
     std::vector<bool> marks;  // the indices that differ between invocations, which are uints
     for (ExprId& index : indices) {
       const auto* mark = As<IntrinsicCall>(program_, index);
-      marks.push_back(mark && mark->op == Intrinsic::kNonUniform);
+      marks.push_back(mark && mark->op == CommonIntrinsic::kNonUniform);
       index = marks.back() ? std::as_const(program_).expr_lists[mark->arguments][0] : IntOf(index);
       parameters.push_back(
           {std::string_view("ijklmnop").substr(parameters.size(), 1), program_.exprs[index].type});
@@ -223,7 +223,7 @@ class MemberReading {
         for (std::size_t i = 0; i < marks.size(); ++i) {
           ExprId index = body[i];
           if (marks[i])
-            index = body.b.IntrinsicOf(Intrinsic::kNonUniform, body.b.TypeOf(index), {index});
+            index = body.b.IntrinsicOf(CommonIntrinsic::kNonUniform, body.b.TypeOf(index), {index});
           path = body.b.At(path, index);
         }
         return path;

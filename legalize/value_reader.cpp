@@ -93,7 +93,7 @@ ExprId ValueReader::FromWords(HelperBody& body, Scalar kind, ExprId words) {
   const TypeId type = body.b.TypeOf(words);
   if (BaseOf(kind) == Scalar::kFloat && !memory_.is_float) {
     const TypeId floats = program_.types.WithScalar(type, Scalar::kFloat);
-    words = body.b.IntrinsicOf(Intrinsic::kAsFloat, floats, {words});
+    words = body.b.IntrinsicOf(CommonIntrinsic::kAsFloat, floats, {words});
   }
   if (kind != Scalar::kBool) return body.b.ConvertTo(kind, words);
   return body.b.BinaryOf(BinaryOp::kNotEqual, words, body.b.SplatTo(type, body.b.Uint(0)));
@@ -103,7 +103,7 @@ ExprId ValueReader::FromWords(HelperBody& body, Scalar kind, ExprId words) {
 ExprId ValueReader::Wide(HelperBody& body, Scalar kind, const WordPlace& place) {
   const ExprId low = Words(body, place, 1), high = Words(body, place.Plus(kWordBytes), 1);
   if (kind == Scalar::kDouble)
-    return body.b.IntrinsicOf(Intrinsic::kAsDouble, program_.types.Make(kind), {low, high});
+    return body.b.IntrinsicOf(CommonIntrinsic::kAsDouble, program_.types.Make(kind), {low, high});
   const TypeId whole = program_.types.Make(Scalar::kUint64);
   const ExprId upper =
       body.b.BinaryOf(BinaryOp::kShiftLeft, body.b.ConvertTo(Scalar::kUint64, high),
@@ -140,7 +140,7 @@ ExprId ValueReader::Matrix(HelperBody& body, TypeId id, bool row_major, const Wo
     for (std::uint32_t i = 0; i < registers; ++i)
       parts.push_back(Vector(body, type.scalar, length, place.Plus(i * stride)));
     const TypeId turned = program_.types.Matrix(type.scalar, type.columns, type.rows);
-    return body.b.IntrinsicOf(Intrinsic::kTranspose, id, {body.b.ConstructOf(turned, parts)});
+    return body.b.IntrinsicOf(CommonIntrinsic::kTranspose, id, {body.b.ConstructOf(turned, parts)});
   }
   const TypeId row = program_.types.Vector(type.scalar, type.columns);
   for (std::uint32_t r = 0; r < type.rows; ++r) {

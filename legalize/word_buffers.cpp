@@ -84,7 +84,7 @@ AccessorCall::AccessorCall(Legalizer& legalizer, ExprId expr, const ObjectCall& 
   if (!element) return;
   is_element_ = true;
   const auto* mark = As<IntrinsicCall>(program, element->index);
-  is_marked_ = mark && mark->op == Intrinsic::kNonUniform;
+  is_marked_ = mark && mark->op == CommonIntrinsic::kNonUniform;
   if (is_marked_)  // a uint
     Pass("which", std::as_const(program).expr_lists[mark->arguments][0]);
   else
@@ -111,7 +111,8 @@ ExprId AccessorCall::Object(HelperBody& body) const {
   const ExprId whole = body.b.Ref(buffer_);
   if (!is_element_) return whole;
   ExprId which = body[0];
-  if (is_marked_) which = body.b.IntrinsicOf(Intrinsic::kNonUniform, body.b.TypeOf(which), {which});
+  if (is_marked_)
+    which = body.b.IntrinsicOf(CommonIntrinsic::kNonUniform, body.b.TypeOf(which), {which});
   return body.b.At(whole, which);
 }
 

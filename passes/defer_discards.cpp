@@ -157,7 +157,7 @@ class Search {
     ForEachExpr(program_, program_.functions[function].body, [&](ExprId id) {
       if (const auto* call = As<Call>(program_, id)) Order(call->function, seen, order);
       const auto* intrinsic = As<IntrinsicCall>(program_, id);
-      if (intrinsic && intrinsic->op == Intrinsic::kClip) clips_.push_back(id);
+      if (intrinsic && intrinsic->op == CommonIntrinsic::kClip) clips_.push_back(id);
     });
     order.push_back(function);
     const bool asks = AnyExpr(program_, program_.functions[function].body,

@@ -42,11 +42,11 @@ ExprId AddDistances(Program& program, std::uint32_t index, int count) {
   program.inputs.push_back(input);
   Builder b(program);
   const auto any = [&](ExprId of) {
-    return b.IntrinsicOf(Intrinsic::kAny, program.types.Make(Scalar::kBool), {of});
+    return b.IntrinsicOf(CommonIntrinsic::kAny, program.types.Make(Scalar::kBool), {of});
   };
   const TypeId truths =
       count == 1 ? program.types.Make(Scalar::kBool) : program.types.Vector(Scalar::kBool, count);
-  const ExprId is_nan = b.IntrinsicOf(Intrinsic::kIsNan, truths, {b.Ref(input.var)});
+  const ExprId is_nan = b.IntrinsicOf(CommonIntrinsic::kIsNan, truths, {b.Ref(input.var)});
   const ExprId is_below = b.BinaryOf(BinaryOp::kLess, b.Ref(input.var), b.ZeroOf(type));
   return count == 1 ? b.BinaryOf(BinaryOp::kLogicalOr, is_nan, is_below)
                     : b.BinaryOf(BinaryOp::kLogicalOr, any(is_nan), any(is_below));

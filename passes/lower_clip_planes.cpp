@@ -46,7 +46,7 @@ class Vertex {
   ExprId DistanceTo(const ClipPlane& plane) const {
     CLIPC_CHECK(plane.value);
     Builder b(program_, plane.span);
-    return b.IntrinsicOf(Intrinsic::kDot, program_.types.Make(Scalar::kFloat),
+    return b.IntrinsicOf(CommonIntrinsic::kDot, program_.types.Make(Scalar::kFloat),
                          {Value(b), plane.value});
   }
 

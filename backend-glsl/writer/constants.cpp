@@ -9,6 +9,7 @@
 #include "backend-glsl/writer/types.h"
 #include "base/overloaded.h"
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 

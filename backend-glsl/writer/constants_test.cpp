@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ir/builder.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::glsl {
 namespace {

@@ -110,7 +110,7 @@ Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
 // drops. Returns false, and writes nothing, for other expressions.
 bool WriteNarrowProduct(Code& code, const Swizzle& node) {
   const auto* call = code.As<IntrinsicCall>(node.base);
-  if (!call || call->op != Intrinsic::kMul || node.count < 2) return false;
+  if (!call || call->op != CommonIntrinsic::kMul || node.count < 2) return false;
   for (std::uint8_t i = 0; i < node.count; ++i) {
     if (node.components[i] != i) return false;
   }
@@ -226,7 +226,7 @@ Binding WriteConvert(Code& code, const Expr& expr, const Convert& node) {
   }
   // sign() gives an int in HLSL and a float in GLSL, and mostly its value is wanted as a float.
   const auto* call = code.As<IntrinsicCall>(node.operand);
-  if (call && call->op == Intrinsic::kSign) {
+  if (call && call->op == CommonIntrinsic::kSign) {
     const auto arguments = code[call->arguments];
     const Shape shape = code.ShapeAt(arguments[0]);
     if (shape.scalar == BaseOf(kind) && shape.IsFloating() && !shape.HasRows())

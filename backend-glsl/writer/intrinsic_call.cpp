@@ -11,6 +11,7 @@
 #include "backend-glsl/writer/types.h"
 #include "backend-glsl/writer/wave_call.h"
 #include "base/invariant.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::glsl {
 

@@ -8,6 +8,7 @@
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/operand.h"
 #include "base/invariant.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::glsl {
 

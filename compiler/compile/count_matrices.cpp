@@ -292,22 +292,21 @@ class Follower {
       mixed = MatrixCount::Mixed(mixed, values.back());
     }
     ForEachWrite(program_, expr, [&](ExprId target) { Write(target, mixed); });
-    switch (node.op) {
-      case Intrinsic::kMul: {
-        const int count = Limited(values[0].count + values[1].count);
-        if (count == 0) return {};
-        if (count > kMostMatrices) return Counted(count);
-        return {count, products_.Of(values[0].product, values[1].product), {}};
-      }
-      case Intrinsic::kMad: return MatrixCount::Mixed(Times(values[0], values[1]), values[2]);
-      case Intrinsic::kDot: {
-        const Type& type = TypeOf(program_, program_.expr_lists[node.arguments][0]);
-        // One of the two may be a row of a matrix, multiplied by hand.
-        if (mixed.count == 0 && type.columns == 4) return Counted(kUnknown);
-        return Counted(Limited(values[0].count + values[1].count));
-      }
-      default: return mixed;
+    if (node.op == CommonIntrinsic::kMul) {
+      const int count = Limited(values[0].count + values[1].count);
+      if (count == 0) return {};
+      if (count > kMostMatrices) return Counted(count);
+      return {count, products_.Of(values[0].product, values[1].product), {}};
     }
+    if (node.op == CommonIntrinsic::kMad)
+      return MatrixCount::Mixed(Times(values[0], values[1]), values[2]);
+    if (node.op == CommonIntrinsic::kDot) {
+      const Type& type = TypeOf(program_, program_.expr_lists[node.arguments][0]);
+      // One of the two may be a row of a matrix, multiplied by hand.
+      if (mixed.count == 0 && type.columns == 4) return Counted(kUnknown);
+      return Counted(Limited(values[0].count + values[1].count));
+    }
+    return mixed;
   }
   // The value that a texture or buffer holds begins anew; matrices that it holds count.
   MatrixCount OfNode(ExprId expr, const ObjectCall&) {

@@ -57,7 +57,7 @@ void EmitValue(Context& context, ExprId value) {
     return;
   }
   const auto* call = std::get_if<IntrinsicCall>(&expr.node);
-  if (call && call->op == Intrinsic::kClip)
+  if (call && call->op == CommonIntrinsic::kClip)
     return EmitClip(context, context.program.expr_lists[call->arguments][0], span);
   const auto* assign = std::get_if<Assign>(&expr.node);
   if (!assign) return Emit(context, span, Evaluate{value});

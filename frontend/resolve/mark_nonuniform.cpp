@@ -37,7 +37,7 @@ class NonUniformMarker {
  private:
   bool IsCall(ExprId expr) const {
     const auto* call = As<IntrinsicCall>(program_, expr);
-    return call && call->op == Intrinsic::kNonUniform;
+    return call && call->op == CommonIntrinsic::kNonUniform;
   }
 
   // Whether the elements of the expression are textures, samplers or buffers.
@@ -86,7 +86,7 @@ class NonUniformMarker {
     const TypeId number = program_.types.Make(Scalar::kUint);
     const ExprId value = at.ConvertTo(Scalar::kUint, index.index);
     program_.exprs[expr].node =
-        Index{index.base, at.IntrinsicOf(Intrinsic::kNonUniform, number, {value})};
+        Index{index.base, at.IntrinsicOf(CommonIntrinsic::kNonUniform, number, {value})};
   }
 
   Program& program_;

@@ -265,7 +265,7 @@ class Level9Checker {
     if (InfoOf(call.op).first_model >= 4) {
       diagnostics_.Report(span, diag::Level9Intrinsic, NameOf(call.op), Target());
     } else {
-      instructions_ += call.op == Intrinsic::kMul ? MulInstructions(call) : 1;
+      instructions_ += call.op == CommonIntrinsic::kMul ? MulInstructions(call) : 1;
     }
   }
 

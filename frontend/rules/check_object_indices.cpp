@@ -35,7 +35,7 @@ VarId IndexedArray(const Program& program, ExprId expr) {
 
 bool IsMarked(const Program& program, ExprId index) {
   const auto* call = As<IntrinsicCall>(program, index);
-  return call && call->op == Intrinsic::kNonUniform;
+  return call && call->op == CommonIntrinsic::kNonUniform;
 }
 
 // A reader of the program that finds which indices may differ between the invocations that run an

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 

@@ -22,7 +22,7 @@ class ValueCheck {
     if (node.op) CheckOperator(*node.op, node.value);
   }
   void Check(const IntrinsicCall& node) {
-    if (node.op == Intrinsic::kPow) CheckPow(node);
+    if (node.op == CommonIntrinsic::kPow) CheckPow(node);
   }
 
  private:

@@ -209,7 +209,7 @@ void WrittenWalk::CheckOutput(const Assign& node) {
   ExprId value = node.value;
   // Direct3D 9 clamps colors.
   if (const auto* call = As<IntrinsicCall>(program_, value);
-      call && call->op == Intrinsic::kSaturate)
+      call && call->op == CommonIntrinsic::kSaturate)
     value = program_.expr_lists[call->arguments][0];
   const auto place = output ? shared_.slots.Find(value) : std::nullopt;
   if (!place || place->count != 1) return;

@@ -330,7 +330,7 @@ class MainBuilder {
     ExprId value = Fit(leaves_.ValueOf(leaf.part), stored);
     if (HasAllBitsForTrue(leaf)) value = builder_.UnaryOf(UnaryOp::kNegate, value);
     if (IsClampedOutput(program_, leaf.cursor.semantic.name, program_.types[stored]))
-      value = builder_.IntrinsicOf(Intrinsic::kSaturate, stored, {value});
+      value = builder_.IntrinsicOf(CommonIntrinsic::kSaturate, stored, {value});
     body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), value)));
   }
 

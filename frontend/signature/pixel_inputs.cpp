@@ -15,7 +15,7 @@ ExprId CenterOf(Program& program, ExprId position) {
   const ExprId rest = builder.Swizzled(Clone(program, position), {2, 3});
   const TypeId pair = builder.TypeOf(corner);
   const ExprId center =
-      builder.BinaryOf(BinaryOp::kAdd, builder.IntrinsicOf(Intrinsic::kFloor, pair, {corner}),
+      builder.BinaryOf(BinaryOp::kAdd, builder.IntrinsicOf(CommonIntrinsic::kFloor, pair, {corner}),
                        builder.SplatTo(pair, builder.Float(0.5f)));
   return builder.ConstructOf(builder.TypeOf(position), {center, rest});
 }

@@ -173,8 +173,9 @@ void SignatureLeaves::ReportMissing() const {
 
 ExprId SignatureLeaves::Transposed(ExprId matrix) {
   const Type type = program_.types[builder_.TypeOf(matrix)];
-  return builder_.IntrinsicOf(
-      Intrinsic::kTranspose, program_.types.Matrix(type.scalar, type.columns, type.rows), {matrix});
+  return builder_.IntrinsicOf(CommonIntrinsic::kTranspose,
+                              program_.types.Matrix(type.scalar, type.columns, type.rows),
+                              {matrix});
 }
 
 }  // namespace clipc::signature

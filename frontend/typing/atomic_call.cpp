@@ -8,6 +8,7 @@
 
 #include "frontend/typing/object_call.h"
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 // InterlockedAdd(buffer[i], value, original) and its kin, and the methods of that name of

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "frontend/typing/program_for_test.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::typing {
 namespace {

@@ -13,6 +13,7 @@
 #include "base/word_index.h"
 #include "frontend/typing/intrinsic_call.h"
 #include "frontend/typing/reread.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::typing {
 namespace {

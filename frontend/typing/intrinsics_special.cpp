@@ -6,6 +6,7 @@
 #include "frontend/typing/intrinsic_call.h"
 #include "frontend/typing/reread.h"
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 
 namespace clipc::typing {
 namespace {

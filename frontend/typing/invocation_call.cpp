@@ -97,7 +97,7 @@ ExprId CheckFirstLane(const IntrinsicCheck& call) {
   const ExprId own = CheckFact(index);
   if (call.TypeOf(own).kind == TypeKind::kError) return own;
   const Builder builder = call.Make();
-  const ExprId first = Builder(builder).IntrinsicOf(Intrinsic::kWaveReadLaneFirst,
+  const ExprId first = Builder(builder).IntrinsicOf(CommonIntrinsic::kWaveReadLaneFirst,
                                                     call.TypeIdOf(own), {Clone(call.program, own)});
   return Builder(builder).BinaryOf(BinaryOp::kEqual, own, first);
 }

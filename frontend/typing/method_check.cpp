@@ -169,8 +169,9 @@ ExprId MethodCheck::GatherWithStatus(std::size_t first, ObjectOp op, TypeId type
     steps.push_back(gathered.prologue);
     texels.push_back(Make().Swizzled(Make().Ref(gathered.var), {i}));
     if (i == 0) continue;
-    const ExprId is_mapped = Make().IntrinsicOf(
-        Intrinsic::kCheckAccessFullyMapped, program.types.Make(Scalar::kBool), {Make().Ref(all)});
+    const ExprId is_mapped =
+        Make().IntrinsicOf(CommonIntrinsic::kCheckAccessFullyMapped,
+                           program.types.Make(Scalar::kBool), {Make().Ref(all)});
     const Conditional later{is_mapped, Make().Ref(one), Make().Ref(all)};
     steps.push_back(Make().AssignTo(Make().Ref(all), Make().Add(TypeIdOf(status_), later)));
   }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "ir/builder.h"
+#include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
 
 namespace clipc::draw::reference_compiler {
