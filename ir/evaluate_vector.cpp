@@ -11,20 +11,25 @@
 namespace clipc::ir {
 namespace {
 
+// Words at a step from each other: a row or a column of a matrix.
+struct Words {
+  const Word* first;
+  std::size_t step = 1;
+  Word operator[](std::size_t i) const { return first[i * step]; }
+};
+
 // The sum of products from left to right, with each product and each sum rounded.
-Word Dot(Scalar rep, const Word* a, std::size_t a_step, const Word* b, std::size_t b_step,
-         std::size_t count) {
+Word Dot(Scalar rep, const Words& a, const Words& b, std::size_t count) {
   Word sum = BinaryComponent(BinaryOp::kMul, rep, a[0], b[0]);
   for (std::size_t i = 1; i < count; ++i) {
-    const Word product = BinaryComponent(BinaryOp::kMul, rep, a[i * a_step], b[i * b_step]);
+    const Word product = BinaryComponent(BinaryOp::kMul, rep, a[i], b[i]);
     sum = BinaryComponent(BinaryOp::kAdd, rep, sum, product);
   }
   return sum;
 }
 
-void Scale(Scalar rep, const Word* values, std::size_t count, Word factor, bool factor_first,
-           Word* result) {
-  for (std::size_t i = 0; i < count; ++i) {
+void Scale(Scalar rep, std::span<const Word> values, Word factor, bool factor_first, Word* result) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     result[i] = factor_first ? BinaryComponent(BinaryOp::kMul, rep, factor, values[i])
                              : BinaryComponent(BinaryOp::kMul, rep, values[i], factor);
   }
@@ -36,16 +41,16 @@ void Multiply(Scalar rep, const EvalArgument& left, const EvalArgument& right, W
   const Type& a = *left.type;
   const Type& b = *right.type;
   if (a.kind == TypeKind::kScalar)
-    return Scale(rep, right.words, b.Components(), left.words[0], true, result);
+    return Scale(rep, {right.words, b.Components()}, left.words[0], true, result);
   if (b.kind == TypeKind::kScalar)
-    return Scale(rep, left.words, a.Components(), right.words[0], false, result);
+    return Scale(rep, {left.words, a.Components()}, right.words[0], false, result);
   const std::size_t rows = a.kind == TypeKind::kMatrix ? a.rows : 1;
   const std::size_t inner = a.columns;
   const std::size_t columns = b.kind == TypeKind::kMatrix ? b.columns : 1;
   for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t c = 0; c < columns; ++c) {
       result[r * columns + c] =
-          Dot(rep, left.words + r * inner, 1, right.words + c, columns, inner);
+          Dot(rep, {left.words + r * inner}, {right.words + c, columns}, inner);
     }
   }
 }
@@ -234,7 +239,7 @@ void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> argu
       result[0] = 0;
       for (std::size_t i = 0; i < count; ++i) result[0] |= is_true(i) ? 1 : 0;
       return;
-    case kDot: result[0] = Dot(rep, first.words, 1, arguments[1].words, 1, count); return;
+    case kDot: result[0] = Dot(rep, {first.words}, {arguments[1].words}, count); return;
     case kMsad4: return MaskedSums(first.words, arguments[1].words, arguments[2].words, result);
     case kMul: return Multiply(rep, first, arguments[1], result);
     case kTranspose:

@@ -193,13 +193,13 @@ void Legalizer::ByParts(ExprId expr, std::string_view name, const Node& node, bo
   const int count = rows ? type.rows : static_cast<int>(type.Components());
   BecomeCall(expr, name, operands, [&, node = node](HelperBody& body) {
     std::vector<ExprId> parts;
-    for (int i = 0; i < count; ++i) parts.push_back(PartOf(body.b, node, part_type, body, i, rows));
+    for (int i = 0; i < count; ++i) parts.push_back(PartOf(body, node, part_type, i, rows));
     body.Return(body.b.ConstructOf(result, parts));
   });
 }
 
-ExprId Legalizer::PartOf(Builder b, const Node& node, TypeId type, HelperBody& body, int part,
-                         bool rows) {
+ExprId Legalizer::PartOf(HelperBody& body, const Node& node, TypeId type, int part, bool rows) {
+  Builder& b = body.b;
   const ExprId copy = b.CopyOf(type, node);
   std::size_t operand = 0;
   MapOperands(program, copy, [&](ExprId) {

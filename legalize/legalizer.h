@@ -95,8 +95,7 @@ class Legalizer {
 
  private:
   void ByParts(ir::ExprId expr, std::string_view name, const Node& node, bool rows);
-  ir::ExprId PartOf(ir::Builder b, const Node& node, ir::TypeId type, HelperBody& body, int part,
-                    bool rows);
+  ir::ExprId PartOf(HelperBody& body, const Node& node, ir::TypeId type, int part, bool rows);
 
   std::vector<ir::ExprId> operations_;  // original ones that a pass may change, in order of ExprId
   std::uint32_t first_new_;             // the first expression that a pass added

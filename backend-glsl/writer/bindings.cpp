@@ -65,14 +65,13 @@ void Bind(const WriterContext& context, GlslInfo::Binding& place,
 }
 
 void Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
-          Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written) {
-  place.count = count;
+          Bindings& taken, const GlslInfo::Binding* written) {
   if (context.target.IsVulkan()) {
     const ir::Descriptor descriptor = context.descriptors.Of(reg);
     place.set = descriptor.set;
     place.binding = descriptor.binding;
   } else if (context.Has(Feature::kBindings)) {
-    place.binding = written ? written->binding : FreeBinding(taken, reg, count);
+    place.binding = written ? written->binding : FreeBinding(taken, reg, place.count);
   }
 }
 

@@ -29,13 +29,13 @@ struct Bindings {
   void Take(const GlslInfo::Binding& place);
 };
 
-// Decides where `count` blocks or objects of this register are bound: for Vulkan at the set and
-// binding that are written or else follow from the register; for OpenGL at the written binding or
-// else the register's number or, where that is taken or too high, at the first free one; nowhere
+// Decides where `place.count` blocks or objects of this register are bound: for Vulkan at the set
+// and binding that are written or else follow from the register; for OpenGL at the written binding
+// or else the register's number or, where that is taken or too high, at the first free one; nowhere
 // where the target cannot say it or none is free.
 // `written` is the place that another stage gave it; null if it is written here first.
 void Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Register& reg,
-          Bindings& taken, std::uint32_t count, const GlslInfo::Binding* written = nullptr);
+          Bindings& taken, const GlslInfo::Binding* written = nullptr);
 
 // Binds a block where another stage declares it; nowhere if that stage gives no place.
 void Bind(const WriterContext& context, GlslInfo::Binding& place,

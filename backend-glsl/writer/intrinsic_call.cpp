@@ -193,21 +193,38 @@ std::string_view BitNumberFunction(Intrinsic op) {
   }
 }
 
-Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
-  const auto arguments = code[node.arguments];
-  if (node.op == Intrinsic::kMul)
-    return WriteProduct(code, arguments[0], arguments[1], ShapeOf(code[type], code.needs));
-  if (CategoryOf(node.op) == IntrinsicCategory::kMemory) return WriteBarrier(code, node.op);
-  if (CategoryOf(node.op) == IntrinsicCategory::kAtomic)
-    return WriteCall(code, AtomicFunction(node.op), arguments);
+namespace {
+
+// Writes a call of a function of bit patterns.
+Binding WriteBits(Code& code, Intrinsic op, std::span<const ExprId> arguments) {
   const ExprId x = arguments[0];
-  if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
-    return WriteDerivative(code, node.op, x);
-  if (CategoryOf(node.op) == IntrinsicCategory::kWave ||
-      CategoryOf(node.op) == IntrinsicCategory::kQuad)
-    return WriteWave(code, node);
-  if (CategoryOf(node.op) == IntrinsicCategory::kInterpolants)
-    return WriteInterpolant(code, node.op, arguments);
+  switch (op) {
+    case Intrinsic::kAsFloat: return WriteCast(code, Scalar::kFloat, x);
+    case Intrinsic::kAsInt: return WriteCast(code, Scalar::kInt, x);
+    case Intrinsic::kAsUint:
+      return arguments.size() == 1 ? WriteCast(code, Scalar::kUint, x)
+                                   : WriteWordsOf(code, arguments);
+    case Intrinsic::kAsDouble:
+      code.Put("packDouble2x32(");
+      WriteCall(code, "uvec2", arguments);
+      code.Put(")");
+      return Binding::kPostfix;
+    case Intrinsic::kF16ToF32:
+      WriteCall(code, "unpackHalf2x16", arguments);
+      code.Put(".x");
+      return Binding::kPostfix;
+    default:  // F32ToF16
+      code.Put("packHalf2x16(vec2(");
+      WriteAt(code, x, Binding::kAssignment);
+      code.Put(", 0.0))");
+      return Binding::kPostfix;
+  }
+}
+
+// Writes a call of a function of numbers.
+Binding WriteFunction(Code& code, TypeId type, const IntrinsicCall& node) {
+  const auto arguments = code[node.arguments];
+  const ExprId x = arguments[0];
   const Shape shape = code.ShapeAt(x);
   const auto call = [&](std::string_view function) { return WriteCall(code, function, arguments); };
   // Some functions give a uint in HLSL, an int in GLSL, or the other way round.
@@ -223,6 +240,8 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
     return WriteCall(code, builtin->glsl, arguments, shape.IsVector() ? builtin->scalars : 0);
   }
   switch (node.op) {
+    case Intrinsic::kMul:
+      return WriteProduct(code, x, arguments[1], ShapeOf(code[type], code.needs));
     case Intrinsic::kAll:
     case Intrinsic::kAny: return WriteReduction(code, NameOf(node.op), x);
     case Intrinsic::kTranspose: return shape.HasRows() ? call("transpose") : WriteExpr(code, x);
@@ -242,31 +261,28 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
       WriteAt(code, x, Binding::kAssignment);
       code.Put("))");
       return Binding::kPostfix;
-    case Intrinsic::kAsFloat: return WriteCast(code, Scalar::kFloat, x);
-    case Intrinsic::kAsInt: return WriteCast(code, Scalar::kInt, x);
-    case Intrinsic::kAsUint:
-      return arguments.size() == 1 ? WriteCast(code, Scalar::kUint, x)
-                                   : WriteWordsOf(code, arguments);
-    case Intrinsic::kAsDouble:
-      code.Put("packDouble2x32(");
-      call("uvec2");
-      code.Put(")");
-      return Binding::kPostfix;
-    case Intrinsic::kF16ToF32:
-      call("unpackHalf2x16");
-      code.Put(".x");
-      return Binding::kPostfix;
-    case Intrinsic::kF32ToF16:
-      code.Put("packHalf2x16(vec2(");
-      WriteAt(code, x, Binding::kAssignment);
-      code.Put(", 0.0))");
-      return Binding::kPostfix;
     case Intrinsic::kReverseBits: return call("bitfieldReverse");
     default: break;
   }
   const std::string_view counting = BitNumberFunction(node.op);
   CLIPC_CHECK(!counting.empty());
   return converted(counting);
+}
+
+}  // namespace
+
+Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
+  const auto arguments = code[node.arguments];
+  switch (CategoryOf(node.op)) {
+    case IntrinsicCategory::kBits: return WriteBits(code, node.op, arguments);
+    case IntrinsicCategory::kMemory: return WriteBarrier(code, node.op);
+    case IntrinsicCategory::kAtomic: return WriteCall(code, AtomicFunction(node.op), arguments);
+    case IntrinsicCategory::kNeighbours: return WriteDerivative(code, node.op, arguments[0]);
+    case IntrinsicCategory::kWave:
+    case IntrinsicCategory::kQuad: return WriteWave(code, node);
+    case IntrinsicCategory::kInterpolants: return WriteInterpolant(code, node.op, arguments);
+    default: return WriteFunction(code, type, node);
+  }
 }
 
 }  // namespace clipc::glsl

@@ -30,11 +30,12 @@ class BlockLayer {
     const bool is_rows = layout_.form == BlockForm::kRows;
     if (is_rows && !context_.Has(Feature::kUniformBlocks)) return RowUniform();
     info_.is_push_constant = cbuffer_.is_push_constant && context_.target.IsVulkan();
-    if (cbuffer_.declared && !info_.is_push_constant)
+    if (cbuffer_.declared && !info_.is_push_constant) {
       Bind(context_, info_, *cbuffer_.declared);
-    else if (!info_.is_push_constant)
-      Bind(context_, info_, cbuffer_.reg, bindings, cbuffer_.count,
-           context_.LaidBlock(info_.cbuffer));
+    } else if (!info_.is_push_constant) {
+      info_.count = cbuffer_.count;
+      Bind(context_, info_, cbuffer_.reg, bindings, context_.LaidBlock(info_.cbuffer));
+    }
     is_rows ? Rows() : Members();
   }
 

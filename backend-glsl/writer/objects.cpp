@@ -101,8 +101,8 @@ class ObjectLayer {
                          context_[context_.types.Innermost(declared)].object});
     if (InfoOf(kind).category == ObjectCategory::kSampler) std::swap(info.texture, info.sampler);
     const bool is_shared = IsStorageBuffer(kind) || IsImage(kind);
+    if (IsImage(kind)) info.count = CountOf(context_, resource.var);
     Bind(context_, info, resource.reg, BindingsOf(kind),
-         IsImage(kind) ? CountOf(context_, resource.var) : 1,
          is_shared ? context_.LaidObject(resource.var, {}) : nullptr);
   }
 
@@ -111,8 +111,9 @@ class ObjectLayer {
     for (const TextureUse& use : context_.texture_uses) {
       GlslInfo::Object& info = objects_.emplace_back(GlslInfo::Object{
           {}, use.texture, use.sampler, use.name, ObjectTypeOf(context_, use.texture).object});
+      info.count = CountOf(context_, use.texture);
       Bind(context_, info, ResourceOf(context_, use.texture).reg, textures_,
-           CountOf(context_, use.texture), context_.LaidObject(use.texture, use.sampler));
+           context_.LaidObject(use.texture, use.sampler));
     }
   }
 

@@ -88,8 +88,8 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
 }
 
 std::vector<std::uint32_t> ModuleOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& info) {
-  spirv::Written written = WriteSpirv(lowered.program, info, lowered.target, job.plan.write,
-                                      *job.request.outputs.spirv, &job.source(), job.path);
+  spirv::Written written = WriteSpirv(lowered, info, job.plan.write, *job.request.outputs.spirv,
+                                      {&job.source(), job.path});
   if (!written.lacks.empty())
     job.diagnostics.Report({}, diag::InternalError,
                            fmt::format("SPIR-V is not written of {}", written.lacks));

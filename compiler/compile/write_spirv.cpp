@@ -151,10 +151,10 @@ void CheckSpirv(const ir::Program& program, const glsl::Target& target, const Sp
   }
 }
 
-spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
-                          const glsl::Target& target, const glsl::WriteOptions& options,
-                          const SpirvRequest& request, const Source* source,
-                          std::string_view path) {
+spirv::Written WriteSpirv(const Lowered& lowered, const glsl::GlslInfo& info,
+                          const glsl::WriteOptions& options, const SpirvRequest& request,
+                          const DebugText& text) {
+  const glsl::Target& target = lowered.target;
   spirv::Options made;
   made.minor_version = MinorVersion(target, request);
   if (!request.entry.empty()) made.entry = request.entry;
@@ -165,8 +165,8 @@ spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info
   made.is_opengl = !target.IsVulkan();
   made.has_upper_left_origin = target.HasUpperLeftOrigin();
   made.has_reflection = request.has_reflection;
-  if (request.debug_info && source) made.debug = DebugOf(request, *source, path);
-  return spirv::Write(program, InterfaceOf(program, info), made);
+  if (request.debug_info && text.source) made.debug = DebugOf(request, *text.source, text.path);
+  return spirv::Write(lowered.program, InterfaceOf(lowered.program, info), made);
 }
 
 }  // namespace clipc

@@ -9,6 +9,7 @@
 #include "backend-spirv/write.h"
 #include "base/diagnostics.h"
 #include "compiler/compile/spirv_request.h"
+#include "compiler/compile/stages.h"
 #include "frontend/lex/source.h"
 
 namespace clipc {
@@ -21,12 +22,16 @@ legalize::Needs SpirvNeeds(const glsl::Target& target);
 void CheckSpirv(const ir::Program& program, const glsl::Target& target, const SpirvRequest& request,
                 Diagnostics& diagnostics);
 
+// What debug information is made of: the text, whose main file has that path; null: there is none.
+struct DebugText {
+  const Source* source = nullptr;
+  std::string_view path = {};
+};
+
 // Writes SPIR-V of a program that is lowered for the target, Vulkan or OpenGL, with the names and
-// places of its GLSL; what the writer lacks, it says. `source`, whose main file has that path, is
-// for debug information only.
-spirv::Written WriteSpirv(const ir::Program& program, const glsl::GlslInfo& info,
-                          const glsl::Target& target, const glsl::WriteOptions& options,
-                          const SpirvRequest& request, const Source* source = nullptr,
-                          std::string_view path = {});
+// places of its GLSL; what the writer lacks, it says.
+spirv::Written WriteSpirv(const Lowered& lowered, const glsl::GlslInfo& info,
+                          const glsl::WriteOptions& options, const SpirvRequest& request,
+                          const DebugText& text = {});
 
 }  // namespace clipc

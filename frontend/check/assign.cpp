@@ -63,14 +63,14 @@ ExprId AssignChosen(Context& context, const ast::AssignExpr& expr, ExprId target
 }
 
 // The assignment to an element of an object, or to a part of one. If it is not a store of `value`,
-// it changes a copy, which is then stored. `is_used`: the assignment is a part of an expression,
-// and has the value that was stored.
-ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId element,
-                     ExprId value, bool is_used, Span span) {
+// it changes a copy, which is then stored.
+ExprId AssignElement(Context& context, const ast::AssignExpr& expr, const ElementTarget& to,
+                     ExprId value, Span span) {
+  const auto [element, target, is_used] = to;
   if (!expr.op) {
     value = Implicit(context, value, context.TypeIdOf(target));
     if (context.IsError(value)) return value;
-    const ExprId stored = StoreToElement(context, element, target, value, is_used, span);
+    const ExprId stored = StoreToElement(context, to, value, span);
     if (stored) return stored;
   }
   Exprs steps;
@@ -92,7 +92,7 @@ ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, bo
   if (is_list && !expr.op && !context.IsError(target)) {
     const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
     if (const ExprId element = ElementIn(context, target); element && !context.IsError(value))
-      return AssignElement(context, expr, target, element, value, is_used, span);
+      return AssignElement(context, expr, {element, target, is_used}, value, span);
     if (!context.IsError(value) && IsChosenComponent(context, target))
       return AssignChosen(context, expr, target, value, span);
     return !context.IsError(value) && CheckTarget(context, target)
@@ -105,7 +105,7 @@ ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, bo
                             : CheckEnumClasses(context, value, target, context[value].span);
   if (!fits) return context.ErrorExpr(span);
   if (const ExprId element = ElementIn(context, target))
-    return AssignElement(context, expr, target, element, value, is_used, span);
+    return AssignElement(context, expr, {element, target, is_used}, value, span);
   if (IsChosenComponent(context, target)) return AssignChosen(context, expr, target, value, span);
   return AssignValue(context, expr, target, value, span);
 }
@@ -123,7 +123,7 @@ ExprId AssignToCast(Context& context, const ast::AssignExpr& expr, TypeId type, 
   target = Stabilize(context, target, steps);
   if (expr.op) {
     const ExprId old = ConvertSilently(context, Clone(context.program, target), type);
-    value = CombineOperands(context, *expr.op, old, value, span, span);
+    value = CombineOperands(context, *expr.op, old, value, {span, span});
   }
   value = context.IsError(value) ? value : Implicit(context, value, type);
   if (context.IsError(value)) return value;
@@ -314,7 +314,7 @@ ExprId AssignCompound(Context& context, BinaryOp op, ExprId target, ExprId value
   if (is_bool && op == BinaryOp::kBitAnd) op = BinaryOp::kLogicalAnd;
   if (is_bool && op == BinaryOp::kBitOr) op = BinaryOp::kLogicalOr;
   const ExprId result =
-      CombineOperands(context, op, Clone(context.program, target), value, span, span);
+      CombineOperands(context, op, Clone(context.program, target), value, {span, span});
   if (context.IsError(result)) return result;
   const ExprId converted = Implicit(context, result, type_id);
   return context.IsError(converted)

@@ -168,7 +168,7 @@ ExprId AssignToBits(Context& context, std::optional<BinaryOp> op, ExprId bits, E
   const auto read = [&] { return Clone(context.program, word); };
   if (op) {
     const ExprId old = Extract(context, read(), field, span);
-    value = CombineOperands(context, *op, old, value, span, span);
+    value = CombineOperands(context, *op, old, value, {span, span});
     if (context.IsError(value)) return value;
   }
   value = Implicit(context, value, field.type);

@@ -45,12 +45,12 @@ bool HoldsRowMajorMatrix(const Context& context, TypeId id, bool row_major) {
 // One call of Load or Store for a value of `type`, as loads and stores of words.
 class Access {
  public:
-  Access(Context& context, Span method_span, ExprId object, ExprId address, TypeId type, Span span)
+  Access(Context& context, const UseSpans& spans, ExprId object, ExprId address, TypeId type)
       : context_(context),
-        method_span_(method_span),
+        method_span_(spans.name),
         object_(object),
         type_(type),
-        span_(span),
+        span_(spans.whole),
         is_single_(!IsWide(context[type].scalar) && context[type].IsScalarOrVector()) {
     HoldIndex();
     address = Implicit(context, address, context.types.Make(Scalar::kUint));
@@ -287,7 +287,7 @@ ExprId CheckTypedAccess(Context& context, const ast::MemberExpr& member, ExprId 
                         fmt::format("`{}` of a row-major matrix", method));
   }
   const auto access = [&] {
-    return Access(context, member.name_span, object, arguments[0], type, span);
+    return Access(context, {member.name_span, span}, object, arguments[0], type);
   };
   if (loads) return access().Load();
   const ExprId value = Implicit(context, arguments[1], type);

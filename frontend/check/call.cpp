@@ -55,89 +55,115 @@ std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, Type
 }
 
 // The call of a value's operator(); for a value without one an error, in which `text` names it.
-ExprId CallValue(Context& context, ExprId value, const std::string& text, Span name_span,
-                 const ast::CallExpr& expr, Span span) {
-  Exprs operands = {value};
+struct Callee {
+  ExprId value;
+  std::string text;
+  Span span;
+};
+ExprId CallValue(Context& context, const Callee& callee, const ast::CallExpr& expr, Span span) {
+  Exprs operands = {callee.value};
   const bool ok = CheckArguments(context, expr.arguments, operands);
-  if (context.IsError(value) || !ok) return context.ErrorExpr(span);
-  if (const auto call = CallOperator(context, "()", operands, name_span, span)) return *call;
-  return context.Fail(name_span, diag::NotCallable, text);
+  if (context.IsError(callee.value) || !ok) return context.ErrorExpr(span);
+  if (const auto call = CallOperator(context, "()", operands, callee.span, span)) return *call;
+  return context.Fail(callee.span, diag::NotCallable, callee.text);
 }
 
-ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
-                 const ast::CallExpr& expr, Span span) {
+// A call of a function by its name, whose arguments are checked.
+struct NamedCall {
+  const ast::NameExpr& callee;
+  Exprs arguments;
+  UseSpans spans;
+
+  Name name() const { return callee.name.name; }
+};
+
+IntrinsicCheck IntrinsicOf(Context& context, const NamedCall& call) {
+  return {context.program, context[call.name()], call.spans.name, call.arguments, call.spans.whole,
+          context,         context.diagnostics};
+}
+
+ExprId CallIntrinsic(Context& context, NamedCall& call) {
+  Exprs steps;
+  if (IsWritingIntrinsic(context[call.name()])) {
+    for (ExprId& argument : call.arguments) argument = TakeSteps(context, argument, steps);
+  }
+  const ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
+  return WithPrologue(context, steps, value);
+}
+
+// The call of the shader's function `symbol`, or of the intrinsic of that name, if there is one.
+ExprId CallOverload(Context& context, NamedCall& call, SymbolId symbol, bool is_intrinsic) {
+  const Name name = call.name();
+  const Span name_span = call.spans.name;
+  const VarId self = context.view.body ? context.view.body->self : VarId{};
+  const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
+  const std::vector<FunctionInfoId> overloads =
+      CandidatesOf(context, symbol, is_method && self ? context[self].type : TypeId{},
+                   call.callee.arguments, call.arguments);
+  const Choice choice = ChooseOverload(context, overloads, call.arguments, name, name_span);
+  if (choice.reported) return context.ErrorExpr(call.spans.whole);
+  // A function is declared before it is called: fxc X3004, dxc's undeclared identifier (vkd3d's
+  // function.shader_test, checked against native).
+  const bool is_later = choice.function && context[choice.function].declared >= context.view.order;
+  // fxc calls an intrinsic where no function of the shader's can take the arguments.
+  const bool is_6 = context.program.profile.IsAtLeast(6, 0);
+  const bool shadows = choice.function && !is_later && !(choice.changes_shape && is_6);
+  const auto report = [&](const auto& kind) {
+    const ast::FunctionDecl& decl = DeclOf(context, context[choice.function]);
+    context.Report(name_span, kind, context[name])
+        .Note(decl.name_span, diag::DeclaredHere, context[decl.name]);
+  };
+  // DXC looks for a function of the shader's only where no intrinsic takes the arguments
+  // (HLSLExternalSource::AddOverloadedCallCandidates; vkd3d's intrinsic-override.shader_test).
+  if (shadows && is_intrinsic && !is_method && is_6 && TakesArguments(IntrinsicOf(context, call))) {
+    report(diag::IntrinsicBeforeFunction);
+    return CallIntrinsic(context, call);
+  }
+  if (is_intrinsic && !shadows) return CallIntrinsic(context, call);
+  if (!choice.function) {
+    ReportNoOverload(context, overloads, call.arguments, name, name_span);
+    return context.ErrorExpr(call.spans.whole);
+  }
+  if (is_later) {
+    report(diag::CalledBeforeDeclared);
+    return context.ErrorExpr(call.spans.whole);
+  }
+  ExprId object;
+  if (context[choice.function].self) {
+    if (!self) return context.Fail(name_span, diag::FieldWithoutObject, context[name]);
+    object = context.At(name_span).Ref(self);
+  }
+  return CallFunction(context, choice.function, object, std::move(call.arguments), call.spans);
+}
+
+ExprId CallNamed(Context& context, const ast::NameExpr& name, const ast::CallExpr& expr,
+                 const UseSpans& spans) {
   const bool is_plain = name.name.scopes.empty() && !name.name.from_global;
   const bool is_intrinsic = is_plain && IsIntrinsicName(context[name.name.name]);
   SymbolId symbol = Find(context, name.name);
   if (symbol && context[symbol].kind == SymbolKind::kType) {
-    return CheckConstructor(context, TypeArgument(context, expr.callee), expr.arguments, span);
+    return CheckConstructor(context, TypeArgument(context, expr.callee), expr.arguments,
+                            spans.whole);
   }
   // Real files define functions after the entry point; and a variable does not hide a function that
   // is called.
   if (!symbol || context[symbol].kind != SymbolKind::kFunction) {
     const SymbolId function = FindFunction(context, name.name);
-    if (symbol && !function && !is_intrinsic)
-      return CallValue(context, UseSymbol(context, symbol, name_span),
-                       QualifiedText(context, name.name), name_span, expr, span);
+    if (symbol && !function && !is_intrinsic) {
+      const Callee callee = {UseSymbol(context, symbol, spans.name),
+                             QualifiedText(context, name.name), spans.name};
+      return CallValue(context, callee, expr, spans.whole);
+    }
     symbol = function;
   }
-  Exprs arguments;
-  const bool ok = CheckArguments(context, expr.arguments, arguments);
-  const auto call_intrinsic = [&] {
-    Exprs steps;
-    if (IsWritingIntrinsic(context[name.name.name])) {
-      for (ExprId& argument : arguments) argument = TakeSteps(context, argument, steps);
-    }
-    const ExprId value = CheckIntrinsicCall({context.program, context[name.name.name], name_span,
-                                             arguments, span, context, context.diagnostics});
-    return WithPrologue(context, steps, value);
-  };
+  NamedCall call{name, {}, spans};
+  const bool ok = CheckArguments(context, expr.arguments, call.arguments);
   if (!symbol && !is_intrinsic) {
-    ReportUndeclared(context, name_span, name.name, NameUse::kFunction);
-    return context.ErrorExpr(span);
+    ReportUndeclared(context, spans.name, name.name, NameUse::kFunction);
+    return context.ErrorExpr(spans.whole);
   }
-  if (!ok) return context.ErrorExpr(span);
-  if (!symbol) return call_intrinsic();
-  const VarId self = context.view.body ? context.view.body->self : VarId{};
-  const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
-  const std::vector<FunctionInfoId> overloads =
-      CandidatesOf(context, symbol, is_method && self ? context[self].type : TypeId{},
-                   name.arguments, arguments);
-  const Choice choice = ChooseOverload(context, overloads, arguments, name.name.name, name_span);
-  if (choice.reported) return context.ErrorExpr(span);
-  // A function is declared before it is called: fxc X3004, dxc's undeclared identifier (vkd3d's
-  // function.shader_test, checked against native).
-  const bool is_later = choice.function && context[choice.function].declared >= context.view.order;
-  // fxc calls an intrinsic where no function of the shader's can take the arguments.
-  const bool shadows = choice.function && !is_later &&
-                       !(choice.changes_shape && context.program.profile.IsAtLeast(6, 0));
-  // DXC looks for a function of the shader's only where no intrinsic takes the arguments
-  // (HLSLExternalSource::AddOverloadedCallCandidates; vkd3d's intrinsic-override.shader_test).
-  if (shadows && is_intrinsic && !is_method && context.program.profile.IsAtLeast(6, 0) &&
-      TakesArguments({context.program, context[name.name.name], name_span, arguments, span, context,
-                      context.diagnostics})) {
-    const ast::FunctionDecl& decl = DeclOf(context, context[choice.function]);
-    context.Report(name_span, diag::IntrinsicBeforeFunction, context[name.name.name])
-        .Note(decl.name_span, diag::DeclaredHere, context[decl.name]);
-    return call_intrinsic();
-  }
-  if (is_intrinsic && !shadows) return call_intrinsic();
-  if (!choice.function) {
-    ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
-    return context.ErrorExpr(span);
-  }
-  if (is_later) {
-    const ast::FunctionDecl& decl = DeclOf(context, context[choice.function]);
-    context.Report(name_span, diag::CalledBeforeDeclared, context[name.name.name])
-        .Note(decl.name_span, diag::DeclaredHere, context[decl.name]);
-    return context.ErrorExpr(span);
-  }
-  ExprId object;
-  if (context[choice.function].self) {
-    if (!self) return context.Fail(name_span, diag::FieldWithoutObject, context[name.name.name]);
-    object = context.At(name_span).Ref(self);
-  }
-  return CallFunction(context, choice.function, object, std::move(arguments), name_span, span);
+  if (!ok) return context.ErrorExpr(spans.whole);
+  return symbol ? CallOverload(context, call, symbol, is_intrinsic) : CallIntrinsic(context, call);
 }
 
 ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
@@ -165,7 +191,7 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     const auto field = object ? FindField(context, type, member.name) : std::nullopt;
     const ExprId value = field ? context.At(member.name_span).Field(object, *field)
                                : UseSymbol(context, symbol, member.name_span);
-    return CallValue(context, value, std::string(context[member.name]), member.name_span, expr,
+    return CallValue(context, {value, std::string(context[member.name]), member.name_span}, expr,
                      span);
   }
   const std::vector<FunctionInfoId> overloads =
@@ -181,7 +207,7 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
   if (owner && !is_static)
     return context.Fail(member.name_span, diag::FieldWithoutObject, context[member.name]);
   return CallFunction(context, choice.function, is_static ? ExprId{} : object, std::move(arguments),
-                      member.name_span, span);
+                      {member.name_span, span});
 }
 
 // The function for arguments whose classes are known although its parameters are interfaces. There
@@ -219,10 +245,16 @@ VarId MakeEmpty(Context& context, TypeId type, Span span) {
   return var;
 }
 
+// What a call evaluates before it, to copy arguments in, and after it, to copy them out.
+struct CopySteps {
+  Exprs before, after;
+};
+
 // f((A)v) => (t = (A)v, f(t), v.a = t.a, ...): the components of t go back into those of v that
 // they came from. The operand is checked once more, since its cast is a value.
 ExprId BindCast(Context& context, const Parameter& parameter, TypeId type, ast::ExprId operand,
-                Exprs& before, Exprs& after) {
+                CopySteps& copies) {
+  auto& [before, after] = copies;
   ExprId target = TakeSteps(context, CheckExpr(context, operand), before);
   const Span span = context[target].span;
   if (context.IsError(target) || !CheckCastTarget(context, target, {}, type))
@@ -243,23 +275,24 @@ ExprId BindCast(Context& context, const Parameter& parameter, TypeId type, ast::
   return copy;
 }
 
-ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argument, Exprs& before,
-                    Exprs& after) {
+ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argument,
+                    CopySteps& copies) {
+  auto& [before, after] = copies;
   if (parameter.storage == Storage::kIn) return Implicit(context, argument, parameter.type);
   const Span span = context[argument].span;
   if (const ast::ExprId operand = CastOperand(context, argument))
-    return BindCast(context, parameter, context.TypeIdOf(argument), operand, before, after);
+    return BindCast(context, parameter, context.TypeIdOf(argument), operand, copies);
   argument = TakeSteps(context, argument, before);
   if (const ExprId element = ElementIn(context, argument)) {
     const Exprs stores = ChangeElement(context, element, argument, true, before);
-    const ExprId bound = BindArgument(context, parameter, argument, before, after);
+    const ExprId bound = BindArgument(context, parameter, argument, copies);
     after.insert(after.end(), stores.begin(), stores.end());
     return bound;
   }
   if (IsChosenComponent(context, argument)) {
     const ExprId store = ChangeChosen(context, argument, before);
     if (context.IsError(store)) return store;
-    const ExprId bound = BindArgument(context, parameter, argument, before, after);
+    const ExprId bound = BindArgument(context, parameter, argument, copies);
     after.push_back(store);
     return bound;
   }
@@ -319,8 +352,9 @@ ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::uint
   return CheckInit(context, var.init, parameter.type);
 }
 
-ExprId FinishCall(Context& context, ExprId call, ExprSpan before, ExprSpan after) {
-  Exprs steps(before.begin(), before.end());
+ExprId FinishCall(Context& context, ExprId call, const CopySteps& copies) {
+  const auto& [before, after] = copies;
+  Exprs steps = before;
   if (after.empty()) return WithPrologue(context, steps, call);
   if (context.TypeIdOf(call) == context.types.Void()) {
     steps.push_back(call);
@@ -352,11 +386,12 @@ ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span) {
     return value;
   }
   if (const auto* name = std::get_if<ast::NameExpr>(&callee.node))
-    return CallNamed(context, *name, callee.span, expr, span);
+    return CallNamed(context, *name, expr, {callee.span, span});
   if (const auto* member = std::get_if<ast::MemberExpr>(&callee.node))
     return CallMember(context, *member, expr, span);
-  return CallValue(context, CheckExpr(context, expr.callee), TextOf(context, expr.callee),
-                   callee.span, expr, span);
+  return CallValue(context,
+                   {CheckExpr(context, expr.callee), TextOf(context, expr.callee), callee.span},
+                   expr, span);
 }
 
 bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) {
@@ -370,7 +405,8 @@ bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) 
 }
 
 ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs arguments,
-                    Span name_span, Span span) {
+                    const UseSpans& spans) {
+  const auto [name_span, span] = spans;
   id = ForClasses(context, id, arguments);
   const FunctionId function = Reach(context, id);
   const FunctionInfo& info = context[id];
@@ -385,19 +421,20 @@ ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs argu
   }
   if (context.view.body)
     context.functions.calls.push_back({context.view.body->function, function, name_span});
-  Exprs bound, before, after;
+  Exprs bound;
+  CopySteps copies;
   if (info.self && info.changes_self) {
     const VarId root = RootOf(context.program, self);
     if (root && context[root].storage == Storage::kUniform)
       context.functions.uniform_calls.push_back({function, root, name_span});
   }
-  if (info.self) bound.push_back(BindSelf(context, info, self, before));
+  if (info.self) bound.push_back(BindSelf(context, info, self, copies.before));
   for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
     const Parameter parameter = context[info.parameters][i];
     const bool is_given = i < arguments.size();
     if (is_given && !TakesArgument(context, info, parameter, arguments[i]))
       return context.ErrorExpr(span);
-    const ExprId argument = is_given ? BindArgument(context, parameter, arguments[i], before, after)
+    const ExprId argument = is_given ? BindArgument(context, parameter, arguments[i], copies)
                                      : DefaultArgument(context, info, i);
     if (context.IsError(argument)) return context.ErrorExpr(span);
     bound.push_back(argument);
@@ -405,7 +442,7 @@ ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs argu
   const ExprId call = context.At(span).CallOf(function, bound);
   const ViewSwitch in(context, OutsideOf(context, info));
   NoteCastTo(context, call, DeclOf(context, info).return_type);
-  return FinishCall(context, call, before, after);
+  return FinishCall(context, call, copies);
 }
 
 }  // namespace clipc::check

@@ -12,6 +12,6 @@ bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments);
 // A call of the function with its object (`self`, of a method) and arguments: the arguments are
 // converted, and arguments of `out` parameters copied back where needed.
 ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs arguments,
-                    Span name_span, Span span);
+                    const UseSpans& spans);
 
 }  // namespace clipc::check

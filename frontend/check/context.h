@@ -43,6 +43,11 @@ struct Body {
   std::vector<StmtId> hoisted;
 };
 
+// Where a call or an operation is in the text, and the name or the operator in it.
+struct UseSpans {
+  Span name, whole;
+};
+
 using Exprs = std::vector<ExprId>;
 using ExprSpan = std::span<const ExprId>;
 

@@ -137,8 +137,8 @@ void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, 
   }
 }
 
-ExprId StoreToElement(Context& context, ExprId element, ExprId target, ExprId value, bool is_used,
-                      Span span) {
+ExprId StoreToElement(Context& context, const ElementTarget& to, ExprId value, Span span) {
+  const auto [element, target, is_used] = to;
   if (!CanStore(context, element, target)) return {};
   Exprs steps;
   if (is_used || PiecesOf(context, target).size() > 1) {

@@ -16,10 +16,15 @@ ExprId ElementIn(const Context& context, ExprId expr);
 // path can then be cloned. What is evaluated later may change what the indices read if `may_change`
 // says so.
 void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, Exprs& prologue);
-// The assignment target = value, of the same type, as stores into the object, with the value if it
-// `is_used`. None if no store writes the target alone: ChangeElement can.
-ExprId StoreToElement(Context& context, ExprId element, ExprId target, ExprId value, bool is_used,
-                      Span span);
+// An assignment to an element of an object or to a part of one. If it `is_used`, it is a part of an
+// expression, and has the value that was stored.
+struct ElementTarget {
+  ExprId element, target;
+  bool is_used = false;
+};
+// The assignment target = value, of the same type, as stores into the object. None if no store
+// writes the target alone: ChangeElement can.
+ExprId StoreToElement(Context& context, const ElementTarget& to, ExprId value, Span span);
 // Turns `element` in `target` into a variable that holds the value read, so that `target` can be
 // changed in place. Returns the stores of what may have changed into the object, which come after.
 // `prologue` must come before; `may_change` as in FixIndices.

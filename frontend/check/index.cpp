@@ -41,7 +41,7 @@ ExprId CheckMips(Context& context, const ast::IndexExpr& expr, Span span) {
   const ExprId level = CheckExpr(context, inner->index);
   const ExprId index = CheckExpr(context, expr.index);
   if (context.IsError(level, index)) return context.ErrorExpr(span);
-  return CheckObjectIndex(context.program, object, index, level, span, context.diagnostics);
+  return CheckObjectIndex(context.program, {object, index, level, span}, context.diagnostics);
 }
 
 // The index as a scalar int or uint.
@@ -79,7 +79,7 @@ ExprId CheckNode(Context& context, const ast::IndexExpr& expr, Span span) {
   const Type type = context.TypeOf(base);
   switch (type.kind) {
     case TypeKind::kObject:
-      return CheckObjectIndex(context.program, base, index, std::nullopt, span,
+      return CheckObjectIndex(context.program, {base, index, std::nullopt, span},
                               context.diagnostics);
     case TypeKind::kArray:
     case TypeKind::kVector:

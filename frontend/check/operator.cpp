@@ -64,26 +64,27 @@ ExprId Combine(Context& context, BinaryOp op, const Side& left, const Side& righ
   return context.At(span).BinaryOf(op, converted_left, converted_right);
 }
 
-ExprId CombineLogical(Context& context, BinaryOp op, ExprId left, ExprId right, TypeId shape,
+// The operation of truths, with operands of a type that has its shape.
+ExprId CombineLogical(Context& context, BinaryOp op, const Side& left, const Side& right,
                       Span span) {
-  const TypeId type = context.types.WithScalar(shape, Scalar::kBool);
+  const TypeId type = context.types.WithScalar(left.type, Scalar::kBool);
   // The order of evaluation makes a difference only if the right side has an effect.
   BinaryOp wanted = op;
   if (context.options.short_circuits && context[type].kind == TypeKind::kScalar &&
-      !IsPure(context.program, right)) {
+      !IsPure(context.program, right.value)) {
     wanted = op == BinaryOp::kLogicalAnd ? BinaryOp::kShortCircuitAnd : BinaryOp::kShortCircuitOr;
   }
-  return Combine(context, wanted, {left, type}, {right, type}, span);
+  return Combine(context, wanted, {left.value, type}, {right.value, type}, span);
 }
 
 // The shift, whose operands keep their kinds: the result is signed as the left operand is.
-ExprId CombineShift(Context& context, BinaryOp op, ExprId left, ExprId right, TypeId shape,
-                    Span span) {
-  const auto type_of = [&](ExprId operand) {
-    const Scalar kind = context.TypeOf(operand).scalar;
-    return context.types.WithScalar(shape, kind == Scalar::kBool ? Scalar::kInt : kind);
+ExprId CombineShift(Context& context, BinaryOp op, const Side& left, const Side& right, Span span) {
+  const auto converted = [&](const Side& side) -> Side {
+    const Scalar kind = context.TypeOf(side.value).scalar;
+    return {side.value,
+            context.types.WithScalar(side.type, kind == Scalar::kBool ? Scalar::kInt : kind)};
   };
-  return Combine(context, op, {left, type_of(left)}, {right, type_of(right)}, span);
+  return Combine(context, op, converted(left), converted(right), span);
 }
 
 // The value of an operation of two int literals that is below the range of an int, which is the
@@ -156,11 +157,12 @@ ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
                           context.TypeName(side), is_and ? "and(a, b)" : "or(a, b)");
     }
   }
-  return CombineOperands(context, expr.op, left, right, expr.op_span, span);
+  return CombineOperands(context, expr.op, left, right, {expr.op_span, span});
 }
 
-ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right, Span op_span,
-                       Span span) {
+ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
+                       const UseSpans& spans) {
+  const auto [op_span, span] = spans;
   const bool is_numeric = context.TypeOf(left).IsNumeric() && context.TypeOf(right).IsNumeric();
   if (!is_numeric) {
     const ExprId operands[] = {left, right};
@@ -170,9 +172,9 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
   const auto type = OperandType(context, op, left, right, op_span);
   if (!type) return context.ErrorExpr(span);
   if (const auto least = BelowInt(context, op, left, right)) return context.At(span).Int(*least);
-  if (IsLogical(op)) return CombineLogical(context, op, left, right, *type, span);
-  if (IsShift(op)) return CombineShift(context, op, left, right, *type, span);
-  return Combine(context, op, {left, *type}, {right, *type}, span);
+  const Side sides[] = {{left, *type}, {right, *type}};
+  const auto combine = IsLogical(op) ? CombineLogical : IsShift(op) ? CombineShift : Combine;
+  return combine(context, op, sides[0], sides[1], span);
 }
 
 std::optional<TypeId> OperandType(Context& context, BinaryOp op, ExprId left, ExprId right,
@@ -212,7 +214,7 @@ std::optional<ExprId> CallOperator(Context& context, std::string_view op, ExprSp
         ChooseOverload(context, OverloadsOf(context, symbol, self), arguments, name, op_span);
     if (choice.function) {
       return CallFunction(context, choice.function, object,
-                          Exprs(arguments.begin(), arguments.end()), op_span, span);
+                          Exprs(arguments.begin(), arguments.end()), {op_span, span});
     }
     return choice.reported ? std::optional(context.ErrorExpr(span)) : std::nullopt;
   };

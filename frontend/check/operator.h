@@ -12,8 +12,8 @@ namespace clipc::check {
 ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span);
 ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span);
 // The expression left op right, with the operands converted to the type that the operator works on.
-ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right, Span op_span,
-                       Span span);
+ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
+                       const UseSpans& spans);
 // The type that both operands of a component-wise operator are converted to; nullopt after an
 // error, which was reported.
 std::optional<TypeId> OperandType(Context& context, BinaryOp op, ExprId left, ExprId right,

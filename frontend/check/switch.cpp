@@ -57,28 +57,106 @@ bool RunsOn(const Context& context, List<StmtId> body) {
          });
 }
 
-}  // namespace
+// The value that a switch chooses by.
+struct Chooser {
+  ExprId value;
+  bool is_wide = false;  // an integer of 64 bits, which can be repeated
+  Exprs prologue = {};
+};
 
-void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
+Chooser CheckChooser(Context& context, ast::ExprId written) {
   const Profile& profile = context.program.profile;
-  ExprId value = CheckScalar(context, stmt.value, "switch");
+  ExprId value = CheckScalar(context, written, "switch");
   // fxc takes a float from 4.0 to 5.1 only (vkd3d's switch.shader_test, checked against native).
   const bool takes_float = !profile.IsDirect3D9() && !profile.IsAtLeast(6, 0);
   if (IsFloat(context.TypeOf(value).scalar) && !context.IsError(value) && !takes_float) {
-    value = context.Fail(context[stmt.value].span, diag::SwitchNotInteger, context.TypeName(value));
+    value = context.Fail(context[written].span, diag::SwitchNotInteger, context.TypeName(value));
   }
-  const bool is_wide = !context.IsError(value) && IsWide(context.TypeOf(value).scalar) &&
-                       !IsFloat(context.TypeOf(value).scalar);
-  Exprs prologue;
-  if (is_wide) {
-    value = Repeatable(context, value, prologue);
-  } else if (!context.IsError(value)) {
-    const bool is_unsigned = IsUnsigned(context.TypeOf(value).scalar);
-    value = ConvertSilently(context, value,
-                            context.types.Make(is_unsigned ? Scalar::kUint : Scalar::kInt));
+  if (context.IsError(value)) return {value};
+  const Scalar kind = context.TypeOf(value).scalar;
+  Chooser chooser{value, IsWide(kind) && !IsFloat(kind)};
+  chooser.value =
+      chooser.is_wide
+          ? Repeatable(context, value, chooser.prologue)
+          : ConvertSilently(context, value,
+                            context.types.Make(IsUnsigned(kind) ? Scalar::kUint : Scalar::kInt));
+  return chooser;
+}
+
+// The arms of a switch, whose labels have a type.
+class Arms {
+ public:
+  Arms(Context& context, TypeId type, bool is_wide)
+      : context_(context), type_(type), is_wide_(is_wide), mark_(context.stmts.size()) {}
+
+  void Check(std::span<const ast::StmtId> children) {
+    bool reported = false;
+    for (const ast::StmtId inner : children) {
+      const ast::Stmt& child = context_[inner];
+      if (const auto* label = std::get_if<ast::CaseStmt>(&child.node)) {
+        CheckLabel(*label, child.span);
+        continue;
+      }
+      if (arms_.empty() && !reported) context_.Report(child.span, diag::StatementBeforeCase);
+      reported = reported || arms_.empty();
+      CheckStmt(context_, inner);
+    }
+    if (!children.empty() && context_.Is<ast::CaseStmt>(children.back()))
+      context_.Report(context_[children.back()].span, diag::CaseWithoutStatement);
+    Finish();
   }
-  const TypeId type = is_wide ? context.types.Make(Scalar::kInt) : context.TypeIdOf(value);
-  std::vector<std::int64_t> wide_labels;
+
+  List<SwitchCase> Cases() const {
+    return context_.program.switch_cases.Add(std::span<const SwitchCase>(arms_));
+  }
+  // The labels of 64 bits, which the cases have the numbers of.
+  const std::vector<std::int64_t>& wide_labels() const { return wide_labels_; }
+
+ private:
+  void CheckLabel(const ast::CaseStmt& label, Span span) {
+    if (arms_.empty() || context_.stmts.size() > mark_) {
+      Finish();
+      arms_.emplace_back();
+    }
+    label_span_ = span;
+    if (const auto value = CheckCaseLabel(context_, label, span, seen_)) {
+      const auto written = is_wide_ ? static_cast<std::uint32_t>(wide_labels_.size())
+                                    : static_cast<std::uint32_t>(*value);
+      if (is_wide_) wide_labels_.push_back(*value);
+      labels_.push_back(context_.At(span).Add(type_, Literal{written}));
+    } else {
+      arms_.back().is_default = arms_.back().is_default || !label.value;
+    }
+  }
+  // Gives the last arm its labels and the statements since them.
+  void Finish() {
+    const List<StmtId> body = TakeStmts(context_, mark_);
+    if (!arms_.empty()) {
+      if (!context_.program.profile.IsAtLeast(6, 0) && RunsOn(context_, body))
+        context_.Report(label_span_, diag::CaseWithoutBreak);
+      arms_.back().body = body;
+      arms_.back().labels = context_.program.expr_lists.Add(ExprSpan(labels_));
+    }
+    labels_.clear();
+  }
+
+  Context& context_;
+  const TypeId type_;
+  const bool is_wide_;
+  const std::size_t mark_;  // the statements after it are the last arm's
+  std::vector<SwitchCase> arms_;
+  Exprs labels_;  // of the last arm
+  Span label_span_;
+  SeenLabels seen_;
+  std::vector<std::int64_t> wide_labels_;
+};
+
+}  // namespace
+
+void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
+  Chooser chooser = CheckChooser(context, stmt.value);
+  const TypeId type =
+      chooser.is_wide ? context.types.Make(Scalar::kInt) : context.TypeIdOf(chooser.value);
   DeclareTemporaries(context);
   const auto* block = context.GetIf<ast::BlockStmt>(stmt.body);
   if (!block) {
@@ -88,55 +166,16 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
   ++context.view.body->switches;
   const bool was_in_switch = std::exchange(context.view.body->is_in_switch, true);
   const ScopeTable::LocalScope scope(context.names);
-  std::vector<SwitchCase> arms;
-  Exprs labels;
-  SeenLabels seen;
-  const std::size_t mark = context.stmts.size();
-  Span label_span;
-  const auto finish = [&] {
-    const List<StmtId> body = TakeStmts(context, mark);
-    if (!arms.empty()) {
-      if (!profile.IsAtLeast(6, 0) && RunsOn(context, body))
-        context.Report(label_span, diag::CaseWithoutBreak);
-      arms.back().body = body;
-      arms.back().labels = context.program.expr_lists.Add(ExprSpan(labels));
-    }
-    labels.clear();
-  };
-  bool reported = false;
-  for (ast::StmtId inner : context[block->body]) {
-    const ast::Stmt& child = context[inner];
-    if (const auto* label = std::get_if<ast::CaseStmt>(&child.node)) {
-      if (arms.empty() || context.stmts.size() > mark) {
-        finish();
-        arms.emplace_back();
-      }
-      label_span = child.span;
-      if (const auto value = CheckCaseLabel(context, *label, child.span, seen)) {
-        const auto written = is_wide ? static_cast<std::uint32_t>(wide_labels.size())
-                                     : static_cast<std::uint32_t>(*value);
-        if (is_wide) wide_labels.push_back(*value);
-        labels.push_back(context.At(child.span).Add(type, Literal{written}));
-      } else {
-        arms.back().is_default = arms.back().is_default || !label->value;
-      }
-      continue;
-    }
-    if (arms.empty() && !reported) context.Report(child.span, diag::StatementBeforeCase);
-    reported = reported || arms.empty();
-    CheckStmt(context, inner);
-  }
-  const std::span<const ast::StmtId> children = context[block->body];
-  if (!children.empty() && context.Is<ast::CaseStmt>(children.back()))
-    context.Report(context[children.back()].span, diag::CaseWithoutStatement);
-  finish();
+  Arms arms(context, type, chooser.is_wide);
+  arms.Check(context[block->body]);
   context.view.body->is_in_switch = was_in_switch;
   --context.view.body->switches;
-  if (is_wide) {
-    value = WithPrologue(context, prologue, NumberOfLabel(context, value, wide_labels, span));
+  ExprId value = chooser.value;
+  if (chooser.is_wide) {
+    value = WithPrologue(context, chooser.prologue,
+                         NumberOfLabel(context, value, arms.wide_labels(), span));
   }
-  Emit(context, span,
-       Switch{value, context.program.switch_cases.Add(std::span<const SwitchCase>(arms))});
+  Emit(context, span, Switch{value, arms.Cases()});
 }
 
 }  // namespace clipc::check

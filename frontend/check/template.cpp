@@ -110,17 +110,26 @@ struct StructSpecialisation {
   std::vector<std::uint64_t> found;  // the arguments of its own parameters
 };
 
-// Whether `written`, the arguments of a specialisation with these parameters, are `given`. Then
-// `found` has what the parameters stand for.
-bool Fits(Context& context, const ast::StructDecl& general, const ast::StructDecl& special,
-          const Symbol& symbol, std::uint32_t order, const std::vector<std::uint64_t>& given,
+// A struct template with the arguments that it is given.
+struct StructTemplate {
+  SymbolId symbol;
+  const ast::StructDecl& decl;
+  std::uint32_t order;
+  const std::vector<std::uint64_t>& given;
+};
+
+// Whether the arguments of the specialisation are those that are given. Then `found` has what its
+// own parameters stand for.
+bool Fits(Context& context, const StructTemplate& general, const ast::StructDecl& special,
           std::vector<std::uint64_t>& found) {
+  const std::vector<std::uint64_t>& given = general.given;
+  const List<ast::TemplateParameter> parameters = general.decl.template_parameters;
   const List<ast::TemplateParameter> own = special.template_parameters;
   const List<ast::ExprId> written = special.template_arguments;
   for (std::uint32_t i = 0; i < written.size && i < given.size(); ++i) {
     const ast::Expr& argument = context[context[written][i]];
     if (const auto* type = std::get_if<ast::TypeExpr>(&argument.node)) {
-      if (context[general.template_parameters][i].is_type)
+      if (context[parameters][i].is_type)
         Deduce(context, type->type, TypeId{static_cast<std::uint32_t>(given[i])}, own, found);
     } else if (const auto* name = std::get_if<ast::NameExpr>(&argument.node)) {
       for (std::uint32_t p = 0; p < own.size; ++p) {
@@ -130,31 +139,28 @@ bool Fits(Context& context, const ast::StructDecl& general, const ast::StructDec
     }
   }
   if (std::ranges::find(found, kUnknown) != found.end()) return false;
-  const ScopeId scope = BindTemplate(context, own, symbol.scope, order, found);
-  const ViewSwitch in(context, context.ViewFrom(scope, order));
+  const ScopeId scope =
+      BindTemplate(context, own, context[general.symbol].scope, general.order, found);
+  const ViewSwitch in(context, context.ViewFrom(scope, general.order));
   std::vector<std::uint64_t> meant(given.size(), kUnknown);
-  if (!ReadTemplateArguments(context, general.template_parameters, written, meant)) return false;
+  if (!ReadTemplateArguments(context, parameters, written, meant)) return false;
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (i < written.size && meant[i] != given[i]) return false;
   }
   return true;
 }
 
-// The specialisation of the struct `symbol` that has these arguments: the one without parameters of
-// its own, else the most special one; none: the template itself.
-std::optional<StructSpecialisation> SpecialisationOf(Context& context, SymbolId id,
-                                                     const ast::StructDecl& general,
-                                                     std::uint32_t order,
-                                                     const std::vector<std::uint64_t>& given,
-                                                     Span span) {
-  const auto known = context.structs.specialisations.find(id.index);
+// The specialisation that has the arguments: the one without parameters of its own, else the most
+// special one; none: the template itself.
+std::optional<StructSpecialisation> SpecialisationOf(Context& context,
+                                                     const StructTemplate& general, Span span) {
+  const auto known = context.structs.specialisations.find(general.symbol.index);
   if (known == context.structs.specialisations.end()) return std::nullopt;
-  const Symbol symbol = context[id];
   std::vector<StructSpecialisation> fitting;
   for (const ast::DeclId decl : known->second) {
     const auto& special = context.Get<ast::StructDecl>(decl);
     std::vector<std::uint64_t> found(special.template_parameters.size, kUnknown);
-    if (!Fits(context, general, special, symbol, order, given, found)) continue;
+    if (!Fits(context, general, special, found)) continue;
     if (found.empty()) return StructSpecialisation{decl, found};
     fitting.push_back({decl, found});
   }
@@ -169,7 +175,7 @@ std::optional<StructSpecialisation> SpecialisationOf(Context& context, SymbolId 
     });
     if (is_most_special) return one;
   }
-  context.Report(span, diag::AmbiguousSpecialisation, context[general.name]);
+  context.Report(span, diag::AmbiguousSpecialisation, context[general.decl.name]);
   return fitting.front();
 }
 
@@ -245,9 +251,9 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
     return context.FailType(type.span, diag::MissingTypeArgument, context[decl->name]);
   }
   ast::DeclId meant = symbol.decl;
-  if (auto special = SpecialisationOf(context, id, *decl, order, found, type.span)) {
+  if (const auto special = SpecialisationOf(context, {id, *decl, order, found}, type.span)) {
     meant = special->decl;
-    found = std::move(special->found);
+    found = special->found;
     scope = BindTemplate(context, context.Get<ast::StructDecl>(meant).template_parameters,
                          symbol.scope, order, found);
   }

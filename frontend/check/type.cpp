@@ -219,12 +219,12 @@ bool IsTooLarge(Context& context, TypeId type, Span span) {
 }
 
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
-               std::optional<std::uint32_t> implied, bool is_buffer) {
-  return ArrayOf(context, element, context[dimensions], span, implied, is_buffer);
+               const OpenDimension& open) {
+  return ArrayOf(context, element, context[dimensions], span, open);
 }
 
 TypeId ArrayOf(Context& context, TypeId element, std::span<const ast::ExprId> dimensions, Span span,
-               std::optional<std::uint32_t> implied, bool is_buffer) {
+               const OpenDimension& open) {
   if (dimensions.empty()) return element;
   if (element == context.types.Void()) {
     return context.FailType(span, diag::VoidValue, "an array of `void`");
@@ -236,10 +236,10 @@ TypeId ArrayOf(Context& context, TypeId element, std::span<const ast::ExprId> di
     std::optional<std::uint32_t> size;
     if (dimension) {
       size = ArraySize(context, dimension);
-    } else if (i == 0 && implied) {
-      size = implied;
+    } else if (i == 0 && open.implied) {
+      size = open.implied;
     } else if (i == 0 && dimensions.size() == 1 &&
-               (is_buffer || context.types[element].kind == TypeKind::kObject)) {
+               (open.is_buffer || context.types[element].kind == TypeKind::kObject)) {
       // The number of elements is not a part of a stage's interface with another.
       size = context.program.is_interface_only ? 1 : 0;
     } else {
@@ -290,7 +290,7 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     if (!implied) return context.types.Error();
   }
   const TypeId type =
-      ArrayOf(context, element, var.dimensions, span, implied, IsBufferObject(context, var));
+      ArrayOf(context, element, var.dimensions, span, {implied, IsBufferObject(context, var)});
   return type == element ? type : WithoutString(context, type, var);
 }
 

@@ -24,12 +24,16 @@ std::uint64_t FieldsOf(const Context& context, TypeId id);
 int DepthOf(const Context& context, TypeId id);
 // Whether the type has too many components, fields or levels, which is reported.
 bool IsTooLarge(Context& context, TypeId type, Span span);
-// The type element[d0][d1]. `implied` is the size for an empty first `[]`; a buffer, `is_buffer`,
-// does not need one.
+// An empty first `[]`: the size that the variable's value has, which a buffer does not need.
+struct OpenDimension {
+  std::optional<std::uint32_t> implied = {};
+  bool is_buffer = false;
+};
+// The type element[d0][d1].
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
-               std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
+               const OpenDimension& open = {});
 TypeId ArrayOf(Context& context, TypeId element, std::span<const ast::ExprId> dimensions, Span span,
-               std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
+               const OpenDimension& open = {});
 // The type of the variable, with its dimensions.
 TypeId ResolveVarType(Context& context, const ast::VarDecl& var);
 // Returns `type`; if it is made of strings, reports and returns the error type.

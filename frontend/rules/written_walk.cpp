@@ -14,66 +14,56 @@ namespace clipc::rules {
 // ---- expressions
 
 void WrittenWalk::Visit(ExprId expr) {
-  clipc::Visit(Overloaded{
-                   [&](const OneOf<VarRef, FieldRef, Index, Swizzle, MatrixSwizzle> auto&) {
-                     if (VisitTarget(expr) && TypeOf(program_, expr).IsNumeric()) CheckRead(expr);
-                   },
-                   [&](const Unary& node) {
-                     Visit(node.operand);
-                     if (!ChangesOperand(node.op)) return;
-                     WriteTo(node.operand, {});
-                   },
-                   [&](const Assign& node) { shared_.values.Check(node), VisitAssign(node); },
-                   [&](const Call& node) { VisitCall(expr, node); },
-                   [&](const Conditional& node) {
-                     Visit(node.condition);
-                     const auto known = EvaluateInteger(program_, node.condition);
-                     if (known.value_or(1) != 0) VisitChoice(node.when_true);
-                     if (known.value_or(0) == 0) VisitChoice(node.when_false);
-                   },
-                   [&](const Select& node) {
-                     Visit(node.condition);
-                     VisitChoice(node.when_true);
-                     VisitChoice(node.when_false);
-                   },
-                   [&](const Binary& node) {
-                     shared_.values.Check(node);
-                     Visit(node.left);
-                     // The right side of && and || may not matter.
-                     if (IsLogical(node.op))
-                       VisitChoice(node.right);
-                     else
-                       Visit(node.right);
-                   },
-                   [&](const IntrinsicCall& node) {
-                     shared_.values.Check(node);
-                     std::size_t i = 0;
-                     for (const ExprId argument : program_.expr_lists[node.arguments]) {
-                       if (!WritesArgument(node.op, i++)) {
-                         Visit(argument);
-                         continue;
-                       }
-                       VisitTarget(argument);
-                       WriteTo(argument, {});
-                     }
-                   },
-                   [&](const ObjectCall& node) {
-                     ForEachNamedOperand(program_, node, [&](OperandKind kind, ExprId operand) {
-                       if (kind == OperandKind::kTexel)
-                         WriteTo(operand, {});
-                       else
-                         Visit(operand);
-                     });
-                   },
-                   [&]<typename Node>(const Node& node) {
-                     ForEachSlot(
-                         node, [&](ExprId operand) { Visit(operand); },
-                         [&](List<ExprId> list) {
-                           for (const ExprId operand : program_.expr_lists[list]) Visit(operand);
-                         });
-                   },
-               },
-               program_.exprs[expr].node);
+  clipc::Visit(
+      Overloaded{
+          [&](const OneOf<VarRef, FieldRef, Index, Swizzle, MatrixSwizzle> auto&) {
+            if (VisitTarget(expr) && TypeOf(program_, expr).IsNumeric()) CheckRead(expr);
+          },
+          [&](const Unary& node) {
+            Visit(node.operand);
+            if (!ChangesOperand(node.op)) return;
+            WriteTo(node.operand, {});
+          },
+          [&](const Assign& node) { shared_.values.Check(node), VisitAssign(node); },
+          [&](const Call& node) { VisitCall(expr, node); },
+          [&](const Conditional& node) {
+            Visit(node.condition);
+            const auto known = EvaluateInteger(program_, node.condition);
+            if (known.value_or(1) != 0) VisitChoice(node.when_true);
+            if (known.value_or(0) == 0) VisitChoice(node.when_false);
+          },
+          [&](const Select& node) {
+            Visit(node.condition);
+            VisitChoice(node.when_true);
+            VisitChoice(node.when_false);
+          },
+          [&](const Binary& node) {
+            shared_.values.Check(node);
+            Visit(node.left);
+            // The right side of && and || may not matter.
+            if (IsLogical(node.op))
+              VisitChoice(node.right);
+            else
+              Visit(node.right);
+          },
+          [&](const IntrinsicCall& node) { shared_.values.Check(node), VisitIntrinsic(node); },
+          [&](const ObjectCall& node) {
+            ForEachNamedOperand(program_, node, [&](OperandKind kind, ExprId operand) {
+              if (kind == OperandKind::kTexel)
+                WriteTo(operand, {});
+              else
+                Visit(operand);
+            });
+          },
+          [&]<typename Node>(const Node& node) {
+            ForEachSlot(
+                node, [&](ExprId operand) { Visit(operand); },
+                [&](List<ExprId> list) {
+                  for (const ExprId operand : program_.expr_lists[list]) Visit(operand);
+                });
+          },
+      },
+      program_.exprs[expr].node);
 }
 
 // Visits a part whose value a condition may discard.
@@ -108,6 +98,18 @@ void WrittenWalk::VisitAssign(const Assign& node) {
   Visit(node.value);
   if (TypeOf(program_, node.target).IsNumeric()) CheckRead(node.target);
   WriteTo(node.target, {});
+}
+
+void WrittenWalk::VisitIntrinsic(const IntrinsicCall& node) {
+  std::size_t i = 0;
+  for (const ExprId argument : program_.expr_lists[node.arguments]) {
+    if (!WritesArgument(node.op, i++)) {
+      Visit(argument);
+      continue;
+    }
+    VisitTarget(argument);
+    WriteTo(argument, {});
+  }
 }
 
 void WrittenWalk::VisitCall(ExprId expr, const Call& node) {

@@ -71,6 +71,7 @@ class WrittenWalk {
   bool VisitTarget(ExprId path);
   void VisitAssign(const Assign& node);
   void VisitCall(ExprId expr, const Call& node);
+  void VisitIntrinsic(const IntrinsicCall& node);
   void CheckRead(ExprId path);
   void Report(const Read& read);
   void Track(VarId var);

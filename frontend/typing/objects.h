@@ -18,9 +18,13 @@ ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object);
 // (vkd3d's length-property.shader_test, checked against native), dxc has not; none without it.
 ExprId CheckLength(Program& program, ExprId object, Span span);
 
-// Returns object[index] as IR, or object.mips[level][index] or object.sample[level][index] if
-// `level` is given.
-ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::optional<ExprId> level,
-                        Span span, Diagnostics& diagnostics);
+// object[index], or object.mips[level][index] or object.sample[level][index] if `level` is given.
+struct ObjectIndex {
+  ExprId object, index;
+  std::optional<ExprId> level = {};
+  Span span = {};
+};
+// Returns the element as IR.
+ExprId CheckObjectIndex(Program& program, const ObjectIndex& of, Diagnostics& diagnostics);
 
 }  // namespace clipc::typing

@@ -31,8 +31,9 @@ bool IsPlace(Program& program, ExprId index, TypeId place) {
          type.Components() == program.types[place].Components();
 }
 
-ExprId IndexTexture(Program& program, ExprId object, ExprId index, ExprId level, Span span,
-                    Diagnostics& diagnostics) {
+ExprId IndexTexture(Program& program, const ObjectIndex& of, Diagnostics& diagnostics) {
+  const auto [object, index, given_level, span] = of;
+  const ExprId level = given_level ? *given_level : Builder(program, span).Int(0);
   const Type type = TypeOf(program, object);
   const TypeId coordinate = IntVector(program.types, TraitsOf(type.object).texel);
   const TypeId number = program.types.Make(Scalar::kInt);
@@ -50,8 +51,8 @@ ExprId IndexTexture(Program& program, ExprId object, ExprId index, ExprId level,
                     ElementOf(program.types, type), std::span(operands).first(is_image ? 2 : 3));
 }
 
-ExprId IndexBuffer(Program& program, ExprId object, ExprId index, Span span,
-                   Diagnostics& diagnostics) {
+ExprId IndexBuffer(Program& program, const ObjectIndex& of, Diagnostics& diagnostics) {
+  const auto& [object, index, _, span] = of;
   const Type type = TypeOf(program, object);
   const Type& index_type = TypeOf(program, index);
   const bool is_buffer = !IsStructured(type.object);
@@ -68,8 +69,8 @@ ExprId IndexBuffer(Program& program, ExprId object, ExprId index, Span span,
 
 }  // namespace
 
-ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::optional<ExprId> level,
-                        Span span, Diagnostics& diagnostics) {
+ExprId CheckObjectIndex(Program& program, const ObjectIndex& of, Diagnostics& diagnostics) {
+  const auto& [object, index, level, span] = of;
   const Type type = TypeOf(program, object);
   Builder builder(program, span);
   const auto is_error = [&](ExprId expr) {
@@ -92,12 +93,11 @@ ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::opti
                            program.profile.name);
         return builder.ZeroOf(program.types.Error());
       }
-      return IndexTexture(program, object, index, level ? *level : builder.Int(0), span,
-                          diagnostics);
+      return IndexTexture(program, of, diagnostics);
     }
     if (!level && (InfoOf(type.object).category == ObjectCategory::kTypedBuffer ||
                    (IsStructured(type.object) && HasNamedElements(type.object)))) {
-      return IndexBuffer(program, object, index, span, diagnostics);
+      return IndexBuffer(program, of, diagnostics);
     }
   }
   diagnostics.Report(span, diag::ObjectNotIndexed, program.types.Name(TypeIdOf(program, object)));

@@ -43,7 +43,7 @@ class ObjectsTest : public testing::Test {
         test_.Object("t", kind, element.empty() ? ir::TypeId{} : test_.Type(element));
     const ir::ExprId at = Argument(index);
     const auto mip = level.empty() ? std::nullopt : std::optional(Argument(level));
-    return test_.Text(CheckObjectIndex(test_.program, object, at, mip, {}, test_.diagnostics));
+    return test_.Text(CheckObjectIndex(test_.program, {object, at, mip}, test_.diagnostics));
   }
 
   ProgramForTest test_;

@@ -82,8 +82,7 @@ std::vector<std::uint32_t> SpirvOf(const ir::Program& typed, LowerOptions option
   Legalize(lowered, options.passes);
   const glsl::LegalStage stage[] = {{lowered.program, lowered.target, {}}};
   const glsl::ProgramLayout layout(stage);
-  spirv::Written written =
-      WriteSpirv(lowered.program, layout.InfoOf(0), lowered.target, {}, SpirvRequest{});
+  spirv::Written written = WriteSpirv(lowered, layout.InfoOf(0), {}, SpirvRequest{});
   if (!written.lacks.empty()) throw DrawError("no SPIR-V of " + std::string(written.lacks));
   return std::move(written.words);
 }
