@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,16 @@ class JsonWriter {
   void Text(std::string_view text) {
     Begin();
     Append(text);
+  }
+
+  // An element of a list: a number, or `null`.
+  void NumberOrNull(std::optional<std::size_t> number) {
+    Begin();
+    if (number) {
+      Append(static_cast<std::int64_t>(*number));
+    } else {
+      text_ += "null";
+    }
   }
 
   void Object(std::string_view key, auto&& body) {

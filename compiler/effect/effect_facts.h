@@ -13,6 +13,7 @@
 #include "base/stage.h"
 #include "compiler/compile/facts.h"
 #include "compiler/compile/result.h"
+#include "compiler/effect/effect_choice.h"
 #include "frontend/parse/effect.h"
 
 // Everything that the host needs to draw with an effect, as values: its JSON (docs/effects.md) and
@@ -44,6 +45,7 @@ struct EffectPassFact {
   ast::EffectPass text;
   bool is_left_out = false;  // it has a shader that clipc does not compile
   std::vector<EffectProgramFact> programs = {};
+  std::vector<EffectChoice> choices = {};  // of the programs
 };
 
 struct EffectTechniqueFact {

@@ -68,12 +68,24 @@ class EffectPrinter {
     });
   }
 
+  void Choice(const EffectChoice& choice) {
+    json_.ListOf("values", choice.values, [&](const EffectChoice::Value& value) {
+      json_.Member("text", value.text);
+      json_.Member("count", value.count);
+    });
+    json_.List("programs", [&] {
+      for (const std::optional<std::size_t>& program : choice.programs) json_.NumberOrNull(program);
+    });
+  }
+
   void Pass(const EffectPassFact& fact) {
     const ast::EffectPass& pass = fact.text;
     json_.Member("name", pass.name);
     Annotations(pass.annotations);
     if (fact.is_left_out) json_.Member("leftOut", true);
     json_.ListOf("programs", fact.programs, [&](const EffectProgramFact& it) { Program(it); });
+    if (!fact.choices.empty())
+      json_.ListOf("choices", fact.choices, [&](const EffectChoice& it) { Choice(it); });
     Text(pass.vertex.text, "vertexShader");
     Text(pass.pixel.text, "pixelShader");
     Text(pass.compute.text, "computeShader");

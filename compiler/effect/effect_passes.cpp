@@ -49,6 +49,7 @@ class ProgramFinder {
     for (const ast::EffectParameter& parameter : effect.parameters) {
       if (!parameter.shaders.empty()) variables_.emplace(parameter.name, &parameter.shaders);
     }
+    for (const ast::EffectTable& table : effect.tables) tables_.emplace(table.name, &table.values);
   }
 
   EffectPrograms Find() {
@@ -73,35 +74,61 @@ class ProgramFinder {
     for (const std::string& text : pass.not_read)
       diagnostics_.Report(pass.span, diag::EffectNotRead, text, pass.name);
     for (const auto& [name, value] : pass.other_shaders) LeaveOut(added, pass, name, value);
-    using Choices = std::vector<std::vector<EffectStage>>;
-    const Choices drawing = {ShadersOf(added, pass, Stage::kVertex, pass.vertex),
-                             ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
-    const Choices computing = {ShadersOf(added, pass, Stage::kCompute, pass.compute)};
-    AddPrograms(added, drawing);
+    const std::vector<StageShaders> drawing = {ShadersOf(added, pass, Stage::kVertex, pass.vertex),
+                                               ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    const std::vector<StageShaders> computing = {
+        ShadersOf(added, pass, Stage::kCompute, pass.compute)};
+    AddPrograms(added, drawing);  // its choice is the first
     AddPrograms(added, computing);
   }
 
+  // The shaders that a pass may use in a stage.
+  struct StageShaders {
+    const EffectShader* said;
+    std::vector<std::optional<EffectStage>> shaders;  // none: NULL
+    StageIndex index;
+
+    bool IsNull() const {
+      return std::ranges::none_of(shaders, [](const auto& shader) { return shader.has_value(); });
+    }
+  };
+
   // Adds the programs of a shader of each of those stages that have any.
-  void AddPrograms(PassPrograms& added, std::vector<std::vector<EffectStage>> stages) {
+  void AddPrograms(PassPrograms& added, std::vector<StageShaders> stages) {
     const ast::EffectPass& pass = effect_.techniques[added.technique].passes[added.pass];
-    std::erase_if(stages, [](const auto& shaders) { return shaders.empty(); });
+    std::erase_if(stages, [](const StageShaders& stage) { return stage.IsNull(); });
     if (added.is_left_out || stages.empty()) return;
-    std::size_t count = 1;
-    for (const auto& shaders : stages)
-      count =
-          shaders.size() > kMaxPermutations / count ? kMaxPermutations + 1 : count * shaders.size();
-    if (count_ + count > kMaxPermutations)
-      return LeaveOut(added, pass, StateOf(stages.front().front().stage), "too many");
-    count_ += count;
-    for (std::size_t i = 0; i < count; ++i) {
+    std::vector<StageIndex> indices;
+    for (const StageShaders& stage : stages) {
+      StageIndex& index = indices.emplace_back(stage.index);
+      for (const auto& shader : stage.shaders) index.elements.push_back(shader.has_value());
+    }
+    const std::optional<ChosenPrograms> chosen = ChoosePrograms(indices, kMaxPermutations - count_);
+    if (!chosen) return LeaveOut(added, pass, StateOf(FirstOf(stages.front())), "too many");
+    if (const auto& outside = chosen->outside) {
+      const EffectShader& said = *stages[outside->stage].said;
+      diagnostics_.Report(said.span, diag::EffectIndexOutside, said.text, outside->text,
+                          outside->value);
+    }
+    const std::size_t first = added.programs.size();
+    for (const std::vector<std::size_t>& elements : chosen->programs) {
       EffectProgram& program = added.programs.emplace_back();
-      std::size_t rest = i;
-      for (const auto& shaders : stages | std::views::reverse) {
-        program.shaders.insert(program.shaders.begin(), shaders[rest % shaders.size()]);
-        rest /= shaders.size();
+      for (std::size_t i = 0; i < stages.size(); ++i) {
+        if (const auto& shader = stages[i].shaders[elements[i]]) program.shaders.push_back(*shader);
       }
       program.group = GroupOf(program, added.technique, added.pass);
     }
+    count_ += std::max(chosen->choice.programs.size(), chosen->programs.size());
+    if (chosen->choice.values.empty()) return;
+    EffectChoice& choice = added.choices.emplace_back(chosen->choice);
+    for (std::optional<std::size_t>& program : choice.programs) {
+      if (program) *program += first;
+    }
+  }
+
+  static Stage FirstOf(const StageShaders& stage) {
+    return (*std::ranges::find_if(stage.shaders, [](const auto& one) { return one.has_value(); }))
+        ->stage;
   }
 
   void LeaveOut(PassPrograms& added, const ast::EffectPass& pass, std::string_view stage,
@@ -138,36 +165,63 @@ class ProgramFinder {
 
   // The shaders that the pass may use in a stage; leaves the pass out if one of them is not to be
   // compiled.
-  std::vector<EffectStage> ShadersOf(PassPrograms& added, const ast::EffectPass& pass, Stage stage,
-                                     const EffectShader& shader) {
-    std::vector<EffectStage> shaders;
+  StageShaders ShadersOf(PassPrograms& added, const ast::EffectPass& pass, Stage stage,
+                         const EffectShader& shader) {
+    StageShaders found{&shader, {}, {}};
     const auto add = [&](const EffectShader& one, std::optional<std::size_t> element) {
+      std::optional<EffectStage>& added_shader = found.shaders.emplace_back();
       if (one.kind == EffectShader::Kind::kNone) return;
       if (one.kind == EffectShader::Kind::kCompiled && !IsFor(stage, one)) {
         added.is_left_out = true;
       } else if (one.kind == EffectShader::Kind::kCompiled) {
-        shaders.push_back({stage, &one, element, ProfileFor(one)});
+        added_shader = {stage, &one, element, ProfileFor(one)};
       } else if (!added.is_left_out) {
         LeaveOut(added, pass, StateOf(stage), one.text);
       }
     };
-    const auto found = shader.kind == EffectShader::Kind::kVariable
-                           ? variables_.find(shader.variable)
-                           : variables_.end();
-    if (found == variables_.end()) {
+    const auto variable = shader.kind == EffectShader::Kind::kVariable
+                              ? variables_.find(shader.variable)
+                              : variables_.end();
+    if (variable == variables_.end()) {
       add(shader, std::nullopt);
-      return shaders;
+      return found;
     }
-    const std::vector<EffectShader>& elements = *found->second;
-    std::size_t chosen = 0;
-    const char* const end = shader.index.data() + shader.index.size();
-    const bool is_number = std::from_chars(shader.index.data(), end, chosen).ptr == end;
-    if (shader.index.empty() || (is_number && chosen < elements.size())) {
-      add(elements[chosen], std::nullopt);
-      return shaders;
+    const std::vector<EffectShader>& elements = *variable->second;
+    found.index = IndexOf(shader);
+    std::size_t value = 0;
+    if (IsNumber(found.index.text, value)) {
+      found.index.elements.assign(elements.size(), true);
+      const std::optional<std::size_t> element = ElementOf(found.index, value);
+      found.index = {};
+      add(element ? elements[*element] : shader, std::nullopt);
+      return found;
     }
     for (std::size_t i = 0; i < elements.size() && i < kMaxPermutations; ++i) add(elements[i], i);
-    return shaders;
+    return found;
+  }
+
+  // Whether the index is a number, or none, which is the first element.
+  static bool IsNumber(std::string_view text, std::size_t& number) {
+    if (text.ends_with('u')) text.remove_suffix(1);
+    const char* const end = text.data() + text.size();
+    return text.empty() || std::from_chars(text.data(), end, number).ptr == end;
+  }
+
+  // The index of A[T[i]]: `i`, looked up in T. A table without known values is a part of its text.
+  StageIndex IndexOf(const EffectShader& shader) const {
+    StageIndex index;
+    index.text = shader.index;
+    std::string text = shader.index;
+    for (const std::string& name : shader.tables | std::views::reverse) {
+      text = fmt::format("{}[{}]", name, text);
+      if (const auto table = tables_.find(name); table != tables_.end()) {
+        index.tables.insert(index.tables.begin(), table->second);
+      } else {
+        index.text = text;
+        index.tables.clear();
+      }
+    }
+    return index;
   }
 
   std::size_t GroupOf(const EffectProgram& program, std::size_t technique, std::size_t number) {
@@ -215,6 +269,7 @@ class ProgramFinder {
   const CommandLine& command_;
   Diagnostics& diagnostics_;
   Variables variables_;
+  std::unordered_map<std::string_view, const std::vector<std::int64_t>*> tables_;
   std::vector<std::string_view> functions_;
   std::map<std::string, std::size_t> by_key_;
   std::size_t count_ = 0;  // of programs

@@ -10,6 +10,7 @@
 #include "base/stage.h"
 #include "compiler/batch/permutations.h"
 #include "compiler/command/command_line.h"
+#include "compiler/effect/effect_choice.h"
 #include "frontend/parse/effect.h"
 
 namespace clipc {
@@ -31,6 +32,7 @@ struct PassPrograms {
   std::size_t technique = 0, pass = 0;  // in the effect
   bool is_left_out = false;             // it has a shader that clipc does not compile
   std::vector<EffectProgram> programs;  // several where the pass takes them from an array
+  std::vector<EffectChoice> choices;    // what chooses them; none where nothing does
 };
 
 struct EffectPrograms {

@@ -71,21 +71,45 @@ class GlEffectMaker {
       diagnostics_.Report(pass.span, diag::EffectPassNotInHeader, pass.name, lacks);
     };
     if (fact.programs.empty() && !fact.is_left_out) leave_out("shader");
-    const auto count = std::ranges::count_if(fact.programs, &EffectProgramFact::is_compiled);
-    std::size_t number = 0;
-    for (const EffectProgramFact& program : fact.programs) {
-      if (!program.is_compiled || !program.code) continue;
-      const std::string suffix = count == 1 ? "" : fmt::format(".{}", number);
-      ++number;
-      if (program.shaders.front().stage != Stage::kVertex) {
-        leave_out("vertex shader");
-        continue;
-      }
-      const std::size_t made = ProgramOf(program.code, pass);
-      const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, diagnostics_);
-      made_.passes.push_back({pass.name + suffix, made, {made_.states.size(), states.size()}});
-      made_.states.insert(made_.states.end(), states.begin(), states.end());
+    const std::vector<const EffectProgramFact*> programs = ProgramsOf(fact);
+    const auto draws = [](const EffectProgramFact& program) {
+      return program.shaders.front().stage == Stage::kVertex;
+    };
+    if (std::ranges::any_of(fact.programs, [&](const EffectProgramFact& program) {
+          return program.is_compiled && !draws(program);
+        }))
+      leave_out("vertex shader");
+    std::optional<GlRange> states;  // the same for all programs
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const EffectProgramFact* const program = programs[i];
+      if (!program || !program->is_compiled || !program->code || !draws(*program)) continue;
+      const std::size_t made = ProgramOf(program->code, pass);
+      if (!states) states = AddStates(pass);
+      const std::string suffix = programs.size() == 1 ? "" : fmt::format(".{}", i);
+      made_.passes.push_back({pass.name + suffix, made, *states});
     }
+  }
+
+  // The programs of a pass by the value that chooses them; null for a value without a program.
+  // Without a value, those that are compiled.
+  static std::vector<const EffectProgramFact*> ProgramsOf(const EffectPassFact& fact) {
+    std::vector<const EffectProgramFact*> programs;
+    if (!fact.choices.empty()) {
+      for (const std::optional<std::size_t>& program : fact.choices.front().programs)
+        programs.push_back(program ? &fact.programs[*program] : nullptr);
+      return programs;
+    }
+    for (const EffectProgramFact& program : fact.programs) {
+      if (program.is_compiled) programs.push_back(&program);
+    }
+    return programs;
+  }
+
+  GlRange AddStates(const ast::EffectPass& pass) {
+    const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, diagnostics_);
+    const std::size_t first = made_.states.size();
+    made_.states.insert(made_.states.end(), states.begin(), states.end());
+    return {first, states.size()};
   }
 
   // The program's number. Passes whose shaders become the same share one.

@@ -76,6 +76,7 @@ EffectFacts MakeEffectFacts(const ast::Effect& effect, const EffectPrograms& pro
     EffectPassFact& fact = facts.techniques.back().passes.emplace_back();
     fact.text = technique.passes[pass.pass];
     fact.is_left_out = pass.is_left_out;
+    fact.choices = pass.choices;
     for (const EffectProgram& program : pass.programs)
       fact.programs.push_back(FactOf(program, entries[program.group], code));
   }

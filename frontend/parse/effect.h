@@ -43,7 +43,11 @@ struct EffectShader {
   std::string text;               // all of it
   std::string profile, function;  // of kCompiled
   std::string call;               // of kCompiled, with arguments: EffectParts::entry_call
-  std::string variable, index;    // of kVariable
+  std::string variable;           // of kVariable
+  // Of kVariable, A[T[i]]: the index without blanks, `i`, and the arrays that it is looked up in,
+  // `T`, the outermost first.
+  std::string index;
+  std::vector<std::string> tables;
   Span span;
 };
 
@@ -75,9 +79,16 @@ struct EffectParameter {
   std::vector<EffectShader> shaders;  // of a shader variable: one, or the elements of an array
 };
 
+// A variable whose value is a list of integers: int T[2] = {0, 1};
+struct EffectTable {
+  std::string name;
+  std::vector<std::int64_t> values;
+};
+
 struct Effect {
   std::vector<EffectTechnique> techniques;
   std::vector<EffectParameter> parameters;
+  std::vector<EffectTable> tables;
 };
 
 // Reads the effect in a file that was parsed with EffectParts::keep. It is linear in the number of

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -269,9 +270,21 @@ class EffectReader {
                IsIn(tokens.subspan(1), kLeftBracket, kRightBracket)) {
       shader.kind = kVariable;
       shader.variable = Text(tokens.first(1));
-      shader.index = Text(tokens.subspan(2, tokens.size() - 3));
+      ReadIndex(tokens.subspan(2, tokens.size() - 3), shader);
     }
     return shader;
+  }
+
+  // i, or T[i] with tables
+  void ReadIndex(TokenSpan index, EffectShader& shader) const {
+    constexpr std::size_t kMostTables = 4;
+    while (index.size() > 3 && index[0].kind == kIdentifier && shader.tables.size() < kMostTables &&
+           IsIn(index.subspan(1), kLeftBracket, kRightBracket)) {
+      shader.tables.push_back(Text(index.first(1)));
+      index = index.subspan(2, index.size() - 3);
+    }
+    shader.index = Text(index);
+    std::erase(shader.index, ' ');
   }
 
   // Main(true, 4)
@@ -337,6 +350,26 @@ EffectParameter ReadParameter(const EffectVariable& variable, TokenSpan tokens,
   return parameter;
 }
 
+// The integers of {0, 1, -2}. None for a value of another form.
+std::vector<std::int64_t> ReadTable(TokenSpan value) {
+  if (value.size() < 3 || value.front().kind != kLeftBrace || value.back().kind != kRightBrace)
+    return {};
+  std::vector<std::int64_t> numbers;
+  value = value.subspan(1, value.size() - 2);
+  while (!value.empty()) {
+    const bool is_negative = value[0].kind == kMinus;
+    if (is_negative) value = value.subspan(1);
+    if (value.empty() || value[0].kind != kIntLiteral) return {};
+    const auto number =
+        static_cast<std::int64_t>(std::min<std::uint64_t>(value[0].value, INT32_MAX));
+    numbers.push_back(is_negative ? -number : number);
+    value = value.subspan(1);
+    if (!value.empty() && value[0].kind != kComma) return {};
+    if (!value.empty()) value = value.subspan(1);
+  }
+  return numbers;
+}
+
 bool IsStatic(const EffectVariable& variable, TokenSpan tokens, const Names& names) {
   const TokenSpan type =
       tokens.subspan(variable.type.begin, variable.type.end - variable.type.begin);
@@ -355,6 +388,11 @@ Effect ReadEffect(const File& file) {
     reader.ReadTechniques(effect.techniques);
   }
   for (const EffectVariable& variable : file.effect->variables) {
+    const TokenRange& range = variable.value;
+    std::vector<std::int64_t> table =
+        ReadTable(tokens.subspan(range.begin, range.end - range.begin));
+    if (!table.empty() && variable.dimensions.begin != variable.dimensions.end)
+      effect.tables.push_back({std::string(file.names[variable.name]), std::move(table)});
     EffectParameter parameter = ReadParameter(variable, tokens, file.names);
     // A static variable is not a parameter, but may hold a shader or a block of states.
     const bool is_data = parameter.shaders.empty() && parameter.states.empty();
