@@ -23,13 +23,13 @@ foreach(folder runtime effect-runtime clip-table)
   install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc COMPONENT development FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE PATTERN effect_gl.h EXCLUDE
     PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN test_tables.h EXCLUDE PATTERN json.h EXCLUDE)
 endforeach()
-install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc
+install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc_effect.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc
   COMPONENT development)
 
 # Programs of this build, like the examples, write <clipc/runtime/table.h> as others do: links stand where an installation has copies.
 set(headers ${clipc_BINARY_DIR}/include/clipc)
 file(MAKE_DIRECTORY ${headers})
-foreach(header runtime effect-runtime clip-table compiler/clipc.h compiler/clipc.hpp)
+foreach(header runtime effect-runtime clip-table compiler/clipc.h compiler/clipc_effect.h compiler/clipc.hpp)
   cmake_path(GET header FILENAME name)
   file(CREATE_LINK ${clipc_SOURCE_DIR}/${header} ${headers}/${name} COPY_ON_ERROR SYMBOLIC)
 endforeach()

@@ -6,7 +6,8 @@
 #include <stdint.h>
 
 /** clipc as a library for C99 and for other languages: one HLSL shader in; GLSL, SPIR-V, HLSL, the
- * clip table and the reflection out, all of it in memory. clipc.hpp is the same for C++.
+ * clip table and the reflection out, all of it in memory. clipc.hpp is the same for C++, and
+ * clipc_effect.h is what an effect gives.
  *
  * ABI: what this header declares is never changed or removed while CLIPC_ABI stays. New members of
  * clipc_request come at its end, and `size` says which of them the caller knows; new parts get new
@@ -78,8 +79,8 @@ typedef struct clipc_request {
   /** If not NULL, asked after the preprocessor has run, with the key of a cache: 32 letters that
    * stand for the text without comments, the options but for macros and folders, and the version.
    * Requests with one key have the same result but for the dependencies. When it returns other than
-   * 0 the compile ends with CLIPC_KNOWN. It is not asked where more decides: for a pair, for HLSL,
-   * with -Zi, `#pragma` or options from a file, and where there are messages. */
+   * 0 the compile ends with CLIPC_KNOWN. It is not asked where more decides: for a pair, an effect
+   * or HLSL, with -Zi, `#pragma` or options from a file, and where there are messages. */
   int (*is_known)(void* context, const char* key);
   void* is_known_context;
 } clipc_request;
@@ -96,7 +97,8 @@ typedef enum clipc_status {
   CLIPC_STATUS_MAX = 0x7fffffff
 } clipc_status;
 
-/** The parts of a result. All but the messages and the dependencies are empty after an error. */
+/** The parts of a result. All but the messages, the dependencies and CLIPC_PART_EFFECT are empty
+ * after an error. */
 typedef enum clipc_part {
   CLIPC_PART_MESSAGES = 0,  /**< as a terminal shows them, with the lines of the source */
   CLIPC_PART_MESSAGES_JSON, /**< {"version": 1, "diagnostics": [...]} */
@@ -109,12 +111,14 @@ typedef enum clipc_part {
   CLIPC_PART_SPIRV,      /**< with -spirv: 32-bit words in the machine's order */
   CLIPC_PART_REFLECTION, /**< JSON: docs/reflection.md */
   CLIPC_PART_TABLE_JSON,
-  CLIPC_PART_TABLE_BINARY, /**< Direct3D's record; empty for planes that it cannot say */
-  CLIPC_PART_TABLE_HEADER, /**< a header of C and C++ with `clip_table` */
-  CLIPC_PART_PIXEL_SPIRV,  /**< with -spirv and --pixel-output: of the pixel shader */
-  CLIPC_PART_HLSL,         /**< with --target=hlsl: the same HLSL with clip distances */
-  CLIPC_PART_PREPROCESSED, /**< with -P: the text after the preprocessor, and nothing else */
-  CLIPC_PART_STRUCTS,      /**< with --reflect=.h: the buffers as structs of C and C++ */
+  CLIPC_PART_TABLE_BINARY,  /**< Direct3D's record; empty for planes that it cannot say */
+  CLIPC_PART_TABLE_HEADER,  /**< a header of C and C++ with `clip_table` */
+  CLIPC_PART_PIXEL_SPIRV,   /**< with -spirv and --pixel-output: of the pixel shader */
+  CLIPC_PART_HLSL,          /**< with --target=hlsl: the same HLSL with clip distances */
+  CLIPC_PART_PREPROCESSED,  /**< with -P: the text after the preprocessor, and nothing else */
+  CLIPC_PART_STRUCTS,       /**< with --reflect=.h: the buffers as structs of C and C++ */
+  CLIPC_PART_EFFECT,        /**< with --effect: JSON; clipc_effect.h */
+  CLIPC_PART_EFFECT_HEADER, /**< with --effect and -Fh .h: a header for runtime/gl/effect.h */
   CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 

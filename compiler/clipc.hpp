@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clipc.h"
+#include "clipc_effect.h"
 
 /// clipc.h for C++17: a few inline functions over the C functions, so an application and
 /// the library need not be built by the same compiler.
@@ -61,6 +62,17 @@ class Result {
   /// The message of this number, each before its notes; null past the last.
   const clipc_diagnostic* diagnostic(std::size_t index) const {
     return result_ ? clipc_result_diagnostic(result_.get(), index) : nullptr;
+  }
+  /// With the option --effect: the techniques, their programs and the parameters; null where the
+  /// effect could not be read.
+  const clipc_effect* effect() const {
+    return result_ ? clipc_result_effect(result_.get()) : nullptr;
+  }
+  /// One part of a program of an effect; empty where the program has errors.
+  static std::string_view GetProgram(const clipc_effect_program& program, clipc_part part) {
+    if (!program.result) return {};
+    const clipc_bytes bytes = clipc_result_get(program.result, part);
+    return {bytes.data, bytes.size};
   }
   std::string_view messages() const { return Get(CLIPC_PART_MESSAGES); }
   std::string_view glsl() const { return Get(CLIPC_PART_GLSL); }

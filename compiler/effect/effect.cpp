@@ -34,30 +34,13 @@ bool IsHeaderAlone(const CommandLine& command) {
 
 // The first mistake of the command line.
 Result<> CheckEffectCommand(const CommandLine& command) {
-  const ProgramRequest& request = command.request;
   if (command.inputs.size() != 1 || command.inputs[0] == "-")
     return Problem{"--effect compiles one file"};
   if (!IsHeaderAlone(command) && !IsDirectory(command.output))
     return Problem{"--effect writes several files; give an existing folder with -o"};
-  const glsl::Target& target = request.target;
-  if (!command.header.empty() && (request.outputs.spirv || target.IsVulkan()))
-    return Problem{
-        "-Fh of an effect has GLSL for OpenGL; choose a target such as `glsl330`, without "
-        "-spirv"};
-  if (!command.header.empty() && request.planes.variants)
-    return Problem{"-Fh of an effect has one program for each pass; --variants makes several"};
-  if (request.is_linked() || !command.pixel_shader.entry.empty())
-    return Problem{
-        "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
-        "file without techniques"};
   if (!command.batch.empty() || command.shards != 1)
     return Problem{"--effect takes neither --batch nor --shard"};
-  if (request.hlsl.wanted) return Problem{"--effect writes GLSL or SPIR-V, no HLSL"};
-  const ShaderSource defaults;
-  if (request.first().entry != defaults.entry || request.first().profile != defaults.profile)
-    return Problem{
-        "-E and -T are what the passes of an effect say; --technique and --pass choose one"};
-  return {};
+  return CheckEffectRequest(command);
 }
 
 // A problem if no technique, or no pass, has the name that is asked for.
@@ -89,20 +72,41 @@ CompileResult MessagesOf(const Diagnostics& diagnostics, const Source& source,
   return result;
 }
 
-// Adds the header for OpenGL to what is written, unless a warning about it is an error.
-void AddHeader(const EffectFacts& facts, const Source& source, const CommandLine& command,
-               BatchEnd& end) {
-  const std::string& path = command.inputs[0];
-  const std::string file = path.substr(NameBegin(path));
-  Diagnostics diagnostics(command.request.warnings);
-  const GlEffect effect = MakeGlEffect(facts, command.request.style.clip_space.flip_y, diagnostics);
-  end.messages = MessagesOf(diagnostics, source, command);
-  if (diagnostics.has_errors()) return;
-  const std::string name = command.variable.empty() ? GlEffectName(file) : command.variable;
-  end.files.push_back({"header", command.header, GlEffectHeader(effect, name)});
+}  // namespace
+
+Result<> CheckEffectRequest(const CommandLine& command) {
+  const ProgramRequest& request = command.request;
+  const glsl::Target& target = request.target;
+  if (!command.header.empty() && (request.outputs.spirv || target.IsVulkan()))
+    return Problem{
+        "-Fh of an effect has GLSL for OpenGL; choose a target such as `glsl330`, without "
+        "-spirv"};
+  if (!command.header.empty() && request.planes.variants)
+    return Problem{"-Fh of an effect has one program for each pass; --variants makes several"};
+  if (request.is_linked() || !command.pixel_shader.entry.empty())
+    return Problem{
+        "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
+        "file without techniques"};
+  if (request.hlsl.wanted) return Problem{"--effect writes GLSL or SPIR-V, no HLSL"};
+  const ShaderSource defaults;
+  if (request.first().entry != defaults.entry || request.first().profile != defaults.profile)
+    return Problem{
+        "-E and -T are what the passes of an effect say; --technique and --pass choose one"};
+  return {};
 }
 
-}  // namespace
+EffectHeader MakeEffectHeader(const EffectFacts& facts, const Source& source,
+                              const CommandLine& command) {
+  const std::string& path = command.inputs[0];
+  Diagnostics diagnostics(command.request.warnings);
+  const GlEffect effect = MakeGlEffect(facts, command.request.style.clip_space.flip_y, diagnostics);
+  EffectHeader header{{}, MessagesOf(diagnostics, source, command)};
+  if (diagnostics.has_errors()) return header;
+  header.text =
+      GlEffectHeader(effect, command.variable.empty() ? GlEffectName(path.substr(NameBegin(path)))
+                                                      : command.variable);
+  return header;
+}
 
 LoadedEffect LoadEffect(const CommandLine& command) {
   ProgramRequest request = command.request;
@@ -110,8 +114,10 @@ LoadedEffect LoadEffect(const CommandLine& command) {
   Diagnostics diagnostics(request.warnings);
   const Plan plan = Resolve(request, 0, diagnostics);
   LoadedEffect loaded;
-  loaded.context =
-      std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk, request.includes.sandbox);
+  using Files = FrontendContext::Files;
+  loaded.context = request.includes.read ? std::make_unique<FrontendContext>(Files::kNone)
+                                         : std::make_unique<FrontendContext>(
+                                               Files::kOnDisk, request.includes.sandbox);
   loaded.source = std::make_unique<Source>(*loaded.context, InputOf(request, 0, plan, diagnostics));
   Source& source = *loaded.source;
   ast::File file;
@@ -166,7 +172,11 @@ RunResult RunEffect(CommandLine command) {
     const EffectFacts facts =
         MakeEffectFacts(loaded.effect, loaded.programs, options, entries, code);
     BatchEnd end{EffectJson(facts)};
-    if (wants_header) AddHeader(facts, *loaded.source, options, end);
+    if (!wants_header) return end;
+    EffectHeader header = MakeEffectHeader(facts, *loaded.source, options);
+    end.messages = std::move(header.messages);
+    if (!header.text.empty())
+      end.files.push_back({"header", options.header, std::move(header.text)});
     return end;
   };
   RunResult result = RunBatch(std::move(command), std::move(batch));

@@ -8,6 +8,7 @@
 #include "compiler/command/command_line.h"
 #include "compiler/command/run_result.h"
 #include "compiler/compile/result.h"
+#include "compiler/effect/effect_facts.h"
 #include "compiler/effect/effect_passes.h"
 
 namespace clipc {
@@ -27,6 +28,17 @@ struct LoadedEffect {
 
 // Reads the effect of the command's input, or of the text of its request.
 LoadedEffect LoadEffect(const CommandLine& command);
+
+// The first mistake of the options, of those that a library has too.
+Result<> CheckEffectRequest(const CommandLine& command);
+
+// The header for OpenGL. Its text is empty where a warning about it is an error.
+struct EffectHeader {
+  std::string text;
+  CompileResult messages;
+};
+EffectHeader MakeEffectHeader(const EffectFacts& facts, const Source& source,
+                              const CommandLine& command);
 
 // Runs --effect: compiles every pass of an effect as a pair or a single shader, and writes JSON
 // that describes the effect beside them, and a header for OpenGL (docs/effects.md).

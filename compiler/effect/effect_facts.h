@@ -38,7 +38,8 @@ struct EffectProgramFact {
   std::vector<EffectShaderFact> shaders = {};  // by stage, at least one
   bool is_compiled = false;
   std::vector<std::pair<std::string, std::string>> files = {};  // kind and name
-  std::shared_ptr<const EffectCode> code = {};                  // null: it is not compiled
+  std::size_t number = 0;                       // the same for programs that are alike
+  std::shared_ptr<const EffectCode> code = {};  // null: it is not compiled
 };
 
 struct EffectPassFact {
@@ -63,6 +64,7 @@ struct EffectParameterFact {
 struct EffectFacts {
   std::string effect = {};  // its file
   std::string target = {};
+  bool has_files = true;  // its programs are in files, not in memory
   std::vector<EffectTechniqueFact> techniques = {};
   std::vector<EffectParameterFact> parameters = {};
 

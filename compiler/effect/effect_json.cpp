@@ -14,6 +14,7 @@ namespace {
 class EffectPrinter {
  public:
   std::string Print(const EffectFacts& facts) && {
+    has_files_ = facts.has_files;
     json_.Object([&] {
       json_.Member("version", 1);
       json_.Member("effect", facts.effect);
@@ -63,6 +64,7 @@ class EffectPrinter {
   void Program(const EffectProgramFact& program) {
     for (const EffectShaderFact& shader : program.shaders) Shader(shader);
     json_.Member("status", program.is_compiled ? "compiled" : "failed");
+    if (!has_files_) return json_.Member("number", program.number);
     json_.Object("files", [&] {
       for (const auto& [kind, file] : program.files) json_.Member(kind, file);
     });
@@ -125,6 +127,7 @@ class EffectPrinter {
     Texts(shaders, "shaders");
   }
 
+  bool has_files_ = true;
   JsonWriter json_;
 };
 

@@ -38,6 +38,7 @@ EffectProgramFact FactOf(const EffectProgram& program, const BatchEntry& entry, 
   fact.is_compiled = entry.status == BatchStatus::kCompiled;
   for (const auto& [kind, file] : entry.files)
     fact.files.emplace_back(FileKind(kind, fact.shaders.front().stage), file);
+  fact.number = program.group;
   fact.code = code[program.group];
   return fact;
 }

@@ -14,12 +14,16 @@
 
 #include "clip-table/write.h"
 #include "compiler/clipc.h"
+#include "compiler/clipc_effect.h"
 #include "compiler/command/options.h"
 #include "compiler/command/structs.h"
 #include "compiler/compile/compile.h"
 #include "compiler/compile/facts_json.h"
 #include "compiler/compile/message.h"
 #include "compiler/compile/token_digest.h"
+#include "compiler/effect/compile_effect.h"
+#include "compiler/effect/effect_json.h"
+#include "compiler/library/effect_structs.h"
 #include "compiler/library/result_structs.h"
 
 // NOLINTBEGIN(readability-identifier-naming): names of the C interface.
@@ -28,13 +32,16 @@ struct clipc_compiler {
 };
 
 struct clipc_result {
-  mutable std::array<std::string, CLIPC_PART_STRUCTS + 1> parts;
+  mutable std::array<std::string, CLIPC_PART_EFFECT_HEADER + 1> parts;
   std::optional<clipc::Facts> facts;
+  std::optional<clipc::EffectFacts> effect_facts;
   std::vector<clipc::Message> messages;
   std::vector<std::unique_ptr<clipc_result>> variants;
+  std::vector<std::unique_ptr<clipc_result>> programs;  // of an effect; null: it has errors
   // Made when they are first asked for, as the JSON of the facts is.
   mutable std::optional<std::vector<clipc_diagnostic>> diagnostics;
   mutable std::unique_ptr<clipc::ReflectionStructs> reflection;
+  mutable std::unique_ptr<clipc::EffectStructs> effect;
 };
 
 namespace {
@@ -68,7 +75,7 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (!command.tables.empty()) return "--table";
   for (const std::string& reflection : command.reflections)
     if (reflection != ".h") return "--reflect";
-  if (named(command.header)) return "-Fh";
+  if (named(command.header) && !(command.effect && command.header == ".h")) return "-Fh";
   if (command.spirv_form == clipc::CommandLine::SpirvForm::kListing) return "-S";
   if (command.spirv_form != clipc::CommandLine::SpirvForm::kBinary) return "-mfmt";
   if (named(command.listing)) return "-Fc";
@@ -127,8 +134,8 @@ clipc::Result<> ReadRequest(const clipc_request& from, clipc::CommandLine& comma
   if (!parsed.result) return parsed.result;
   if (const std::string_view option = ProgramsOption(parsed.command); !option.empty()) {
     return clipc::Problem{
-        fmt::format("`{}` is for the program; the library compiles one shader, and what comes out "
-                    "is memory",
+        fmt::format("`{}` is for the program; the library compiles one shader or effect, and what "
+                    "comes out is memory",
                     option)};
   }
   command = std::move(parsed.command);
@@ -202,14 +209,39 @@ void Fill(clipc::CompileResult compiled, bool is_hlsl, clipc_result& to) {
   to.messages = std::move(compiled.messages);
 }
 
+clipc_status Refuse(const std::string& problem, clipc_result& to) {
+  to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + problem + "\n";
+  to.messages = {clipc::UsageMessage(problem)};
+  to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(to.messages);
+  return CLIPC_BAD_REQUEST;
+}
+
+clipc_status CompileEffect(clipc::Compiler& compiler, clipc::CommandLine command,
+                           clipc_result& to) {
+  command.inputs = {command.request.first().path};
+  clipc::Result<clipc::CompiledEffect> compiled = clipc::CompileEffect(command, compiler);
+  if (!compiled) return Refuse(compiled.problem(), to);
+  const clipc_status status = StatusOf(compiled->messages.status);
+  Fill(std::move(compiled->messages), false, to);
+  for (clipc::CompileResult& program : compiled->programs) {
+    std::unique_ptr<clipc_result>& part = to.programs.emplace_back();
+    if (!program.outputs) continue;
+    part = std::make_unique<clipc_result>();
+    Fill(std::move(program), false, *part);
+    if (part->facts && !command.reflections.empty())
+      part->parts[CLIPC_PART_STRUCTS] = clipc::WriteStructs(*part->facts, command.struct_prefix);
+  }
+  if (compiled->facts) to.parts[CLIPC_PART_EFFECT] = clipc::EffectJson(*compiled->facts);
+  to.effect_facts = std::move(compiled->facts);
+  to.parts[CLIPC_PART_EFFECT_HEADER] = std::move(compiled->header);
+  return status;
+}
+
 clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc_result& to) {
   clipc::CommandLine command;
-  if (const clipc::Result<> read = ReadRequest(from, command); !read) {
-    to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + read.problem() + "\n";
-    to.messages = {clipc::UsageMessage(read.problem())};
-    to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(to.messages);
-    return CLIPC_BAD_REQUEST;
-  }
+  if (const clipc::Result<> read = ReadRequest(from, command); !read)
+    return Refuse(read.problem(), to);
+  if (command.effect) return CompileEffect(compiler, std::move(command), to);
   clipc::CompileResult compiled = compiler.Compile(command.request);
   const clipc_status status = compiled.is_repeated ? CLIPC_KNOWN : StatusOf(compiled.status);
   Fill(std::move(compiled), command.request.hlsl.wanted, to);
@@ -282,6 +314,21 @@ const clipc_reflection* clipc_result_reflection(const clipc_result* result) {
     if (!result->reflection)
       result->reflection = std::make_unique<clipc::ReflectionStructs>(*result->facts);
     return &result->reflection->shader();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+const clipc_effect* clipc_result_effect(const clipc_result* result) {
+  if (!result->effect_facts) return nullptr;
+  try {
+    if (!result->effect) {
+      std::vector<const clipc_result*> programs;
+      for (const auto& program : result->programs) programs.push_back(program.get());
+      result->effect =
+          std::make_unique<clipc::EffectStructs>(*result->effect_facts, std::move(programs));
+    }
+    return &result->effect->effect();
   } catch (const std::exception&) {
     return nullptr;
   }

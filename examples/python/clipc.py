@@ -1,9 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""libclipc in Python, by ctypes: one HLSL shader in, GLSL, SPIR-V, reflection and clip table out, all in memory.
+"""libclipc in Python, by ctypes: one HLSL shader or effect in, GLSL, SPIR-V, reflection and clip table out, all in
+memory.
 
     compiler = clipc.Compiler()
     result = compiler.compile(text, path="water.hlsl", options=["-T", "vs_5_0"])
     print(result.glsl if result.ok else result.messages)
+
+An effect, with the option --effect, has a program for each pass:
+
+    result = compiler.compile(text, path="water.fx", options=["--effect", "--target=glsl330"])
+    for technique in result.effect["techniques"]:
+        for each in technique["passes"]:
+            for program in each["programs"]:
+                print(program["glsl"], program["pixel"])
 
 The library is `libclipc.so.1` where the system's linker finds it, or the file that the environment variable
 CLIPC_LIBRARY names. One Compiler serves one thread at a time.
@@ -28,6 +37,7 @@ _PARTS = {
     "table_json": 7,
     "pixel_spirv": 10,
     "hlsl": 11,
+    "effect": 14,
 }
 
 
@@ -39,6 +49,46 @@ _ReadInclude = ctypes.CFUNCTYPE(
     ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(_Bytes)
 )
 _IsCancelled = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+
+
+# The structs of clipc_effect.h, as far as they lead to the programs. A list is a pointer to pointers and a number.
+class _Program(ctypes.Structure):
+    _fields_ = (
+        ("shaders", ctypes.c_void_p),
+        ("shader_count", ctypes.c_size_t),
+        ("result", ctypes.c_void_p),
+        ("number", ctypes.c_size_t),
+    )
+
+
+class _Pass(ctypes.Structure):
+    _fields_ = (
+        ("name", ctypes.c_char_p),
+        ("is_left_out", ctypes.c_int),
+        ("annotations", ctypes.c_void_p),
+        ("annotation_count", ctypes.c_size_t),
+        ("programs", ctypes.POINTER(ctypes.POINTER(_Program))),
+        ("program_count", ctypes.c_size_t),
+    )
+
+
+class _Technique(ctypes.Structure):
+    _fields_ = (
+        ("kind", ctypes.c_char_p),
+        ("group", ctypes.c_char_p),
+        ("name", ctypes.c_char_p),
+        ("annotations", ctypes.c_void_p),
+        ("annotation_count", ctypes.c_size_t),
+        ("passes", ctypes.POINTER(ctypes.POINTER(_Pass))),
+        ("pass_count", ctypes.c_size_t),
+    )
+
+
+class _Effect(ctypes.Structure):
+    _fields_ = (
+        ("techniques", ctypes.POINTER(ctypes.POINTER(_Technique))),
+        ("technique_count", ctypes.c_size_t),
+    )
 
 
 class _Request(ctypes.Structure):
@@ -71,6 +121,7 @@ class Result:
     pixel_spirv: bytes
     reflection: dict
     table: dict  # the clip table
+    effect: dict  # with --effect: docs/effects.md; its programs have glsl, pixel, spirv, pixel_spirv and reflection
 
     @property
     def ok(self):
@@ -89,6 +140,8 @@ def _load():
     library.clipc_result_free.argtypes = (ctypes.c_void_p,)
     library.clipc_result_get.argtypes = (ctypes.c_void_p, ctypes.c_int)
     library.clipc_result_get.restype = _Bytes
+    library.clipc_result_effect.argtypes = (ctypes.c_void_p,)
+    library.clipc_result_effect.restype = ctypes.POINTER(_Effect)
     if library.clipc_abi() != ABI:
         raise ImportError(f"this is written for ABI {ABI}, and libclipc has {library.clipc_abi()}")
     return library
@@ -140,16 +193,37 @@ class Compiler:
             raise MemoryError("clipc_compile")
         try:
             parts = {name: self._part(made, number) for name, number in _PARTS.items()}
+            effect = self._effect(made, json.loads(parts["effect"] or b"{}"))
         finally:
             self._library.clipc_result_free(made)
-        return self._result(_STATUS[status], parts)
+        return self._result(_STATUS[status], parts, effect)
+
+    def _effect(self, result, document):
+        """The JSON of an effect, with what its programs became."""
+        effect = self._library.clipc_result_effect(result)
+        for i, technique in enumerate(document.get("techniques", [])):
+            for k, each in enumerate(technique["passes"]):
+                programs = effect.contents.techniques[i].contents.passes[k].contents.programs
+                for n, program in enumerate(each["programs"]):
+                    self._fill(programs[n].contents.result, program)
+        return document
+
+    def _fill(self, result, program):
+        def part(name):
+            return self._part(result, _PARTS[name]) if result else b""
+
+        for name in ("glsl", "pixel"):
+            program[name] = part(name).decode()
+        for name in ("spirv", "pixel_spirv"):
+            program[name] = part(name)
+        program["reflection"] = json.loads(part("reflection") or b"{}")
 
     def _part(self, result, number):
         part = self._library.clipc_result_get(result, number)
         return ctypes.string_at(part.data, part.size)
 
     @staticmethod
-    def _result(status, parts):
+    def _result(status, parts, effect):
         document = json.loads(parts["messages_json"] or b"{}")
         return Result(
             status=status,
@@ -163,4 +237,5 @@ class Compiler:
             pixel_spirv=parts["pixel_spirv"],
             reflection=json.loads(parts["reflection"] or b"{}"),
             table=json.loads(parts["table_json"] or b"{}"),
+            effect=effect,
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Compiles shaders by clipc.py: what comes out, an include from memory, and the errors."""
+"""Compiles shaders and an effect by clipc.py: what comes out, includes from memory, and the errors."""
 
 import clipc
 
@@ -7,6 +7,29 @@ SHADER = """#include "planes.hlsli"
 [clipplanes(water)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 """
 FILES = {"shaders/planes.hlsli": "cbuffer Clip : register(b3) { float4 other, water; };"}
+
+EFFECT = """#include "lights.fxh"
+float4 VS(float4 p : POSITION) : POSITION { return mul(p, World); }
+float4 PS() : COLOR { return Tint; }
+technique Draw { pass P { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); CullMode = None; } }
+technique Wrong { pass P { PixelShader = compile ps_3_0 VS(); } }
+"""
+LIGHTS = {"lights.fxh": "float4x4 World; float4 Tint = {1, 0, 0, 1};"}
+
+
+def test_effect(compiler):
+    options = ["--effect", "--target=glsl330"]
+    result = compiler.compile(EFFECT, "water.fx", [*options, "--technique=Draw"], LIGHTS.get)
+    assert result.ok, result.messages
+    program = result.effect["techniques"][0]["passes"][0]["programs"][0]
+    assert "gl_Position = " in program["glsl"] and "Tint" in program["pixel"], program
+    assert program["reflection"]["cbuffers"][0]["members"][0]["name"] == "World", program
+    assert result.dependencies == ["lights.fxh"]
+
+    result = compiler.compile(EFFECT, "water.fx", options, LIGHTS.get)
+    assert result.status == "has-errors", result.status
+    good, bad = (each["passes"][0]["programs"][0] for each in result.effect["techniques"])
+    assert good["glsl"] and not bad["glsl"] and bad["status"] == "failed", bad
 
 
 def main():
@@ -32,6 +55,7 @@ def main():
     result = compile_it("--bogus")
     assert result.status == "bad-request", result.status
     assert result.diagnostics[0]["message"].startswith("unknown option `--bogus`")
+    test_effect(compiler)
     print("clipc.py: passed")
 
 

@@ -36,7 +36,7 @@ WARN_IF_DOC_ERROR      = YES
 
 MAIN = """# The headers of clipc
 
-`<clipc/clipc.h>` is the compiler for C, `<clipc/clipc.hpp>` the same for C++. `runtime/` is what an application draws with:
+`<clipc/clipc.h>` is the compiler for C, with `<clipc/clipc_effect.h>`, and `<clipc/clipc.hpp>` the same for C++. `runtime/` is what an application draws with:
 `<clipc/runtime/clipc_runtime.h>` for C, the other headers for C++. The pages in the folder docs/ say how they go together.
 """
 

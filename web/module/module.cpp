@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/clipc.h"
+#include "compiler/clipc_effect.h"
 #include "web/module/strings.h"
 
 #define CLIPC_EXPORT(name) __attribute__((export_name(#name)))
@@ -42,6 +43,21 @@ int ReadInclude(void*, const char* path, clipc_bytes* text) {
 
 std::unique_ptr<clipc_result, decltype(&clipc_result_free)> last(nullptr, &clipc_result_free);
 
+// The program of this number; null: there is none, or it has errors.
+const clipc_result* ProgramOf(const clipc_result& result, std::size_t number) {
+  const clipc_effect* const effect = clipc_result_effect(&result);
+  for (std::size_t i = 0; effect && i < effect->technique_count; ++i) {
+    const clipc_effect_technique& technique = *effect->techniques[i];
+    for (std::size_t k = 0; k < technique.pass_count; ++k) {
+      const clipc_effect_pass& pass = *technique.passes[k];
+      for (std::size_t n = 0; n < pass.program_count; ++n) {
+        if (pass.programs[n]->number == number) return pass.programs[n]->result;
+      }
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 extern "C" {
@@ -74,6 +90,16 @@ int clipc_module_compile(const char* strings, std::size_t size, const char* text
 CLIPC_EXPORT(clipc_module_part) const clipc_bytes* clipc_module_part(int part) {
   static clipc_bytes bytes;
   bytes = last ? clipc_result_get(last.get(), static_cast<clipc_part>(part)) : clipc_bytes{"", 0};
+  return &bytes;
+}
+
+// A part of a program of the last result, which is an effect's; `number` is
+// clipc_effect_program::number.
+CLIPC_EXPORT(clipc_module_program_part)
+const clipc_bytes* clipc_module_program_part(std::size_t number, int part) {
+  static clipc_bytes bytes;
+  const clipc_result* const program = last ? ProgramOf(*last, number) : nullptr;
+  bytes = program ? clipc_result_get(program, static_cast<clipc_part>(part)) : clipc_bytes{"", 0};
   return &bytes;
 }
 

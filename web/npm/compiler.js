@@ -17,6 +17,7 @@ const PART = {
   tableHeader: 9,
   pixelSpirv: 10,
   hlsl: 11,
+  effect: 14,
 };
 const STOPPED = 'clipc: error: the shader needs more stack or memory than WebAssembly gives\n';
 
@@ -61,11 +62,17 @@ export class Instance {
 
   /** A copy of a part of the last result. */
   part(number) {
-    const pair = new Uint32Array(
-      this.exports.memory.buffer,
-      this.exports.clipc_module_part(number),
-      2,
-    );
+    return this.#copyOf(this.exports.clipc_module_part(number));
+  }
+
+  /** A copy of a part of a program of the last result, which is an effect's. */
+  programPart(program, number) {
+    return this.#copyOf(this.exports.clipc_module_program_part(program, number));
+  }
+
+  /** A copy of the bytes that the pair of an address and a size at `at` names. */
+  #copyOf(at) {
+    const pair = new Uint32Array(this.exports.memory.buffer, at, 2);
     return this.bytesAt(pair[0], pair[1]).slice();
   }
 
@@ -176,8 +183,26 @@ export class Compiler {
       tableBinary: part('tableBinary'),
       tableHeader: text(part('tableHeader')),
       hlsl: text(part('hlsl')),
+      effect: effectOf(instance, json(part('effect'))),
     };
   }
+}
+
+/** The JSON of an effect, with what its programs became; null where there is no effect. */
+function effectOf(instance, effect) {
+  for (const technique of effect?.techniques ?? []) {
+    for (const pass of technique.passes) {
+      for (const program of pass.programs) {
+        const part = (name) => instance.programPart(program.number, PART[name]);
+        program.glsl = text(part('glsl'));
+        program.pixel = text(part('discard'));
+        program.spirv = new Uint32Array(part('spirv').buffer);
+        program.pixelSpirv = new Uint32Array(part('pixelSpirv').buffer);
+        program.reflection = json(part('reflection'));
+      }
+    }
+  }
+  return effect;
 }
 
 /** The result of a call that compiles nothing. */
@@ -198,5 +223,6 @@ export function nothing(status, messages) {
     tableBinary: new Uint8Array(),
     tableHeader: '',
     hlsl: '',
+    effect: null,
   };
 }

@@ -79,6 +79,11 @@ export interface CompileResult {
   tableHeader: string;
   /** With `target: "hlsl"`: the same HLSL with clip distances; `glsl` is empty then. */
   hlsl: string;
+  /**
+   * With the option `--effect`: docs/effects.md. Each program of a pass has `glsl`, `pixel`, `spirv`, `pixelSpirv` and `reflection`
+   * in place of files; they are empty where it has errors. It is there after errors too, if the effect could be read.
+   */
+  effect: any | null;
 }
 
 /** Compiles shaders one after the other, and keeps what they share. One for each worker. */

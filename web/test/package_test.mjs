@@ -85,6 +85,22 @@ await test('HLSL with clip distances', () => {
   assert.equal(result.glsl, '');
 });
 
+await test('an effect from memory', () => {
+  const text = `#include "lights.fxh"
+    float4 VS(float4 p : POSITION) : POSITION { return mul(p, World); }
+    float4 PS() : COLOR { return 1; }
+    technique Draw { pass P { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }`;
+  const readInclude = (path) => (path === 'lights.fxh' ? 'float4x4 World;' : null);
+  const options = ['--effect'];
+  const result = compiler.compile(text, { path: 'water.fx', target: 'webgl2', options, readInclude });
+  assert.equal(result.status, 'compiled', result.messages);
+  const [program] = result.effect.techniques[0].passes[0].programs;
+  assert.match(program.glsl, /^#version 300 es/);
+  assert.match(program.pixel, /^#version 300 es/);
+  assert.equal(program.reflection.cbuffers[0].members[0].name, 'World');
+  assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').effect, null);
+});
+
 await test('messages with their places', () => {
   const result = compiler.compile('float4 main() : SV_Position { return nothing; }', {
     profile: 'vs_5_0',
