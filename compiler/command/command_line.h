@@ -16,6 +16,12 @@ inline constexpr Named<LanguageVersion> kLanguageNames[] = {{LanguageVersion::k2
                                                             {LanguageVersion::k2018, "2018"},
                                                             {LanguageVersion::k2021, "2021"}};
 
+// The framework whose effects are read: docs/effects.md.
+enum class EffectDialect : std::uint8_t { kDirect3D, kMonoGame, kObs };
+inline constexpr Named<EffectDialect> kEffectDialects[] = {{EffectDialect::kDirect3D, "direct3d"},
+                                                           {EffectDialect::kMonoGame, "monogame"},
+                                                           {EffectDialect::kObs, "obs"}};
+
 enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
 // A command line. Its names of a profile and passes are unchecked; Compile checks them.
@@ -49,11 +55,13 @@ struct CommandLine {
   bool show_includes = false;
   bool syntax_only = false;
   MessageFormat format = MessageFormat::kText;
-  std::optional<bool> colour;      // none: if standard error is a terminal
-  unsigned jobs = 1;               // the number of inputs that are compiled at once
-  std::string batch;               // a manifest
-  bool effect = false;             // the input is an effect: docs/effects.md
-  std::string technique, pass;     // of the effect; empty: all
+  std::optional<bool> colour;                   // none: if standard error is a terminal
+  unsigned jobs = 1;                            // the number of inputs that are compiled at once
+  std::string batch;                            // a manifest
+  bool effect = false;                          // the input is an effect: docs/effects.md
+  std::string technique, pass;                  // of the effect; empty: all
+  std::optional<EffectDialect> effect_dialect;  // none: what the effect's text shows
+  bool names_target = false;                    // the options choose the target, or SPIR-V
   std::string index;               // the index of permutations: see docs/permutations.md
   bool keep_going = false;         // go on after a permutation with errors
   bool resume = false;             // leave out what an earlier run of the batch did

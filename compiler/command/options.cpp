@@ -181,6 +181,7 @@ void FinishTarget(Reading& reading) {
     if (reading.spirv_for_vulkan) request.target = *glsl::Target::Parse("vulkan");
   }
   if (reading.target) request.target = *reading.target;
+  command.names_target = reading.target || is_spirv;
   request.target.bindings = std::move(reading.bindings);
   if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan())
     reading.Refuse("-G writes SPIR-V for OpenGL, and --target=vulkan is not; give one of the two");

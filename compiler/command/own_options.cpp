@@ -304,6 +304,7 @@ constexpr Option kOwnOptions[] = {
      "compile every pass of an effect (.fx), or those of --technique=NAME and --pass=NAME"},
     {"--technique", kEquals, Set<&CommandLine::technique>},
     {"--pass", kEquals, Set<&CommandLine::pass>},
+    {"--effect-dialect", kEquals, Choose<&CommandLine::effect_dialect, kEffectDialects>},
     {"-k", kFlag, Set<&CommandLine::keep_going>, "",
      "compile the other shaders after one that has errors"},
     {"--index", kEquals, Set<&CommandLine::index>, "<FILE>",

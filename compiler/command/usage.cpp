@@ -141,6 +141,7 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   constexpr const char* kForEffects = "it is for --effect";
   report(!command.technique.empty(), "--technique", kForEffects);
   report(!command.pass.empty(), "--pass", kForEffects);
+  report(command.effect_dialect.has_value(), "--effect-dialect", kForEffects);
   report(command.shards != 1, "--shard", kForMany);
   report(
       !request.is_linked() && !command.pixel_shader.entry.empty(), "--pixel-entry",

@@ -72,6 +72,7 @@ CheckOptions CheckOptionsOf(const LanguageOptions& language, std::optional<ir::P
   CheckOptions options;
   if (profile) options = CheckOptions::For(*std::move(profile), language.version);
   options.has_preshader = language.is_in_effect;
+  options.call_names_parameters = language.call_names_parameters;
   options.packing = language.packing;
   options.byte_matrices_by_row = language.byte_matrices_by_row;
   options.position_name = language.position_name;

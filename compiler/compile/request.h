@@ -68,6 +68,7 @@ struct LanguageOptions {
   // The shaders are those of an effect: they have a preshader, CheckOptions::has_preshader, and
   // their text is that of other shaders too, which a Compiler reads once.
   bool is_in_effect = false;
+  bool call_names_parameters = false;        // CheckOptions::call_names_parameters
   std::vector<std::string> shadow_samplers;  // CheckOptions::shadow_samplers
   bool legacy_macro_expansion = false;       // read `##` as fxc from shader model 6 on too
   bool byte_matrices_by_row = false;         // CheckOptions::byte_matrices_by_row

@@ -113,7 +113,8 @@ class StateChecker {
     // A pass has the states of samplers by the number of a texture: MinFilter[0] = Linear.
     if (!known && place == StatePlace::kPass && state.has_index)
       known = FindState(StatePlace::kSampler, state.word);
-    if (!known) return ReportUnknown(place, state);
+    // A shader is not a state, so its name is another one: `vertex_shader`.
+    if (!known || known->read == Shader) return ReportUnknown(place, state, known != nullptr);
     const EffectValue& value = state.value;
     if (known->read == Reference) {
       const bool is_call = value.kind == EffectValue::Kind::kList && !value.parts.empty();
@@ -125,11 +126,11 @@ class StateChecker {
     }
   }
 
-  void ReportUnknown(StatePlace place, EffectState& state) {
+  void ReportUnknown(StatePlace place, EffectState& state, bool names_shader) {
     state.is_wrong = true;
     const Names names = StatesIn(place);
     const std::string near = Suggest(state.word, NearNames(state.word, names));
-    const bool has_shader = ToLower(state.text).starts_with("compile");
+    const bool has_shader = names_shader || ToLower(state.text).starts_with("compile");
     if (has_shader) {
       diagnostics_.Report(state.span, diag::EffectShaderName, state.word, near);
     } else {

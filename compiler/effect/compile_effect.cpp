@@ -50,6 +50,7 @@ Result<CompiledEffect> CompileEffect(CommandLine command, Compiler& compiler) {
   command.request.is_known = {};
   CompiledEffect made;
   LoadedEffect loaded = LoadEffect(command);
+  command = loaded.command;
   if (loaded.is_read && !loaded.names)
     return Problem{fmt::format("`{}`: {}", command.inputs[0], loaded.names.problem())};
   BatchErrors seen;

@@ -15,6 +15,7 @@
 #include "compiler/compile/plan.h"
 #include "compiler/compile/suggest.h"
 #include "compiler/effect/check_states.h"
+#include "compiler/effect/dialect.h"
 #include "compiler/effect/effect_json.h"
 #include "compiler/effect/effect_passes.h"
 #include "compiler/effect/gl_effect.h"
@@ -108,34 +109,55 @@ EffectHeader MakeEffectHeader(const EffectFacts& facts, const Source& source,
   return header;
 }
 
-LoadedEffect LoadEffect(const CommandLine& command) {
+namespace {
+
+// Reads the effect of the command, as its dialect asks. Reports what has no place in a pass.
+void ReadEffect(const CommandLine& command, Diagnostics& diagnostics, LoadedEffect& loaded) {
   ProgramRequest request = command.request;
   request.first().path = command.inputs[0];
-  Diagnostics diagnostics(request.warnings);
   const Plan plan = Resolve(request, 0, diagnostics);
-  LoadedEffect loaded;
   using Files = FrontendContext::Files;
+  loaded.source.reset();
   loaded.context = request.includes.read ? std::make_unique<FrontendContext>(Files::kNone)
                                          : std::make_unique<FrontendContext>(
                                                Files::kOnDisk, request.includes.sandbox);
   loaded.source = std::make_unique<Source>(*loaded.context, InputOf(request, 0, plan, diagnostics));
-  Source& source = *loaded.source;
-  ast::File file;
-  if (!diagnostics.has_errors()) {
-    Tokens tokens = Lex(source, diagnostics);
-    if (!diagnostics.has_errors())
-      file = Parse(std::move(tokens), diagnostics, FunctionBodies::kSkip, {.keep = true});
+  if (diagnostics.has_errors()) return;
+  Tokens tokens = Lex(*loaded.source, diagnostics);
+  if (diagnostics.has_errors()) return;
+  loaded.file = Parse(std::move(tokens), diagnostics, FunctionBodies::kSkip, {.keep = true});
+  if (!diagnostics.has_errors()) loaded.effect = ast::ReadEffect(loaded.file);
+}
+
+}  // namespace
+
+LoadedEffect LoadEffect(const CommandLine& given) {
+  LoadedEffect loaded;
+  CommandLine& command = loaded.command = given;
+  EffectDialect dialect = command.effect_dialect.value_or(EffectDialect::kDirect3D);
+  UseDialect(dialect, command);
+  Diagnostics diagnostics(command.request.warnings);
+  ReadEffect(command, diagnostics, loaded);
+  if (!command.effect_dialect) {
+    dialect = DialectOf(loaded.effect);
+    UseDialect(dialect, command);
+    // Its words are macros.
+    if (dialect == EffectDialect::kObs) {
+      diagnostics = Diagnostics(command.request.warnings);
+      ReadEffect(command, diagnostics, loaded);
+    }
   }
+  if (dialect == EffectDialect::kObs) ReadObs(loaded.effect);
   loaded.is_read = !diagnostics.has_errors();
-  if (loaded.is_read) loaded.effect = ast::ReadEffect(file);
   if (loaded.is_read) loaded.names = CheckNames(loaded.effect, command);
-  if (loaded.is_read) CheckStates(file, loaded.effect, diagnostics);
-  if (loaded.names) loaded.programs = FindPrograms(file, loaded.effect, command, diagnostics);
-  loaded.messages = MessagesOf(diagnostics, source, command);
-  loaded.messages.dependencies = source.Dependencies();
-  loaded.code = !diagnostics.has_errors() ? kExitOk
-                : source.main_file_read() ? kExitErrors
-                                          : kExitUsage;
+  if (loaded.is_read) CheckStates(loaded.file, loaded.effect, diagnostics);
+  if (loaded.names)
+    loaded.programs = FindPrograms(loaded.file, loaded.effect, command, diagnostics);
+  loaded.messages = MessagesOf(diagnostics, *loaded.source, command);
+  loaded.messages.dependencies = loaded.source->Dependencies();
+  loaded.code = !diagnostics.has_errors()         ? kExitOk
+                : loaded.source->main_file_read() ? kExitErrors
+                                                  : kExitUsage;
   return loaded;
 }
 
@@ -144,6 +166,7 @@ RunResult RunEffect(CommandLine command) {
     return {Fail(usage.problem(), command.format)};
   const std::string path = command.inputs[0];
   LoadedEffect loaded = LoadEffect(command);
+  command = loaded.command;
   if (!loaded.names)
     return {Fail(fmt::format("`{}`: {}", path, loaded.names.problem()), command.format)};
   if (!loaded.is_read) {

@@ -17,9 +17,11 @@ namespace clipc {
 // have a meaning.
 struct LoadedEffect {
   bool is_read = false;
-  Result<> names;  // whether there are a technique and a pass of the names that are asked for
+  Result<> names;       // whether there are a technique and a pass of the names that are asked for
+  CommandLine command;  // with what the effect's dialect adds
+  ast::File file;
   ast::Effect effect;
-  EffectPrograms programs;  // their shaders are those of `effect`
+  EffectPrograms programs;  // they refer to `effect`
   CompileResult messages;
   std::unique_ptr<FrontendContext> context;
   std::unique_ptr<Source> source;  // of the places in `effect`

@@ -29,6 +29,9 @@ struct CheckOptions {
   // "Main(true, 4)", as a technique of the file compiles the entry: the arguments are the values of
   // its `uniform` parameters. Empty: these are uniforms.
   std::string entry_call;
+  // Whether the call has an argument for every parameter of the entry, "Main(v_in, true)", and
+  // those without a semantic have the value of theirs: OBS Studio's effects.
+  bool call_names_parameters = false;
   // Whether an effect has the shader, whose preshader computes what depends on uniforms alone.
   bool has_preshader = false;
   MatrixPacking packing = MatrixPacking::kColumnMajor;

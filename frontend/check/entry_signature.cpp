@@ -160,7 +160,13 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
       context.Report(var.name_span, diag::SemanticOnObject, context[var.name],
                      context[context[var.type].name.name]);
     }
-    if ((var.qualifiers & ast::kUniform) || IsBareObject(context, var, parameter)) {
+    const std::size_t place = signature.parameters.size();
+    const bool is_given = context.options.call_names_parameters && place < arguments.size() &&
+                          !var.semantic.name && context[parameter.type].kind != TypeKind::kStruct;
+    if (is_given) {
+      entry_parameter.is_uniform = true;
+      entry_parameter.uniform_var = AddArgument(context, var, parameter, arguments[place]);
+    } else if ((var.qualifiers & ast::kUniform) || IsBareObject(context, var, parameter)) {
       entry_parameter.is_uniform = true;
       const std::size_t number = uniforms++;
       entry_parameter.uniform_var = number < arguments.size()
@@ -171,10 +177,12 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     }
     signature.parameters.push_back(std::move(entry_parameter));
   }
-  if (!context.options.entry_call.empty() && arguments.size() != uniforms)
+  const bool names_all = context.options.call_names_parameters;
+  const std::size_t wanted = names_all ? signature.parameters.size() : uniforms;
+  if (!context.options.entry_call.empty() && arguments.size() != wanted)
     context.Report(decl.name_span, diag::EntryArguments, context.options.entry_call,
                    WithCount(arguments.size(), "argument"), context[decl.name],
-                   WithCount(uniforms, "`uniform` parameter"));
+                   WithCount(wanted, names_all ? "parameter" : "`uniform` parameter"));
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);

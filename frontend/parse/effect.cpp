@@ -86,8 +86,8 @@ void Parser::SkipEffectValue() {
   }
 }
 
-// Keeps the name f if the text goes on with `compile vs_2_0 f` or `CompileShader(vs_4_0, f`. Takes
-// no token.
+// Keeps the name f if the text goes on with `compile vs_2_0 f` or `CompileShader(vs_4_0, f`; the
+// call of the entry may be without such a word, as in OBS Studio's effects. Takes no token.
 void Parser::NoteCompile() {
   std::size_t profile = 0;  // positions from the current token
   std::size_t function = 0;
@@ -98,6 +98,7 @@ void Parser::NoteCompile() {
     profile = 2;
     function = 4;
   } else {
+    if (!effect_.entry_call.empty() && At(kIdentifier) && At(kLeftParen, 1)) ParseEntryCall(0);
     return;
   }
   if (!effect_.entry_call.empty()) ParseEntryCall(function);
