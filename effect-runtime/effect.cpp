@@ -352,6 +352,37 @@ clipc_error clipc_gl_effect_apply(clipc_gl_effect* effect, uint32_t pass, char* 
   return Report(effect->switches.Enable(planes), message);
 }
 
+const clipc_gl_effect_technique* clipc_gl_effect_technique_of(const clipc_gl_effect* effect,
+                                                              uint32_t i) {
+  return effect && i < effect->table.technique_count ? &effect->table.techniques[i] : nullptr;
+}
+
+const clipc_gl_effect_pass* clipc_gl_effect_pass_of(const clipc_gl_effect* effect, uint32_t i) {
+  return effect ? PassOf(effect, i) : nullptr;
+}
+
+const clipc_gl_effect_parameter* clipc_gl_effect_parameter_of(const clipc_gl_effect* effect,
+                                                              uint32_t i) {
+  return effect && i < effect->table.parameter_count ? &effect->table.parameters[i] : nullptr;
+}
+
+const clipc_gl_effect_texture* clipc_gl_effect_texture_of(const clipc_gl_effect* effect,
+                                                          uint32_t i) {
+  return effect && i < effect->table.texture_count ? &effect->table.textures[i] : nullptr;
+}
+
+const clipc_gl_effect_annotation* clipc_gl_effect_annotation_of(const clipc_gl_effect* effect,
+                                                                clipc_gl_effect_kind kind,
+                                                                uint32_t number, uint32_t i) {
+  for (std::uint32_t k = 0; effect && k < effect->table.annotation_count; ++k) {
+    const clipc_gl_effect_annotation& annotation = effect->table.annotations[k];
+    if (annotation.kind != static_cast<std::uint32_t>(kind) || annotation.number != number)
+      continue;
+    if (i-- == 0) return &annotation;
+  }
+  return nullptr;
+}
+
 unsigned clipc_gl_effect_program_of(const clipc_gl_effect* effect, uint32_t pass) {
   return ProgramOf(effect, pass) ? effect->programs[effect->table.passes[pass].program] : 0;
 }

@@ -120,6 +120,17 @@ typedef struct clipc_gl_effect_parameter {
   const uint32_t* value; /**< the default, as it lies in the buffer; NULL: zeros */
   uint32_t value_count;
 } clipc_gl_effect_parameter;
+/** <string UIName = "Height";> of one of these, as the effect has it. */
+typedef enum clipc_gl_effect_kind {
+  CLIPC_GL_EFFECT_TECHNIQUE,
+  CLIPC_GL_EFFECT_PASS,
+  CLIPC_GL_EFFECT_PARAMETER,
+  CLIPC_GL_EFFECT_TEXTURE
+} clipc_gl_effect_kind;
+typedef struct clipc_gl_effect_annotation {
+  uint32_t kind, number; /**< a clipc_gl_effect_kind, and which of them */
+  const char *type, *name, *value;
+} clipc_gl_effect_annotation;
 typedef struct clipc_gl_effect_table {
   const clipc_gl_effect_technique* techniques;
   const clipc_gl_effect_pass* passes;
@@ -135,6 +146,8 @@ typedef struct clipc_gl_effect_table {
   const uint32_t* block_sizes; /**< in bytes */
   uint32_t technique_count, program_count, texture_count, sampling_count, parameter_count,
       block_count;
+  const clipc_gl_effect_annotation* annotations;
+  uint32_t annotation_count;
 } clipc_gl_effect_table;
 
 /** An effect in a context. The table must outlive it. */
@@ -153,6 +166,20 @@ clipc_error clipc_gl_effect_find(const clipc_gl_effect* effect, const char* tech
 /** The name of the parameter with a semantic, in any case of letters, as ID3DXEffect has them; NULL
  * without one. */
 const char* clipc_gl_effect_by_semantic(const clipc_gl_effect* effect, const char* semantic);
+
+/** The walk over an effect: its technique, pass, parameter or texture i; NULL past the last. The
+ * passes of a technique are those from `first_pass` on, `pass_count` of them. */
+const clipc_gl_effect_technique* clipc_gl_effect_technique_of(const clipc_gl_effect* effect,
+                                                              uint32_t i);
+const clipc_gl_effect_pass* clipc_gl_effect_pass_of(const clipc_gl_effect* effect, uint32_t i);
+const clipc_gl_effect_parameter* clipc_gl_effect_parameter_of(const clipc_gl_effect* effect,
+                                                              uint32_t i);
+const clipc_gl_effect_texture* clipc_gl_effect_texture_of(const clipc_gl_effect* effect,
+                                                          uint32_t i);
+/** The annotation i of the `number`-th of its kind; NULL past the last. */
+const clipc_gl_effect_annotation* clipc_gl_effect_annotation_of(const clipc_gl_effect* effect,
+                                                                clipc_gl_effect_kind kind,
+                                                                uint32_t number, uint32_t i);
 
 /** Sets a parameter for all programs. `values` are floats, ints or uints, and ints for bools, one
  * after another without gaps, matrices in the order of HLSL's rows (as D3DMATRIX has them, for

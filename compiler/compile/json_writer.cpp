@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -84,6 +85,16 @@ void JsonWriter::Key(std::string_view key) {
 }
 
 void JsonWriter::Append(std::int64_t number) {
+  std::array<char, 24> digits;
+  text_.append(digits.data(),
+               std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
+void JsonWriter::Append(float number) {
+  if (!std::isfinite(number)) {
+    text_ += "null";
+    return;
+  }
   std::array<char, 24> digits;
   text_.append(digits.data(),
                std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);

@@ -65,6 +65,10 @@ class JsonWriter {
     Key(key);
     Append(static_cast<std::int64_t>(number));
   }
+  void Member(std::string_view key, std::same_as<float> auto number) {
+    Key(key);
+    Append(number);
+  }
   void Null(std::string_view key) {
     Key(key);
     text_ += "null";
@@ -91,6 +95,7 @@ class JsonWriter {
   void Key(std::string_view key);
   void Append(std::string_view text);
   void Append(std::int64_t number);
+  void Append(float number);  // `null` unless it is finite
   void AppendEscaped(std::string_view text);
 
   std::string text_;

@@ -64,7 +64,8 @@ struct EffectParameterFact {
 struct EffectFacts {
   std::string effect = {};  // its file
   std::string target = {};
-  bool has_files = true;  // its programs are in files, not in memory
+  bool has_files = true;       // its programs are in files, not in memory
+  bool is_for_vulkan = false;  // its target is Vulkan's
   std::vector<EffectTechniqueFact> techniques = {};
   std::vector<EffectParameterFact> parameters = {};
 

@@ -3,25 +3,28 @@
 
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "compiler/compile/facts_json.h"
 #include "compiler/compile/json_writer.h"
+#include "compiler/effect/vulkan_states.h"
 
 namespace clipc {
 namespace {
 
 class EffectPrinter {
  public:
-  std::string Print(const EffectFacts& facts) && {
-    has_files_ = facts.has_files;
+  explicit EffectPrinter(const EffectFacts& facts) : facts_(facts) {}
+
+  std::string Print() && {
     json_.Object([&] {
       json_.Member("version", 1);
-      json_.Member("effect", facts.effect);
-      json_.Member("target", facts.target);
-      json_.ListOf("techniques", facts.techniques,
+      json_.Member("effect", facts_.effect);
+      json_.Member("target", facts_.target);
+      json_.ListOf("techniques", facts_.techniques,
                    [&](const EffectTechniqueFact& fact) { Technique(fact); });
-      json_.ListOf("parameters", facts.parameters,
+      json_.ListOf("parameters", facts_.parameters,
                    [&](const EffectParameterFact& fact) { Parameter(fact); });
     });
     return std::move(json_).Finish();
@@ -64,7 +67,7 @@ class EffectPrinter {
   void Program(const EffectProgramFact& program) {
     for (const EffectShaderFact& shader : program.shaders) Shader(shader);
     json_.Member("status", program.is_compiled ? "compiled" : "failed");
-    if (!has_files_) return json_.Member("number", program.number);
+    if (!facts_.has_files) return json_.Member("number", program.number);
     json_.Object("files", [&] {
       for (const auto& [kind, file] : program.files) json_.Member(kind, file);
     });
@@ -98,7 +101,16 @@ class EffectPrinter {
       });
     }
     json_.ListOf("states", pass.states, [&](const ast::EffectState& state) { State(state); });
+    if (facts_.is_for_vulkan) Vulkan(ReadVulkanStates(facts_, pass));
     Texts(pass.not_read, "notRead");
+  }
+
+  void Vulkan(const std::vector<VulkanState>& states) {
+    if (states.empty()) return;
+    json_.Object("vulkan", [&] {
+      for (const auto& [member, value] : states)
+        std::visit([&](auto number) { json_.Member(member, number); }, value);
+    });
   }
 
   void Technique(const EffectTechniqueFact& technique) {
@@ -127,12 +139,12 @@ class EffectPrinter {
     Texts(shaders, "shaders");
   }
 
-  bool has_files_ = true;
+  const EffectFacts& facts_;
   JsonWriter json_;
 };
 
 }  // namespace
 
-std::string EffectJson(const EffectFacts& facts) { return EffectPrinter().Print(facts); }
+std::string EffectJson(const EffectFacts& facts) { return EffectPrinter(facts).Print(); }
 
 }  // namespace clipc

@@ -46,12 +46,27 @@ class GlEffectMaker {
     for (const EffectTechniqueFact& technique : effect_.techniques) {
       const std::size_t first = made_.passes.size();
       for (const EffectPassFact& pass : technique.passes) AddPass(pass);
+      Annotate(GlEffect::Kind::kTechnique, made_.techniques.size(), technique.annotations);
       made_.techniques.push_back({technique.name, {first, made_.passes.size() - first}});
     }
+    for (std::size_t i = 0; i < made_.parameters.size(); ++i)
+      AnnotateVariable(GlEffect::Kind::kParameter, i, made_.parameters[i].name);
+    for (std::size_t i = 0; i < made_.textures.size(); ++i)
+      AnnotateVariable(GlEffect::Kind::kTexture, i, made_.textures[i].name);
     return std::move(made_);
   }
 
  private:
+  void Annotate(GlEffect::Kind kind, std::size_t number,
+                const std::vector<ast::Annotation>& annotations) {
+    for (const ast::Annotation& text : annotations)
+      made_.annotations.push_back({kind, number, text});
+  }
+  void AnnotateVariable(GlEffect::Kind kind, std::size_t number, std::string_view name) {
+    if (const EffectParameterFact* fact = effect_.FindParameter(name))
+      Annotate(kind, number, fact->text.annotations);
+  }
+
   // A constant buffer; programs that have equal ones share it.
   struct Block {
     const BufferFact* buffer;
@@ -86,6 +101,7 @@ class GlEffectMaker {
       const std::size_t made = ProgramOf(program->code, pass);
       if (!states) states = AddStates(pass);
       const std::string suffix = programs.size() == 1 ? "" : fmt::format(".{}", i);
+      Annotate(GlEffect::Kind::kPass, made_.passes.size(), pass.annotations);
       made_.passes.push_back({pass.name + suffix, made, *states});
     }
   }

@@ -64,6 +64,14 @@ struct GlEffect {
     std::vector<std::uint32_t> value;  // the words of its default; empty: it has none
   };
 
+  // Of what it is: a clipc_gl_effect_kind, and which of them.
+  enum class Kind : std::uint8_t { kTechnique, kPass, kParameter, kTexture };
+  struct Annotation {
+    Kind kind;
+    std::size_t number = 0;
+    ast::Annotation text;
+  };
+
   std::vector<Technique> techniques;
   std::vector<Pass> passes;
   std::vector<GlState> states;
@@ -75,6 +83,7 @@ struct GlEffect {
   std::vector<GlSampling> samplings;
   std::vector<Parameter> parameters;
   std::vector<std::uint32_t> block_sizes;
+  std::vector<Annotation> annotations;
 };
 
 // Makes the table of the programs that are compiled. `flips` says that the image is upside down.

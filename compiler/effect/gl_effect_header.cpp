@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -84,6 +85,13 @@ std::string RowOf(const GlEffect::Place& row) {
   return fmt::format("{}, {}, {}", row.block, row.offset, row.row_major ? 1 : 0);
 }
 
+std::string RowOf(const GlEffect::Annotation& row) {
+  constexpr std::string_view kKinds[] = {"TECHNIQUE", "PASS", "PARAMETER", "TEXTURE"};
+  return fmt::format("CLIPC_GL_EFFECT_{}, {}, {}, {}, {}", kKinds[static_cast<int>(row.kind)],
+                     row.number, Quoted(row.text.type), Quoted(row.text.name),
+                     Quoted(row.text.value));
+}
+
 class HeaderPrinter {
  public:
   explicit HeaderPrinter(std::string_view name) : name_(name) {}
@@ -106,10 +114,13 @@ class HeaderPrinter {
     AddList("sampling", effect.samplings);
     AddParameters(effect.parameters);
     AddBlockSizes(effect.block_sizes);
+    const std::string lists = std::exchange(lists_, {});
+    AddList("annotation", effect.annotations);
     Add("static const clipc_gl_effect_table {} = {{\n    {}\n    {}, {}, {}, {}, {}, "
-        "{}}};\n\n#endif\n",
-        name_, lists_, effect.techniques.size(), effect.programs.size(), effect.textures.size(),
-        effect.samplings.size(), effect.parameters.size(), effect.block_sizes.size());
+        "{},\n    {} {}}};\n\n#endif\n",
+        name_, lists, effect.techniques.size(), effect.programs.size(), effect.textures.size(),
+        effect.samplings.size(), effect.parameters.size(), effect.block_sizes.size(), lists_,
+        effect.annotations.size());
     return std::move(text_);
   }
 

@@ -65,7 +65,8 @@ EffectFacts MakeEffectFacts(const ast::Effect& effect, const EffectPrograms& pro
                             const CommandLine& command, const std::vector<BatchEntry>& entries,
                             const Code& code) {
   EffectFacts facts{.effect = command.inputs[0],
-                    .target = std::string(command.request.target.name())};
+                    .target = std::string(command.request.target.name()),
+                    .is_for_vulkan = command.request.target.IsVulkan()};
   std::size_t last = effect.techniques.size();
   for (const PassPrograms& pass : programs.passes) {
     const ast::EffectTechnique& technique = effect.techniques[pass.technique];

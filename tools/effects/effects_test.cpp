@@ -5,6 +5,7 @@
 //   // PIXEL x y = r g b a     the color there now; y counts from the top
 //   // SET Name = 1 2 3.5      sets a parameter to floats; SETI, to ints
 //   // CLEAR                   clears color, depth and stencil
+//   // WALK = T P Tint<float Max=1>    techniques with passes, parameters and textures
 //   // PLANES Technique Pass = 0:Water    the planes that the pass clips with
 // The quad covers the target: position, normal (0, 0, -1), color (1, 0.5, 0.25, 1), and texture
 // coordinates from 0 at the upper left. Textures of two dimensions have the texels red, green,
@@ -113,6 +114,21 @@ class EffectDrawing {
         << message;
   }
 
+  // The names of the passes, the parameters and the textures, each with its annotations.
+  std::string Walk() const {
+    std::string text;
+    for (std::uint32_t i = 0; const auto* it = clipc_gl_effect_technique_of(effect_, i); ++i) {
+      Say(it->name, CLIPC_GL_EFFECT_TECHNIQUE, i, text);
+      for (std::uint32_t k = it->first_pass; k < it->first_pass + it->pass_count; ++k)
+        Say(clipc_gl_effect_pass_of(effect_, k)->name, CLIPC_GL_EFFECT_PASS, k, text);
+    }
+    for (std::uint32_t i = 0; const auto* it = clipc_gl_effect_parameter_of(effect_, i); ++i)
+      Say(it->name, CLIPC_GL_EFFECT_PARAMETER, i, text);
+    for (std::uint32_t i = 0; const auto* it = clipc_gl_effect_texture_of(effect_, i); ++i)
+      Say(it->name, CLIPC_GL_EFFECT_TEXTURE, i, text);
+    return text;
+  }
+
   std::string Planes(const std::string& technique, const std::string& pass) {
     const std::uint32_t number = Find(technique, pass);
     std::string text;
@@ -132,6 +148,14 @@ class EffectDrawing {
   }
 
  private:
+  void Say(const char* name, clipc_gl_effect_kind kind, std::uint32_t number,
+           std::string& text) const {
+    text += (text.empty() ? "" : " ") + std::string(name);
+    for (std::uint32_t i = 0;
+         const auto* it = clipc_gl_effect_annotation_of(effect_, kind, number, i); ++i)
+      text += std::string("<") + it->type + ' ' + it->name + '=' + it->value + '>';
+  }
+
   static void Attribute(GLuint program, const char* name, int components, int first) {
     const GLint place = glGetAttribLocation(program, name);
     if (place < 0) return;
@@ -221,6 +245,12 @@ TEST_P(Effects, DrawsWhatItsCommentsSay) {
       std::string expected;
       std::getline(words, expected);
       EXPECT_EQ(drawing.Planes(first, second), expected) << name;
+      ++expectations;
+    } else if (what == "WALK") {
+      words >> equal >> std::ws;
+      std::string expected;
+      std::getline(words, expected);
+      EXPECT_EQ(drawing.Walk(), expected) << name;
       ++expectations;
     }
   }
