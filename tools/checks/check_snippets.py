@@ -168,11 +168,15 @@ def check_code(run, page, number, language, text, folder):
         run.call(
             ["clipc", f"{name}.hlsl", "-o", os.devnull, f"--table={name}.clip.h"], folder, what
         )
-    if '"water.effect.h"' in text:  # as clipc_add_effect() makes it
-        options = ["--target=glsl330", "-Fh", "water.effect.h"]
-        run.call(["clipc", "--effect", "water.fx", *options], folder, what)
+    for name in re.findall(r'"(\w+)\.effect\.h"', text):  # as clipc_add_effect() makes it
+        options = ["--target=glsl330", "-Fh", f"{name}.effect.h"]
+        run.call(["clipc", "--effect", f"{name}.fx", *options], folder, what)
     file = folder / f"block{number}.{language}"
-    file.write_text(hoisted(wrapped, text))
+    runs = re.search(r"runs: (.*)", wrapped)
+    file.write_text(text if runs else hoisted(wrapped, text))
+    if runs:
+        run_code(run, what, wrapped, file, compiler, runs[1].split())
+        return
     standard = "-std=c99" if language == "c" else "-std=c++17"
     run.call(
         [
@@ -188,6 +192,27 @@ def check_code(run, page, number, language, text, folder):
         folder,
         what,
     )
+
+
+def run_code(run, what, wrapped, file, compiler, libraries):
+    """Links a whole program of C and runs it without a display. The image that it writes is like one of the page's shaders:
+    the wrapper has the colors of its upper left and lower left corners."""
+    headers = ["-I", run.installed / "include", "-I", file.parent]
+    links = ["-L", run.installed / "lib", *(f"-l{name}" for name in libraries)]
+    built = run.call(
+        [compiler, "-std=c99", *headers, file, *links, "-lstdc++", "-lm", "-o", "program"],
+        file.parent,
+        what,
+    )
+    if built.returncode != 0:
+        return
+    run.call(["env", "EGL_PLATFORM=surfaceless", "./program"], file.parent, what)
+    name, upper, lower = re.search(r"writes: (\S+) (\w+) (\w+)", wrapped).groups()
+    image = (file.parent / name).read_bytes() if (file.parent / name).exists() else b""
+    size = 64 * 64 * 3
+    found = (image[-size:][:3].hex(), image[-64 * 3 :][:3].hex())
+    if found != (upper, lower):
+        run.problems.append(f"{what}: the corners of {name} are {found}")
 
 
 def check_json(run, page, text, folder):
