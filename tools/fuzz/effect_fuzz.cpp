@@ -48,10 +48,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const std::vector<clipc::ShaderGroup>& groups = loaded.programs.groups;
-  const clipc::EffectFacts facts = clipc::MakeEffectFacts(
-      loaded.effect, loaded.programs, command, std::vector<clipc::BatchEntry>(groups.size()),
+  clipc::EffectFacts facts = clipc::MakeEffectFacts(
+      loaded.effect, loaded.programs, loaded.command, std::vector<clipc::BatchEntry>(groups.size()),
       std::vector<std::shared_ptr<const clipc::EffectCode>>(groups.size()));
-  if (clipc::EffectJson(facts).empty()) std::abort();
+  for (const bool is_for_vulkan : {false, true}) {
+    facts.is_for_vulkan = is_for_vulkan;
+    if (clipc::EffectJson(facts).empty()) std::abort();
+  }
   clipc::Diagnostics diagnostics;
   if (clipc::GlEffectHeader(clipc::MakeGlEffect(facts, false, diagnostics), "fuzz").empty())
     std::abort();

@@ -7,11 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "compiler/clipc.h"
+#include "compiler/clipc_effect.h"
 
 namespace {
 
@@ -51,6 +52,34 @@ int ReadInclude(void* context, const char*, clipc_bytes* text) {
 
 int IsCancelled(void* context) { return ++static_cast<Input*>(context)->calls > 1000 ? 1 : 0; }
 
+// Reads what an effect leads to: each text is there, and each choice is of a program.
+std::size_t Read(const clipc_effect& effect) {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < effect.technique_count; ++i) {
+    const clipc_effect_technique& technique = *effect.techniques[i];
+    bytes += std::strlen(technique.name) + std::strlen(technique.kind);
+    for (std::size_t k = 0; k < technique.pass_count; ++k) {
+      const clipc_effect_pass& pass = *technique.passes[k];
+      for (std::size_t n = 0; n < pass.state_count; ++n)
+        bytes += std::strlen(pass.states[n]->name) + std::strlen(pass.states[n]->value);
+      for (std::size_t n = 0; n < pass.program_count; ++n) {
+        const clipc_result* const program = pass.programs[n]->result;
+        if (program) bytes += clipc_result_get(program, CLIPC_PART_REFLECTION).size;
+        if (pass.programs[n]->shader_count == 0) std::abort();
+      }
+      for (std::size_t n = 0; n < pass.choice_count; ++n) {
+        const clipc_effect_choice& choice = *pass.choices[n];
+        for (std::size_t m = 0; m < choice.program_count; ++m) {
+          if (choice.programs[m] >= static_cast<int>(pass.program_count)) std::abort();
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < effect.parameter_count; ++i)
+    bytes += std::strlen(effect.parameters[i]->type) + effect.parameters[i]->bytes.size;
+  return bytes;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -82,6 +111,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (status != CLIPC_COMPILED && clipc_result_get(result, CLIPC_PART_MESSAGES).size == 0 &&
       clipc_result_get(result, CLIPC_PART_MESSAGES_JSON).size == 0)
     std::abort();
+  const clipc_effect* const effect = clipc_result_effect(result);
+  if (effect && Read(*effect) > size * 1000 + 1000000) std::abort();
   clipc_result_free(result);
   return 0;
 }
