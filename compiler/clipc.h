@@ -118,7 +118,7 @@ typedef enum clipc_part {
   CLIPC_PART_PREPROCESSED,  /**< with -P: the text after the preprocessor, and nothing else */
   CLIPC_PART_STRUCTS,       /**< with --reflect=.h: the buffers as structs of C and C++ */
   CLIPC_PART_EFFECT,        /**< with --effect: JSON; clipc_effect.h */
-  CLIPC_PART_EFFECT_HEADER, /**< with --effect and -Fh .h: a header for runtime/gl/effect.h */
+  CLIPC_PART_EFFECT_HEADER, /**< with --effect and -Fh .h: a header for effect-runtime/effect.h */
   CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 

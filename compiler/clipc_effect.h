@@ -8,8 +8,8 @@
  * effect, or those of --technique=NAME and --pass=NAME. docs/effects.md says what is read.
  *
  * CLIPC_PART_EFFECT is its JSON, and clipc_result_effect has the same as structs. With {"-Fh",
- * ".h"}, CLIPC_PART_EFFECT_HEADER is the header for runtime/gl/effect.h. The other parts but the
- * messages and the dependencies are those of the programs, each a result of its own.
+ * ".h"}, CLIPC_PART_EFFECT_HEADER is the header for effect-runtime/effect.h. The other parts but
+ * the messages and the dependencies are those of the programs, each a result of its own.
  *
  * A pass with errors does not keep the others from being compiled: after CLIPC_HAS_ERRORS the
  * effect is there if it could be read, and the programs that have errors are NULL.
