@@ -372,15 +372,8 @@ const clipc_gl_effect_texture* clipc_gl_effect_texture_of(const clipc_gl_effect*
 }
 
 const clipc_gl_effect_annotation* clipc_gl_effect_annotation_of(const clipc_gl_effect* effect,
-                                                                clipc_gl_effect_kind kind,
-                                                                uint32_t number, uint32_t i) {
-  for (std::uint32_t k = 0; effect && k < effect->table.annotation_count; ++k) {
-    const clipc_gl_effect_annotation& annotation = effect->table.annotations[k];
-    if (annotation.kind != static_cast<std::uint32_t>(kind) || annotation.number != number)
-      continue;
-    if (i-- == 0) return &annotation;
-  }
-  return nullptr;
+                                                                uint32_t i) {
+  return effect && i < effect->table.annotation_count ? &effect->table.annotations[i] : nullptr;
 }
 
 unsigned clipc_gl_effect_program_of(const clipc_gl_effect* effect, uint32_t pass) {

@@ -74,10 +74,12 @@ typedef struct clipc_gl_effect_state {
 typedef struct clipc_gl_effect_pass {
   const char* name;
   uint32_t program, first_state, state_count;
+  uint32_t first_annotation, annotation_count;
 } clipc_gl_effect_pass;
 typedef struct clipc_gl_effect_technique {
   const char* name;
   uint32_t first_pass, pass_count;
+  uint32_t first_annotation, annotation_count;
 } clipc_gl_effect_technique;
 typedef struct clipc_gl_effect_plane {
   uint32_t index; /**< of the clip distance */
@@ -101,6 +103,7 @@ typedef struct clipc_gl_effect_sampler {
 typedef struct clipc_gl_effect_texture {
   const char* name; /**< of the texture in the effect; of the sampler where that names none */
   uint32_t target;  /**< GL_TEXTURE_2D and the like */
+  uint32_t first_annotation, annotation_count;
 } clipc_gl_effect_texture;
 typedef struct clipc_gl_effect_sampling {
   uint32_t min_filter, mag_filter, wrap_s, wrap_t, wrap_r;
@@ -119,16 +122,10 @@ typedef struct clipc_gl_effect_parameter {
   uint32_t first_place, place_count;
   const uint32_t* value; /**< the default, as it lies in the buffer; NULL: zeros */
   uint32_t value_count;
+  uint32_t first_annotation, annotation_count;
 } clipc_gl_effect_parameter;
-/** <string UIName = "Height";> of one of these, as the effect has it. */
-typedef enum clipc_gl_effect_kind {
-  CLIPC_GL_EFFECT_TECHNIQUE,
-  CLIPC_GL_EFFECT_PASS,
-  CLIPC_GL_EFFECT_PARAMETER,
-  CLIPC_GL_EFFECT_TEXTURE
-} clipc_gl_effect_kind;
+/** <string UIName = "Height";>, as the effect has it. */
 typedef struct clipc_gl_effect_annotation {
-  uint32_t kind, number; /**< a clipc_gl_effect_kind, and which of them */
   const char *type, *name, *value;
 } clipc_gl_effect_annotation;
 typedef struct clipc_gl_effect_table {
@@ -167,8 +164,9 @@ clipc_error clipc_gl_effect_find(const clipc_gl_effect* effect, const char* tech
  * without one. */
 const char* clipc_gl_effect_by_semantic(const clipc_gl_effect* effect, const char* semantic);
 
-/** The walk over an effect: its technique, pass, parameter or texture i; NULL past the last. The
- * passes of a technique are those from `first_pass` on, `pass_count` of them. */
+/** The walk over an effect: its technique, pass, parameter, texture or annotation i; NULL past the
+ * last. The passes of a technique are those from `first_pass` on, `pass_count` of them, and so are
+ * the annotations of what has any. */
 const clipc_gl_effect_technique* clipc_gl_effect_technique_of(const clipc_gl_effect* effect,
                                                               uint32_t i);
 const clipc_gl_effect_pass* clipc_gl_effect_pass_of(const clipc_gl_effect* effect, uint32_t i);
@@ -176,10 +174,8 @@ const clipc_gl_effect_parameter* clipc_gl_effect_parameter_of(const clipc_gl_eff
                                                               uint32_t i);
 const clipc_gl_effect_texture* clipc_gl_effect_texture_of(const clipc_gl_effect* effect,
                                                           uint32_t i);
-/** The annotation i of the `number`-th of its kind; NULL past the last. */
 const clipc_gl_effect_annotation* clipc_gl_effect_annotation_of(const clipc_gl_effect* effect,
-                                                                clipc_gl_effect_kind kind,
-                                                                uint32_t number, uint32_t i);
+                                                                uint32_t i);
 
 /** Sets a parameter for all programs. `values` are floats, ints or uints, and ints for bools, one
  * after another without gaps, matrices in the order of HLSL's rows (as D3DMATRIX has them, for

@@ -46,25 +46,26 @@ class GlEffectMaker {
     for (const EffectTechniqueFact& technique : effect_.techniques) {
       const std::size_t first = made_.passes.size();
       for (const EffectPassFact& pass : technique.passes) AddPass(pass);
-      Annotate(GlEffect::Kind::kTechnique, made_.techniques.size(), technique.annotations);
-      made_.techniques.push_back({technique.name, {first, made_.passes.size() - first}});
+      made_.techniques.push_back({technique.name,
+                                  {first, made_.passes.size() - first},
+                                  AddAnnotations(technique.annotations)});
     }
-    for (std::size_t i = 0; i < made_.parameters.size(); ++i)
-      AnnotateVariable(GlEffect::Kind::kParameter, i, made_.parameters[i].name);
-    for (std::size_t i = 0; i < made_.textures.size(); ++i)
-      AnnotateVariable(GlEffect::Kind::kTexture, i, made_.textures[i].name);
+    for (GlEffect::Parameter& parameter : made_.parameters)
+      parameter.annotations = AnnotationsOf(parameter.name);
+    for (GlEffect::Texture& texture : made_.textures)
+      texture.annotations = AnnotationsOf(texture.name);
     return std::move(made_);
   }
 
  private:
-  void Annotate(GlEffect::Kind kind, std::size_t number,
-                const std::vector<ast::Annotation>& annotations) {
-    for (const ast::Annotation& text : annotations)
-      made_.annotations.push_back({kind, number, text});
+  GlRange AddAnnotations(const std::vector<ast::Annotation>& annotations) {
+    const std::size_t first = made_.annotations.size();
+    made_.annotations.insert(made_.annotations.end(), annotations.begin(), annotations.end());
+    return {first, annotations.size()};
   }
-  void AnnotateVariable(GlEffect::Kind kind, std::size_t number, std::string_view name) {
-    if (const EffectParameterFact* fact = effect_.FindParameter(name))
-      Annotate(kind, number, fact->text.annotations);
+  GlRange AnnotationsOf(std::string_view variable) {
+    const EffectParameterFact* const fact = effect_.FindParameter(variable);
+    return fact ? AddAnnotations(fact->text.annotations) : GlRange();
   }
 
   // A constant buffer; programs that have equal ones share it.
@@ -94,15 +95,14 @@ class GlEffectMaker {
           return program.is_compiled && !draws(program);
         }))
       leave_out("vertex shader");
-    std::optional<GlRange> states;  // the same for all programs
+    std::optional<GlRange> states, annotations;  // the same for all programs
     for (std::size_t i = 0; i < programs.size(); ++i) {
       const EffectProgramFact* const program = programs[i];
       if (!program || !program->is_compiled || !program->code || !draws(*program)) continue;
       const std::size_t made = ProgramOf(program->code, pass);
-      if (!states) states = AddStates(pass);
+      if (!states) states = AddStates(pass), annotations = AddAnnotations(pass.annotations);
       const std::string suffix = programs.size() == 1 ? "" : fmt::format(".{}", i);
-      Annotate(GlEffect::Kind::kPass, made_.passes.size(), pass.annotations);
-      made_.passes.push_back({pass.name + suffix, made, *states});
+      made_.passes.push_back({pass.name + suffix, made, *states, *annotations});
     }
   }
 

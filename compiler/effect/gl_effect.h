@@ -24,12 +24,12 @@ struct GlRange {
 struct GlEffect {
   struct Technique {
     std::string name;
-    GlRange passes;
+    GlRange passes, annotations;
   };
   struct Pass {
     std::string name;
     std::size_t program = 0;
-    GlRange states;
+    GlRange states, annotations;
   };
   struct Program {
     std::shared_ptr<const EffectCode> code;
@@ -50,7 +50,10 @@ struct GlEffect {
   struct Texture {
     std::string name;
     std::uint32_t target = 0;
-    friend bool operator==(const Texture&, const Texture&) = default;
+    GlRange annotations = {};  // set at the end
+    friend bool operator==(const Texture& a, const Texture& b) {
+      return a.name == b.name && a.target == b.target;
+    }
   };
   struct Place {
     std::size_t block = 0;
@@ -61,15 +64,8 @@ struct GlEffect {
     std::string name, semantic;
     std::uint32_t rows = 0, columns = 0, elements = 0;  // of a struct: 0, the bytes, 0
     std::vector<Place> places;
+    GlRange annotations;
     std::vector<std::uint32_t> value;  // the words of its default; empty: it has none
-  };
-
-  // Of what it is: a clipc_gl_effect_kind, and which of them.
-  enum class Kind : std::uint8_t { kTechnique, kPass, kParameter, kTexture };
-  struct Annotation {
-    Kind kind;
-    std::size_t number = 0;
-    ast::Annotation text;
   };
 
   std::vector<Technique> techniques;
@@ -83,7 +79,7 @@ struct GlEffect {
   std::vector<GlSampling> samplings;
   std::vector<Parameter> parameters;
   std::vector<std::uint32_t> block_sizes;
-  std::vector<Annotation> annotations;
+  std::vector<ast::Annotation> annotations;
 };
 
 // Makes the table of the programs that are compiled. `flips` says that the image is upside down.

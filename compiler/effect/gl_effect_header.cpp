@@ -46,10 +46,12 @@ std::string RangeText(const GlRange& range) {
 }
 
 std::string RowOf(const GlEffect::Technique& row) {
-  return fmt::format("{}, {}", Quoted(row.name), RangeText(row.passes));
+  return fmt::format("{}, {}, {}", Quoted(row.name), RangeText(row.passes),
+                     RangeText(row.annotations));
 }
 std::string RowOf(const GlEffect::Pass& row) {
-  return fmt::format("{}, {}, {}", Quoted(row.name), row.program, RangeText(row.states));
+  return fmt::format("{}, {}, {}, {}", Quoted(row.name), row.program, RangeText(row.states),
+                     RangeText(row.annotations));
 }
 std::string RowOf(const GlState& row) {
   return fmt::format("CLIPC_GL_{}, 0x{:X}u", NameOf(row.kind), row.value);
@@ -70,7 +72,7 @@ std::string RowOf(const GlEffect::Plane& row) {
   return fmt::format("{}, {}", row.index, Quoted(row.text));
 }
 std::string RowOf(const GlEffect::Texture& row) {
-  return fmt::format("{}, 0x{:X}u", Quoted(row.name), row.target);
+  return fmt::format("{}, 0x{:X}u, {}", Quoted(row.name), row.target, RangeText(row.annotations));
 }
 std::string RowOf(const GlSampling& row) {
   return fmt::format(
@@ -85,11 +87,8 @@ std::string RowOf(const GlEffect::Place& row) {
   return fmt::format("{}, {}, {}", row.block, row.offset, row.row_major ? 1 : 0);
 }
 
-std::string RowOf(const GlEffect::Annotation& row) {
-  constexpr std::string_view kKinds[] = {"TECHNIQUE", "PASS", "PARAMETER", "TEXTURE"};
-  return fmt::format("CLIPC_GL_EFFECT_{}, {}, {}, {}, {}", kKinds[static_cast<int>(row.kind)],
-                     row.number, Quoted(row.text.type), Quoted(row.text.name),
-                     Quoted(row.text.value));
+std::string RowOf(const ast::Annotation& row) {
+  return fmt::format("{}, {}, {}", Quoted(row.type), Quoted(row.name), Quoted(row.value));
 }
 
 class HeaderPrinter {
@@ -165,10 +164,10 @@ class HeaderPrinter {
     for (const GlEffect::Parameter& parameter : parameters) {
       const std::string value =
           parameter.value.empty() ? "0" : fmt::format("{}_value_{}", name_, rows.size());
-      rows.push_back(fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}", Quoted(parameter.name),
+      rows.push_back(fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}, {}", Quoted(parameter.name),
                                  Quoted(parameter.semantic), parameter.rows, parameter.columns,
                                  parameter.elements, places.size(), parameter.places.size(), value,
-                                 parameter.value.size()));
+                                 parameter.value.size(), RangeText(parameter.annotations)));
       places.insert(places.end(), parameter.places.begin(), parameter.places.end());
     }
     AddRows("parameter", rows);

@@ -118,14 +118,14 @@ class EffectDrawing {
   std::string Walk() const {
     std::string text;
     for (std::uint32_t i = 0; const auto* it = clipc_gl_effect_technique_of(effect_, i); ++i) {
-      Say(it->name, CLIPC_GL_EFFECT_TECHNIQUE, i, text);
+      Say(*it, text);
       for (std::uint32_t k = it->first_pass; k < it->first_pass + it->pass_count; ++k)
-        Say(clipc_gl_effect_pass_of(effect_, k)->name, CLIPC_GL_EFFECT_PASS, k, text);
+        Say(*clipc_gl_effect_pass_of(effect_, k), text);
     }
     for (std::uint32_t i = 0; const auto* it = clipc_gl_effect_parameter_of(effect_, i); ++i)
-      Say(it->name, CLIPC_GL_EFFECT_PARAMETER, i, text);
+      Say(*it, text);
     for (std::uint32_t i = 0; const auto* it = clipc_gl_effect_texture_of(effect_, i); ++i)
-      Say(it->name, CLIPC_GL_EFFECT_TEXTURE, i, text);
+      Say(*it, text);
     return text;
   }
 
@@ -148,12 +148,12 @@ class EffectDrawing {
   }
 
  private:
-  void Say(const char* name, clipc_gl_effect_kind kind, std::uint32_t number,
-           std::string& text) const {
-    text += (text.empty() ? "" : " ") + std::string(name);
-    for (std::uint32_t i = 0;
-         const auto* it = clipc_gl_effect_annotation_of(effect_, kind, number, i); ++i)
+  void Say(const auto& named, std::string& text) const {
+    text += (text.empty() ? "" : " ") + std::string(named.name);
+    for (std::uint32_t i = 0; i < named.annotation_count; ++i) {
+      const auto* it = clipc_gl_effect_annotation_of(effect_, named.first_annotation + i);
       text += std::string("<") + it->type + ' ' + it->name + '=' + it->value + '>';
+    }
   }
 
   static void Attribute(GLuint program, const char* name, int components, int first) {
