@@ -187,7 +187,14 @@ class ElementWrites {
     legalizer_.BecomeCall(expr, name, parameters_, arguments_, [&](HelperBody& body) {
       for (std::uint32_t k = 0; k < count; ++k) {
         const ExprId target = Rebuilt(body, path, indices, base, k);
-        const ExprId copy = Copied(body, node, type, written, indices.size(), target);
+        // A copy of the node that writes, of the helper's parameters and the target.
+        const ExprId copy = body.b.CopyOf(type, node);
+        std::size_t operand = 0, parameter = 0;
+        MapOperands(program_, copy, [&](ExprId) {
+          if (operand++ != written) return body[parameter++];
+          parameter += indices.size();
+          return target;
+        });
         std::vector<StmtId> found = {has_value ? body.b.Stmt(Return{copy}) : body.b.Eval(copy)};
         if (k + 1 == count) {
           body.Add(found[0]);
@@ -218,20 +225,6 @@ class ElementWrites {
       whole = PartAgain(body.b, path.parts[i], whole, [&] { return body[indices[next++]]; });
     }
     return whole;
-  }
-
-  // A copy of the node that writes, of the helper's parameters. `target` replaces operand number
-  // `written`; the helper has `index_parameters` parameters for the indices of that operand.
-  ExprId Copied(HelperBody& body, const Legalizer::Node& node, TypeId type, std::size_t written,
-                std::size_t index_parameters, ExprId target) {
-    const ExprId copy = body.b.CopyOf(type, node);
-    std::size_t operand = 0, parameter = 0;
-    MapOperands(program_, copy, [&](ExprId) {
-      if (operand++ != written) return body[parameter++];
-      parameter += index_parameters;
-      return target;
-    });
-    return copy;
   }
 
   // The beginning of a helper function's name. It tells helper functions of the same parameters
