@@ -102,21 +102,21 @@ TypeId TypeTable::PartType(TypeId id, std::uint32_t part) {
 std::string TypeTable::Name(TypeId id) const {
   using enum TypeKind;
   if (!id) return "<none>";
-  std::string dimensions;
-  const Type* type = &(*this)[id];
-  for (; type->kind == kArray; type = &(*this)[type->element]) {
-    dimensions += type->count == 0 ? "[]" : "[" + std::to_string(type->count) + "]";
-  }
+  const Type* type = &(*this)[Innermost(id)];
+  const auto digit = [](auto count) { return static_cast<char>('0' + count); };
   std::string name;
   switch (type->kind) {
     case kError: name = "<error>"; break;
     case kVoid: name = "void"; break;
     case kString: name = "string"; break;
     case kScalar: name = NameOf(type->scalar); break;
-    case kVector: name = NameOf(type->scalar) + std::to_string(type->columns); break;
+    case kVector:
+      name = NameOf(type->scalar);
+      name += digit(type->columns);
+      break;
     case kMatrix:
-      name =
-          NameOf(type->scalar) + std::to_string(type->rows) + "x" + std::to_string(type->columns);
+      name = NameOf(type->scalar);
+      name += {digit(type->rows), 'x', digit(type->columns)};
       break;
     case kStruct:
       name = structs_[type->structure].name;
@@ -124,11 +124,13 @@ std::string TypeTable::Name(TypeId id) const {
       break;
     case kObject:
       name = InfoOf(type->object).name;
-      if (type->element) name += "<" + Name(type->element) + ">";
+      if (type->element) (name += '<').append(Name(type->element)) += '>';
       break;
     case kArray: break;
   }
-  return name + dimensions;
+  for (type = &(*this)[id]; type->kind == kArray; type = &(*this)[type->element])
+    name += type->count == 0 ? "[]" : "[" + std::to_string(type->count) + "]";
+  return name;
 }
 
 std::vector<Scalar> KindsOf(const TypeTable& types, TypeId id) {

@@ -58,9 +58,10 @@ struct Reading {
 // The error that an option which needs a value has none.
 std::string NeedsValue(const Reading& reading);
 
-// The bit of a spelling in Option::starts: its second character, "T" of "-T", or one like it.
+// The bit of a spelling in Option::starts: its first letter, "T" of "-T", or one like it.
 constexpr std::uint64_t StartOf(std::string_view spelling) {
-  return std::uint64_t{1} << ((spelling.size() > 1 ? spelling[1] : ' ') & 63);
+  const std::size_t letter = spelling.starts_with("--") ? 2 : 1;
+  return std::uint64_t{1} << ((spelling.size() > letter ? spelling[letter] : ' ') & 63);
 }
 constexpr std::uint64_t StartsOf(std::string_view names) {
   std::uint64_t starts = 0;

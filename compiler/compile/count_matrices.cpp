@@ -2,9 +2,11 @@
 #include "compiler/compile/count_matrices.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,16 +76,9 @@ class Products {
 struct MatrixCount {
   int count = 0;
   ProductId product = kPlainVertex;
-  std::vector<MatrixCount> fields;
+  List<MatrixCount> fields = {};  // in FieldCounts; those that are not there are as the whole
 
-  bool operator==(const MatrixCount&) const = default;
-  // All of it, as one value.
-  MatrixCount Whole() const {
-    MatrixCount whole = {count, product, {}};
-    for (const MatrixCount& field : fields) whole = Mixed(whole, field.Whole());
-    return whole;
-  }
-  int Most() const { return Whole().count; }
+  MatrixCount WithoutFields() const { return {count, product}; }
   // The value of an operation on both: what is not multiplied by a matrix leaves the product as it
   // is, as an offset does.
   static MatrixCount Mixed(const MatrixCount& a, const MatrixCount& b) {
@@ -91,38 +86,70 @@ struct MatrixCount {
                               : b.count == 0           ? a.product
                               : a.product == b.product ? a.product
                                                        : kNoProduct;
-    return {std::max(a.count, b.count), product, {}};
+    return {std::max(a.count, b.count), product};
   }
 };
 
 // A value of that number, of which no product is known.
-MatrixCount Counted(int count) { return {count, count == 0 ? kPlainVertex : kNoProduct, {}}; }
+MatrixCount Counted(int count) { return {count, count == 0 ? kPlainVertex : kNoProduct}; }
 
-void Join(MatrixCount& into, const MatrixCount& other) {
-  const MatrixCount before = {into.count, into.product, {}};
-  into.count = std::max(into.count, other.count);
-  if (into.product != other.product) into.product = kNoProduct;
-  // One of the two values may not have its fields yet.
-  if (into.fields.size() < other.fields.size()) into.fields.resize(other.fields.size(), before);
-  const MatrixCount others = {other.count, other.product, {}};
-  for (std::size_t i = 0; i < into.fields.size(); ++i)
-    Join(into.fields[i], i < other.fields.size() ? other.fields[i] : others);
-}
+// The fields of values. They do not change, so that copies of a value share them.
+class FieldCounts {
+ public:
+  MatrixCount Struct(const MatrixCount& whole, const std::vector<MatrixCount>& fields) {
+    size_ += fields.size();
+    return {whole.count, whole.product, fields_.Add(std::span(fields))};
+  }
+  std::size_t size() const { return size_; }
+  std::span<const MatrixCount> Of(const MatrixCount& value) const { return fields_[value.fields]; }
+
+  // All of it, as one value.
+  MatrixCount Whole(const MatrixCount& value) const {
+    MatrixCount whole = value.WithoutFields();
+    for (const MatrixCount& field : Of(value)) whole = MatrixCount::Mixed(whole, Whole(field));
+    return whole;
+  }
+  bool AreEqual(const MatrixCount& a, const MatrixCount& b) const {
+    if (a.count != b.count || a.product != b.product || a.fields.size != b.fields.size)
+      return false;
+    return a.fields.begin == b.fields.begin ||
+           std::ranges::equal(Of(a), Of(b),
+                              [&](const auto& x, const auto& y) { return AreEqual(x, y); });
+  }
+  // The value of a variable that has one of the two.
+  MatrixCount Joined(const MatrixCount& a, const MatrixCount& b) {
+    if (AreEqual(a, b)) return a;
+    const MatrixCount whole = {std::max(a.count, b.count),
+                               a.product == b.product ? a.product : kNoProduct};
+    std::vector<MatrixCount> fields;
+    for (std::uint32_t i = 0; i < std::max(a.fields.size, b.fields.size); ++i)
+      fields.push_back(Joined(FieldOf(a, i), FieldOf(b, i)));
+    return fields.empty() ? whole : Struct(whole, fields);
+  }
+  // The value, after change(part) of the part at the end of the path, whose last field comes first.
+  MatrixCount With(const MatrixCount& value, std::span<const std::uint32_t> path, auto change) {
+    if (path.empty()) return change(value);
+    std::vector<MatrixCount> fields(Of(value).begin(), Of(value).end());
+    if (fields.size() <= path.back()) fields.resize(path.back() + 1, value.WithoutFields());
+    MatrixCount& field = fields[path.back()];
+    field = With(field, path.first(path.size() - 1), change);
+    return Struct(value, fields);
+  }
+
+ private:
+  MatrixCount FieldOf(const MatrixCount& value, std::uint32_t index) const {
+    return index < value.fields.size ? Of(value)[index] : value.WithoutFields();
+  }
+
+  Pool<MatrixCount> fields_;
+  std::size_t size_ = 0;  // of all lists
+};
 
 // The values of the variables at a place of the program; none where control does not come.
 struct State {
   std::vector<MatrixCount> values;  // by VarId
   bool is_reached = true;
 };
-
-void Join(State& into, const State& other) {
-  if (!other.is_reached) return;
-  if (!into.is_reached) {
-    into = other;
-    return;
-  }
-  for (std::size_t i = 0; i < into.values.size(); ++i) Join(into.values[i], other.values[i]);
-}
 
 // Follows the program from main, with a number in the place of every value.
 class Follower {
@@ -140,8 +167,8 @@ class Follower {
     Exits exits;
     Follow(program_.functions[program_.main].body, exits);
     for (const IoVar& output : program_.outputs) {
-      if (output.builtin != Builtin::kPosition || work_ > kMostWork) continue;
-      const MatrixCount position = At(output.var).Whole();
+      if (output.builtin != Builtin::kPosition || IsTooMuch(0)) continue;
+      const MatrixCount position = counts_.Whole(At(output.var));
       if (position.count > kMostMatrices) break;
       if (!products_.HasVertex(position.product)) return {position.count, std::nullopt};
       return {position.count, products_.TextOf(position.product)};
@@ -154,12 +181,20 @@ class Follower {
   struct Exits {
     State broken{{}, false}, continued{{}, false}, returned{{}, false};
     std::optional<MatrixCount> result;  // of the returns so far
-
-    void JoinResult(const MatrixCount& value) {
-      if (!result) result = value;
-      Join(*result, value);
-    }
   };
+
+  void Join(State& into, const State& other) {
+    if (!other.is_reached) return;
+    if (!into.is_reached) {
+      into = other;
+      return;
+    }
+    for (std::size_t i = 0; i < into.values.size(); ++i)
+      into.values[i] = counts_.Joined(into.values[i], other.values[i]);
+  }
+  void JoinResult(Exits& exits, const MatrixCount& value) {
+    exits.result = exits.result ? counts_.Joined(*exits.result, value) : value;
+  }
 
   MatrixCount& At(VarId var) { return state_.values[var.index]; }
 
@@ -168,20 +203,20 @@ class Follower {
     if (IsTooMuch(1 + name.size() / 64)) return {};
     const TypeTable& types = program_.types;
     const TypeId innermost = types.Innermost(type);
+    const TypeKind kind = types[innermost].kind;
+    if (kind != TypeKind::kMatrix && kind != TypeKind::kStruct) return {};
     const std::string element = name.empty() || innermost == type ? name : name + "[]";
-    if (types[innermost].kind == TypeKind::kMatrix)
-      return {1, name.empty() ? kNoProduct : products_.Named(element), {}};
-    if (types[innermost].kind != TypeKind::kStruct) return {};
-    MatrixCount value;
+    if (kind == TypeKind::kMatrix) return {1, name.empty() ? kNoProduct : products_.Named(element)};
+    std::vector<MatrixCount> fields;
     for (const Field& field : types.StructOf(innermost).fields)
-      value.fields.push_back(Given(field.type, name.empty() ? "" : element + "." + field.name));
-    if (innermost != type) return value.Whole();
-    return value;
+      fields.push_back(Given(field.type, name.empty() ? "" : element + "." + field.name));
+    const MatrixCount value = counts_.Struct({}, fields);
+    return innermost == type ? value : counts_.Whole(value);
   }
 
   bool IsTooMuch(std::size_t work) {
     work_ += static_cast<std::int64_t>(work);
-    return work_ > kMostWork;
+    return work_ + static_cast<std::int64_t>(counts_.size() / 8) > kMostWork;
   }
   State Kept() {
     IsTooMuch(state_.values.size() / 8 + 1);
@@ -200,11 +235,11 @@ class Follower {
     if (const auto* ref = As<VarRef>(program_, expr)) return &state_.values[ref->var.index];
     const auto* field = As<FieldRef>(program_, expr);
     const MatrixCount* base = field ? Standing(field->base) : nullptr;
-    return base && field->field < base->fields.size() ? &base->fields[field->field] : nullptr;
+    return base && field->field < base->fields.size ? &counts_.Of(*base)[field->field] : nullptr;
   }
   MatrixCount AsWhole(ExprId expr) {
     const MatrixCount* standing = expr ? Standing(expr) : nullptr;
-    return standing && !IsTooMuch(1) ? standing->Whole() : Of(expr).Whole();
+    return counts_.Whole(standing && !IsTooMuch(1) ? *standing : Of(expr));
   }
   std::vector<MatrixCount> OfAll(List<ExprId> list) {
     std::vector<MatrixCount> values;
@@ -222,6 +257,7 @@ class Follower {
   MatrixCount OfNode(ExprId expr, const Node&) {
     return MixOf(expr);
   }
+  MatrixCount OfNode(ExprId, const OneOf<Literal, Zero> auto&) { return {}; }
   // The component by component product: of a number and a position it is the position, of a number
   // and a matrix's row a part of a product by hand.
   MatrixCount Times(const MatrixCount& left, const MatrixCount& right) {
@@ -236,9 +272,8 @@ class Follower {
   MatrixCount OfNode(ExprId, const VarRef& node) { return At(node.var); }
   MatrixCount OfNode(ExprId expr, const FieldRef& node) {
     if (const MatrixCount* standing = Standing(expr)) return *standing;
-    MatrixCount base = Of(node.base);
-    if (node.field < base.fields.size()) return std::move(base.fields[node.field]);
-    return base.Whole();
+    const MatrixCount base = Of(node.base);
+    return node.field < base.fields.size ? counts_.Of(base)[node.field] : counts_.Whole(base);
   }
   // The index does not become a part of the element.
   MatrixCount OfNode(ExprId, const Index& node) {
@@ -253,7 +288,7 @@ class Follower {
   MatrixCount OfNode(ExprId, const Assign& node) {
     MatrixCount value = Of(node.value);
     if (node.op) {
-      value = Combined(*node.op, AsWhole(node.target), value.Whole());
+      value = Combined(*node.op, AsWhole(node.target), counts_.Whole(value));
     }
     Write(node.target, value);
     return value;
@@ -261,21 +296,20 @@ class Follower {
   MatrixCount OfNode(ExprId, const Conditional& node) {
     Of(node.condition);
     const State before = Kept();
-    MatrixCount value = Of(node.when_true);
+    const MatrixCount value = Of(node.when_true);
     State after = std::exchange(state_, before);
-    Join(value, Of(node.when_false));
+    const MatrixCount joined = counts_.Joined(value, Of(node.when_false));
     Join(state_, after);
-    return value;
+    return joined;
   }
   MatrixCount OfNode(ExprId, const Select& node) {
     Of(node.condition);
-    MatrixCount value = Of(node.when_true);
-    Join(value, Of(node.when_false));
-    return value;
+    const MatrixCount value = Of(node.when_true);
+    return counts_.Joined(value, Of(node.when_false));
   }
   MatrixCount OfNode(ExprId expr, const Construct& node) {
     const TypeKind kind = TypeOf(program_, expr).kind;
-    if (kind == TypeKind::kStruct) return {0, kPlainVertex, OfAll(node.arguments)};
+    if (kind == TypeKind::kStruct) return counts_.Struct({}, OfAll(node.arguments));
     const MatrixCount mixed = MixOf(expr);
     return kind == TypeKind::kMatrix && mixed.count == 0 ? Counted(1) : mixed;
   }
@@ -285,18 +319,17 @@ class Follower {
   }
   MatrixCount OfNode(ExprId expr, const IntrinsicCall& node) {
     MatrixCount mixed;
-    std::vector<MatrixCount> values;
-    values.reserve(node.arguments.size);
-    for (const ExprId argument : program_.expr_lists[node.arguments]) {
-      values.push_back(AsWhole(argument));
-      mixed = MatrixCount::Mixed(mixed, values.back());
+    std::array<MatrixCount, IntrinsicSignature::kMaxArguments> values;
+    for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
+      values[i] = AsWhole(program_.expr_lists[node.arguments][i]);
+      mixed = MatrixCount::Mixed(mixed, values[i]);
     }
     ForEachWrite(program_, expr, [&](ExprId target) { Write(target, mixed); });
     if (node.op == CommonIntrinsic::kMul) {
       const int count = Limited(values[0].count + values[1].count);
       if (count == 0) return {};
       if (count > kMostMatrices) return Counted(count);
-      return {count, products_.Of(values[0].product, values[1].product), {}};
+      return {count, products_.Of(values[0].product, values[1].product)};
     }
     if (node.op == CommonIntrinsic::kMad)
       return MatrixCount::Mixed(Times(values[0], values[1]), values[2]);
@@ -317,9 +350,9 @@ class Follower {
     if (calls_ == kMostCalls) work_ = kMostWork;
     if (IsTooMuch(1)) return {};
     const Function& function = program_.functions[node.function];
-    std::vector<MatrixCount> arguments = OfAll(node.arguments);
+    const std::vector<MatrixCount> arguments = OfAll(node.arguments);
     for (std::size_t i = 0; i < function.parameters.size() && i < arguments.size(); ++i)
-      At(function.parameters[i]) = std::move(arguments[i]);
+      At(function.parameters[i]) = arguments[i];
     Exits exits;
     ++calls_;
     Follow(function.body, exits);
@@ -330,7 +363,7 @@ class Follower {
       if (WritesOperand(program_, expr, i))
         Write(program_.expr_lists[node.arguments][i], At(function.parameters[i]));
     }
-    return exits.result ? std::move(*exits.result) : MatrixCount{};
+    return exits.result.value_or(MatrixCount{});
   }
 
   // A place that is written wholly has the value; one that is written in part has the most of both.
@@ -347,17 +380,10 @@ class Follower {
     }
     const VarId root = RootOf(program_, target);
     if (!root) return;
-    MatrixCount* place = &At(root);
-    for (; !path.empty(); path.pop_back()) {
-      if (place->fields.size() <= path.back())
-        place->fields.resize(path.back() + 1, MatrixCount{place->count, place->product, {}});
-      place = &place->fields[path.back()];
-    }
-    if (is_whole) {
-      *place = value;
-    } else {
-      *place = MatrixCount::Mixed(place->Whole(), value.Whole());
-    }
+    MatrixCount& place = At(root);
+    place = counts_.With(place, path, [&](const MatrixCount& part) {
+      return is_whole ? value : MatrixCount::Mixed(counts_.Whole(part), counts_.Whole(value));
+    });
   }
 
   // ---- statements
@@ -405,7 +431,7 @@ class Follower {
     Leave(inner, exits);
   }
   void FollowNode(const Return& node, Exits& exits) {
-    exits.JoinResult(Of(node.value));
+    JoinResult(exits, Of(node.value));
     Leave(exits.returned);
   }
   void FollowNode(const Break&, Exits& exits) { Leave(exits.broken); }
@@ -419,7 +445,7 @@ class Follower {
   }
   void Leave(const Exits& inner, Exits& exits) {
     Join(exits.returned, inner.returned);
-    if (inner.result) exits.JoinResult(*inner.result);
+    if (inner.result) JoinResult(exits, *inner.result);
   }
 
   // The condition of a `do` is followed before the first iteration too, which only adds what it
@@ -433,11 +459,13 @@ class Follower {
       Join(state_, inner.continued);
       if (state_.is_reached) Of(step), Of(condition);
       Join(state_, before);
-      if (state_.values == before.values || IsTooMuch(1)) break;
-      if (round < kRounds) continue;
+      bool is_settled = true;
       for (std::size_t i = 0; i < state_.values.size(); ++i) {
-        if (state_.values[i] != before.values[i]) state_.values[i] = Counted(kUnknown);
+        if (counts_.AreEqual(state_.values[i], before.values[i])) continue;
+        is_settled = false;
+        if (round >= kRounds) state_.values[i] = Counted(kUnknown);
       }
+      if (is_settled || IsTooMuch(1)) break;
     }
     Join(state_, inner.broken);
     Leave(inner, exits);
@@ -445,6 +473,7 @@ class Follower {
 
   const Program& program_;
   Products products_;
+  FieldCounts counts_;
   State state_;
   std::int64_t work_ = 0;
   int calls_ = 0;  // the calls that are being followed

@@ -24,13 +24,13 @@ class FactsPrinter {
 
  private:
   // A key is in the document only where there is something to say.
-  void Flag(bool is_true, std::string_view key) {
+  void Flag(bool is_true, JsonKey key) {
     if (is_true) json_.Member(key, true);
   }
-  void Text(std::string_view text, std::string_view key) {
+  void Text(std::string_view text, JsonKey key) {
     if (!text.empty()) json_.Member(key, text);
   }
-  void Number(const std::optional<std::uint32_t>& number, std::string_view key) {
+  void Number(const std::optional<std::uint32_t>& number, JsonKey key) {
     if (number) json_.Member(key, *number);
   }
 
@@ -126,7 +126,8 @@ class FactsPrinter {
     Number(block.set, "set");
     Number(block.binding, "binding");
     Flag(block.is_push_constant, "pushConstant");
-    Flag(block.is_shared, is_pixel ? "sharedWithVertexShader" : "sharedWithPixelShader");
+    Flag(block.is_shared,
+         is_pixel ? JsonKey("sharedWithVertexShader") : JsonKey("sharedWithPixelShader"));
   }
 
   void Field(const FieldFact& fact, bool is_row_major) {
@@ -180,7 +181,7 @@ class FactsPrinter {
   }
 
   void Planes(const PlaneFacts& facts) {
-    const auto or_null = [&](std::string_view key, const auto& value) {
+    const auto or_null = [&](JsonKey key, const auto& value) {
       if (value) {
         json_.Member(key, *value);
       } else {

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,63 +52,60 @@ Character CharacterAt(std::string_view text) {
 
 }  // namespace
 
-void JsonWriter::NewLine() {
-  text_ += '\n';
-  text_.append(2 * depth_, ' ');
-}
-
 void JsonWriter::Begin() {
-  if (depth_ == 0) return;
-  if (!is_empty_) text_ += ',';
-  is_empty_ = false;
-  NewLine();
+  if (depth_ != 0) End(NewLine(0));
 }
 
-// Most of a document is keys, so what is around one is put there at once.
-void JsonWriter::Key(std::string_view key) {
-  constexpr std::string_view kSpaces = ",\n                          \"";
-  const std::size_t indent = 2 * depth_;
-  if (indent + 3 > kSpaces.size() || !std::ranges::all_of(key, IsPlain)) {
-    Begin();
-    Append(key);
-    text_ += ": ";
-    return;
-  }
-  const std::size_t begin = text_.size();
-  const std::size_t first = is_empty_ ? 1 : 0;
-  text_.resize(begin + 2 - first + indent + key.size() + 4);
-  char* to = text_.data() + begin;
-  to = std::copy_n(kSpaces.data() + first, 2 - first + indent, to);
+// Most of a document is keys.
+void JsonWriter::Begin(JsonKey key) {
+  const std::size_t size = key.text.size();
+  char* to = NewLine(size + 4);
   *to++ = '"';
-  to = std::ranges::copy(key, to).out;
-  std::ranges::copy(std::string_view("\": "), to);
+  std::memcpy(to, key.text.data(), size);
+  std::memcpy(to + size, "\": ", 3);
+  End(to + size + 3);
+}
+
+char* JsonWriter::NewLine(std::size_t count) {
+  constexpr std::string_view kLine = ",\n                               ";
+  constexpr std::size_t kCopied = kLine.size() - 1;  // with the comma or without
+  const std::size_t skipped = is_empty_ ? 1 : 0, indent = 2 * depth_;
   is_empty_ = false;
+  char* to = Room(kCopied + indent + count);
+  std::memcpy(to, kLine.data() + skipped, kCopied);
+  to += 2 - skipped;
+  if (indent > kCopied - 2) std::memset(to, ' ', indent);
+  return to + indent;
+}
+
+void JsonWriter::Grow(std::size_t count) {
+  room_ = 2 * room_ + count;
+  auto grown = std::make_unique_for_overwrite<char[]>(room_);
+  std::memcpy(grown.get(), text_.get(), size_);
+  text_ = std::move(grown);
 }
 
 void JsonWriter::Append(std::int64_t number) {
-  std::array<char, 24> digits;
-  text_.append(digits.data(),
-               std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  constexpr std::size_t kMostDigits = 24;
+  char* to = Room(kMostDigits);
+  End(std::to_chars(to, to + kMostDigits, number).ptr);
 }
 
 void JsonWriter::Append(float number) {
-  if (!std::isfinite(number)) {
-    text_ += "null";
-    return;
-  }
-  std::array<char, 24> digits;
-  text_.append(digits.data(),
-               std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  if (!std::isfinite(number)) return Put("null");
+  constexpr std::size_t kMostDigits = 24;
+  char* to = Room(kMostDigits);
+  End(std::to_chars(to, to + kMostDigits, number).ptr);
 }
 
 void JsonWriter::Append(std::string_view text) {
-  text_ += '"';
-  if (std::ranges::all_of(text, IsPlain)) {
-    text_ += text;
-  } else {
-    AppendEscaped(text);
-  }
-  text_ += '"';
+  char* to = Room(text.size() + 2);
+  *to++ = '"';
+  std::size_t plain = 0;
+  for (; plain < text.size() && IsPlain(text[plain]); ++plain) *to++ = text[plain];
+  End(to);
+  if (plain < text.size()) AppendEscaped(text.substr(plain));
+  Put('"');
 }
 
 void JsonWriter::AppendEscaped(std::string_view text) {
@@ -116,15 +114,15 @@ void JsonWriter::AppendEscaped(std::string_view text) {
   while (!text.empty()) {
     Character character{1, true};
     if (const std::size_t named = kNamed.find(text[0]); named != std::string_view::npos) {
-      text_ += '\\';
-      text_ += kNames[named];
+      Put('\\');
+      Put(kNames[named]);
     } else if (IsPlain(text[0])) {
-      text_ += text[0];
+      Put(text[0]);
     } else if (static_cast<unsigned char>(text[0]) < 0x80) {
-      text_ += fmt::format("\\u{:04x}", static_cast<unsigned char>(text[0]));
+      Put(fmt::format("\\u{:04x}", static_cast<unsigned char>(text[0])));
     } else {
       character = CharacterAt(text);
-      text_ += character.is_valid ? text.substr(0, character.length) : "\xEF\xBF\xBD";
+      Put(character.is_valid ? text.substr(0, character.length) : "\xEF\xBF\xBD");
     }
     text.remove_prefix(character.length);
   }

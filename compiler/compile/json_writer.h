@@ -4,19 +4,31 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace clipc {
+
+// A key of a JSON document, which has no byte to escape: a literal that has one does not compile.
+struct JsonKey {
+  consteval JsonKey(const char* literal) : text(literal) {
+    for (const char c : text)
+      if (c < ' ' || c > '~' || c == '"' || c == '\\') throw "a key has no byte to escape";
+  }
+  explicit JsonKey(std::string_view word) : text(word) {}
+
+  std::string_view text;
+};
 
 // Prints a JSON document from its beginning to its end, two blanks for each level, and holds
 // nothing but the text. A `body` prints the members of an object, or the elements of a list. Texts
 // may have any bytes: those that are not UTF-8 become U+FFFD.
 class JsonWriter {
  public:
-  JsonWriter() { text_.reserve(kUsualSize); }
-
   // The whole document, or an element of a list.
   void Object(auto&& body) {
     Begin();
@@ -33,72 +45,93 @@ class JsonWriter {
     if (number) {
       Append(static_cast<std::int64_t>(*number));
     } else {
-      text_ += "null";
+      Put("null");
     }
   }
 
-  void Object(std::string_view key, auto&& body) {
-    Key(key);
+  void Object(JsonKey key, auto&& body) {
+    Begin(key);
     Enclose('{', '}', body);
   }
-  void List(std::string_view key, auto&& body) {
-    Key(key);
+  void List(JsonKey key, auto&& body) {
+    Begin(key);
     Enclose('[', ']', body);
   }
   // A list with an object for each item, whose members `print` prints.
-  void ListOf(std::string_view key, const auto& items, auto&& print) {
+  void ListOf(JsonKey key, const auto& items, auto&& print) {
     List(key, [&] {
       for (const auto& item : items) Object([&] { print(item); });
     });
   }
-  void Member(std::string_view key, std::string_view text) {
-    Key(key);
+  void Member(JsonKey key, std::string_view text) {
+    Begin(key);
     Append(text);
   }
-  void Member(std::string_view key, std::same_as<bool> auto value) {
-    Key(key);
-    text_ += value ? "true" : "false";
+  void Member(JsonKey key, std::same_as<bool> auto value) {
+    Begin(key);
+    Put(value ? "true" : "false");
   }
   template <std::integral Number>
     requires(!std::same_as<Number, bool>)
-  void Member(std::string_view key, Number number) {
-    Key(key);
+  void Member(JsonKey key, Number number) {
+    Begin(key);
     Append(static_cast<std::int64_t>(number));
   }
-  void Member(std::string_view key, std::same_as<float> auto number) {
-    Key(key);
+  void Member(JsonKey key, std::same_as<float> auto number) {
+    Begin(key);
     Append(number);
   }
-  void Null(std::string_view key) {
-    Key(key);
-    text_ += "null";
+  void Null(JsonKey key) {
+    Begin(key);
+    Put("null");
   }
 
   // The document, with a line feed at its end.
-  std::string Finish() && { return std::move(text_) + "\n"; }
+  std::string Finish() && {
+    Put('\n');
+    return {text_.get(), size_};
+  }
 
  private:
   static constexpr std::size_t kUsualSize = 8192;
 
   void Enclose(char open, char close, auto& body) {
-    text_ += open;
+    Put(open);
     ++depth_;
     is_empty_ = true;
     body();
     --depth_;
-    if (!is_empty_) NewLine();
+    if (!std::exchange(is_empty_, true)) End(NewLine(0));
     is_empty_ = false;
-    text_ += close;
+    Put(close);
   }
-  void NewLine();
-  void Begin();  // a member or an element, after those before it
-  void Key(std::string_view key);
+  // Each of these begins a line for a member or an element, after those before it.
+  void Begin();
+  void Begin(JsonKey key);
+  // Begins a line, and returns its end, which has room for so many more bytes.
+  char* NewLine(std::size_t count);
   void Append(std::string_view text);
   void Append(std::int64_t number);
   void Append(float number);  // `null` unless it is finite
   void AppendEscaped(std::string_view text);
+  // The end of the text, which has room for so many more bytes.
+  char* Room(std::size_t count) {
+    if (room_ - size_ < count) Grow(count);
+    return text_.get() + size_;
+  }
+  void Grow(std::size_t count);
+  void End(const char* end) { size_ = static_cast<std::size_t>(end - text_.get()); }
+  void Put(char c) {
+    *Room(1) = c;
+    ++size_;
+  }
+  void Put(std::string_view text) {
+    std::memcpy(Room(text.size()), text.data(), text.size());
+    size_ += text.size();
+  }
 
-  std::string text_;
+  std::unique_ptr<char[]> text_ = std::make_unique_for_overwrite<char[]>(kUsualSize);
+  std::size_t room_ = kUsualSize, size_ = 0;  // the bytes of `text_`, and those that are printed
   std::size_t depth_ = 0;
   bool is_empty_ = true;  // nothing is in the innermost object or list yet
 };

@@ -3,6 +3,7 @@
 
 #include <random>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,24 @@ TEST(JsonWriter, WritesAsNlohmannDoes) {
       {"texts", {"a", "b"}},
       {"objects",
        {{{"number", 1}, {"inner", {{"twice", 2}}}}, {{"number", 2}, {"inner", {{"twice", 4}}}}}}};
+  EXPECT_EQ(std::move(json).Finish(), Dump(expected));
+}
+
+// Lines longer than the blanks that are copied at once, in a document longer than the first memory.
+TEST(JsonWriter, WritesDeepAndLongDocuments) {
+  constexpr int kDepth = 40;
+  JsonWriter json;
+  Json expected = {{"text", std::string(1000, 'x')}};
+  const auto nest = [&](auto& self, int depth) -> void {
+    json.Member("text", std::string(1000, 'x'));
+    if (depth > 0) json.Object("inner", [&] { self(self, depth - 1); });
+  };
+  json.Object([&] { nest(nest, kDepth); });
+  for (int i = 0; i < kDepth; ++i) {
+    Json outer = {{"text", std::string(1000, 'x')}};
+    outer["inner"] = std::move(expected);
+    expected = std::move(outer);
+  }
   EXPECT_EQ(std::move(json).Finish(), Dump(expected));
 }
 

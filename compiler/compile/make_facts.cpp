@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile/make_facts.h"
 
+#include <algorithm>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -31,6 +32,9 @@ RegisterFact FactOf(const ir::Register& reg) {
   return {std::string(1, reg.letter) + std::to_string(reg.number), reg.space, reg.is_explicit};
 }
 
+// The places of constants in a block, by the variable and in the block's order.
+using PlacedMember = std::pair<ir::VarId, const GlslInfo::UniformMember*>;
+
 // What is said of one stage.
 class Describer {
  public:
@@ -50,6 +54,7 @@ class Describer {
       for (const ir::CbufferMember& member : program_.cbuffers[id].members)
         AddStructs(program_.vars[member.var].type, facts.structs);
     }
+    facts.buffers.reserve(program_.cbuffers.size());
     for (const ir::CbufferId id : program_.cbuffers.ids())
       facts.buffers.push_back(Buffer(program_.cbuffers[id], info_.BlockOf(id)));
     facts.resources = Resources();
@@ -132,10 +137,10 @@ class Describer {
     return fact;
   }
 
-  MemberFact Member(const ir::CbufferMember& member, const GlslInfo::UniformBlock* block,
-                    const std::vector<const GlslInfo::UniformMember*>& places) const {
+  void AddMember(const ir::CbufferMember& member, const GlslInfo::UniformBlock* block,
+                 std::span<const PlacedMember> places, std::vector<MemberFact>& facts) const {
     const ir::Var& var = program_.vars[member.var];
-    MemberFact fact;
+    MemberFact& fact = facts.emplace_back();
     fact.name = var.name;
     fact.type = program_.types.Name(var.type);
     fact.shape = Shape(var.type, var.row_major);
@@ -144,7 +149,7 @@ class Describer {
     fact.row_major = var.row_major;
     if (!member.initial.empty())
       fact.initial = ir::Packed(program_.types, var.type, var.row_major, member.initial);
-    for (const GlslInfo::UniformMember* named : places) {
+    for (const auto& [_, named] : places) {
       // A ConstantBuffer's fields are members of the GLSL block.
       FieldFact& entry =
           named->field < 0
@@ -156,7 +161,6 @@ class Describer {
                      .is_uniform = named->is_uniform,
                      .transpose = named->transpose};
     }
-    return fact;
   }
 
   BufferFact Buffer(const ir::Cbuffer& cbuffer, const GlslInfo::UniformBlock* block) const {
@@ -165,7 +169,7 @@ class Describer {
                     .reg = FactOf(cbuffer.reg),
                     .size = cbuffer.size,
                     .count = cbuffer.count};
-    std::unordered_map<std::uint32_t, std::vector<const GlslInfo::UniformMember*>> places;
+    std::vector<PlacedMember> places;
     if (block) {
       fact.block = {.layout = NameIn<kBlockForms>(block->form),
                     .name = block->name,
@@ -175,11 +179,16 @@ class Describer {
                     .binding = block->binding,
                     .is_push_constant = block->is_push_constant,
                     .is_shared = cbuffer.declared || block->is_shared};
+      places.reserve(block->members.size());
       for (const GlslInfo::UniformMember& named : block->members)
-        places[named.var.index].push_back(&named);
+        places.emplace_back(named.var, &named);
+      std::ranges::sort(places);
     }
+    fact.members.reserve(cbuffer.members.size());
     for (const ir::CbufferMember& member : cbuffer.members)
-      fact.members.push_back(Member(member, block, places[member.var.index]));
+      AddMember(member, block,
+                std::ranges::equal_range(places, member.var, {}, &PlacedMember::first),
+                fact.members);
     return fact;
   }
 
@@ -222,6 +231,7 @@ class Describer {
       return Part(var, found == resources.end() ? nullptr : found->second);
     };
     std::vector<ResourceFact> facts;
+    facts.reserve(info_.objects.size());
     for (const GlslInfo::Object& object : info_.objects) {
       facts.push_back({object.name, object.kind, object.set, object.binding, part(object.texture),
                        part(object.sampler)});
@@ -286,6 +296,7 @@ PlaneFacts Planes(const DescribedStage& stage, const PositionMatrices& position)
 
 Facts MakeFacts(std::span<const DescribedStage> stages, const PositionMatrices& position) {
   Facts facts{.target = std::string(stages.front().lowered.target.name())};
+  facts.stages.reserve(stages.size());
   for (const DescribedStage& stage : stages) {
     facts.stages.push_back(Describer(stage).Describe(stage.table));
     if (InfoOf(stage.lowered.program.stage).has_stage_after) facts.planes = Planes(stage, position);

@@ -37,10 +37,10 @@ class EffectPrinter {
   }
 
   // What only some have: an empty list or text is left out.
-  void Text(std::string_view text, std::string_view key) {
+  void Text(std::string_view text, JsonKey key) {
     if (!text.empty()) json_.Member(key, text);
   }
-  void Texts(const std::vector<std::string>& texts, std::string_view key) {
+  void Texts(const std::vector<std::string>& texts, JsonKey key) {
     if (texts.empty()) return;
     json_.List(key, [&] {
       for (const std::string& text : texts) json_.Text(text);
@@ -56,7 +56,7 @@ class EffectPrinter {
   }
 
   void Shader(const EffectShaderFact& shader) {
-    json_.Object(InfoOf(shader.stage).name, [&] {
+    json_.Object(JsonKey(InfoOf(shader.stage).name), [&] {
       json_.Member("entry", shader.entry);
       json_.Member("profile", shader.profile);
       Text(shader.call, "call");
@@ -69,7 +69,7 @@ class EffectPrinter {
     json_.Member("status", program.is_compiled ? "compiled" : "failed");
     if (!facts_.has_files) return json_.Member("number", program.number);
     json_.Object("files", [&] {
-      for (const auto& [kind, file] : program.files) json_.Member(kind, file);
+      for (const auto& [kind, file] : program.files) json_.Member(JsonKey(kind), file);
     });
   }
 
@@ -109,7 +109,7 @@ class EffectPrinter {
     if (states.empty()) return;
     json_.Object("vulkan", [&] {
       for (const auto& [member, value] : states)
-        std::visit([&](auto number) { json_.Member(member, number); }, value);
+        std::visit([&](auto number) { json_.Member(JsonKey(member), number); }, value);
     });
   }
 

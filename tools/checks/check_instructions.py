@@ -24,12 +24,16 @@ TABLE = HERE / "instructions.csv"
 TOLERANCE = 0.05
 MOST_OF_A_CONSTRUCTOR = 10_000
 SKIPPED = 77
+VERTEX = ["-T", "vs_5_0", "{}/vertex.hlsl", "-o", "{}/out"]
+PIXEL = ["-T", "ps_5_0", "{}/pixel.hlsl", "-o", "{}/out"]
 CALLS = {
     "--version": ["--version"],
-    "a vertex shader of 60 lines": ["-T", "vs_5_0", "{}/vertex.hlsl", "-o", "{}/out"],
-    "a pixel shader of 60 lines": ["-T", "ps_5_0", "{}/pixel.hlsl", "-o", "{}/out"],
-    "the vertex shader to SPIR-V": ["-T", "vs_5_0", "-spirv", "{}/vertex.hlsl", "-o", "{}/out"],
-    "the pixel shader to SPIR-V": ["-T", "ps_5_0", "-spirv", "{}/pixel.hlsl", "-o", "{}/out"],
+    "a vertex shader of 60 lines": VERTEX,
+    "a pixel shader of 60 lines": PIXEL,
+    "the vertex shader with --reflect": [*VERTEX, "--reflect={}/out.json"],
+    "the pixel shader with --reflect": [*PIXEL, "--reflect={}/out.json"],
+    "the vertex shader to SPIR-V": [*VERTEX, "-spirv"],
+    "the pixel shader to SPIR-V": [*PIXEL, "-spirv"],
 }
 # Names of what a compiler makes for the constructors and the destructors of a file's static objects.
 CONSTRUCTOR = re.compile(r"_GLOBAL__sub_I_|__static_initialization_and_destruction|__tcf_")
