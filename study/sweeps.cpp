@@ -63,7 +63,7 @@ class Sweeps {
   }
 
   void Offsets() {
-    for (const double offset : Some({1, 10, 100, 1e3, 1e4})) {
+    for (const double offset : Some({1, 10, 100, 1e3, 3e3, 1e4, 3e4})) {
       Config config = ObliqueAt(10);
       config.mesh_offset = 10 * offset;
       Add("mesh offset / depth", offset, config);

@@ -210,6 +210,8 @@ TEST(GltfScene, MistakesAreNamed) {
               HasSubstr("`nodes[6].matrix` is not an array of 16 numbers"));
   EXPECT_THAT(ErrorWith("/nodes/4/scale", {1e308, 1e308, 1e308}),
               HasSubstr("is moved beyond all numbers"));
+  EXPECT_THAT(ErrorWith("/scenes/0/extras/judged_in", "object"),
+              HasSubstr("`scene.extras.judged_in` is neither \"image\" nor \"surface\""));
   EXPECT_THAT(ErrorWith("/nodes/2/skin", 0), HasSubstr("`nodes[2].skin` is 0, of 0"));
   EXPECT_THAT(ErrorWith("/nodes/2/extensions", {{"EXT_mesh_gpu_instancing", Json::object()}}),
               HasSubstr("draws the mesh in places"));

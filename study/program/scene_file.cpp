@@ -18,7 +18,17 @@ namespace {
 using harness::DrawError;
 using Json = nlohmann::json;
 
-constexpr double kLongest = 1e18;  // of the lengths in a scene
+constexpr double kLongest = 1e12;  // of the lengths in a scene
+
+std::string TooLong(double length) {
+  char what[120];
+  std::snprintf(
+      what, sizeof what,
+      "has %g; lengths are at most %g, since farther away matrices in double lose what an "
+      "image shows",
+      length, kLongest);
+  return what;
+}
 
 // One JSON object; every key must be asked for, so that a misspelt one is an error.
 class Reader {
@@ -69,14 +79,7 @@ class Reader {
   template <std::size_t N>
   void CheckLengths(const char* key, const double (&lengths)[N]) const {
     for (const double length : lengths) {
-      if (!(std::fabs(length) <= kLongest)) {
-        char what[120];
-        std::snprintf(
-            what, sizeof what,
-            "has %g; lengths are at most %g, since a float holds the square of no longer one",
-            length, kLongest);
-        Fail(key, what);
-      }
+      if (!(std::fabs(length) <= kLongest)) Fail(key, TooLong(length));
     }
   }
   // Calls read(element, where) for each element of the list `key`.
@@ -204,6 +207,29 @@ Scene SceneFrom(const Json& json) {
   return scene;
 }
 
+// The scene of a glTF file, whose lengths are checked as those of the other format are.
+Scene CheckedGltf(const std::string& bytes, const std::string& folder) {
+  Scene scene = GltfScene(bytes, folder);
+  const auto check = [](const std::string& name, double length) {
+    if (!(std::fabs(length) <= kLongest)) throw DrawError("`" + name + "` " + TooLong(length));
+  };
+  for (const NamedCamera& camera : scene.cameras) {
+    for (const double length : camera.camera.eye) check(camera.name, length);
+  }
+  for (const SceneObject& object : scene.objects) {
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 3; ++j) check(object.name, object.world.m[i][j]);
+      if (object.world.m[i][3] != (i == 3))
+        throw DrawError("`" + object.name + "` has a matrix whose last row is not 0, 0, 0, 1");
+    }
+    for (int i = 0; i < 3; ++i) {
+      check(object.name, static_cast<double>(object.box.low[i]));
+      check(object.name, static_cast<double>(object.box.high[i]));
+    }
+  }
+  return scene;
+}
+
 std::string FolderOf(const std::string& path) {
   return std::filesystem::path(path).parent_path().string();
 }
@@ -222,10 +248,10 @@ std::optional<runtime::MatrixOrder> OrderNamed(const std::string& name) {
 Scene ReadScene(const std::string& path) {
   const std::string bytes = harness::ReadFile(path);
   try {
-    if (bytes.starts_with("glTF")) return GltfScene(bytes, FolderOf(path));
+    if (bytes.starts_with("glTF")) return CheckedGltf(bytes, FolderOf(path));
     const Json json = Json::parse(bytes, nullptr, false);
     if (json.is_discarded()) throw DrawError("the file is not JSON");
-    if (json.is_object() && json.contains("asset")) return GltfScene(bytes, FolderOf(path));
+    if (json.is_object() && json.contains("asset")) return CheckedGltf(bytes, FolderOf(path));
     return SceneFrom(json);
   } catch (const DrawError& error) {
     throw DrawError(path + ": " + error.what());

@@ -28,9 +28,10 @@ std::string TextOf(const std::string& path) {
   return text.str();
 }
 
-// The error of ReadScene for harbour.json with `from` replaced by `to`.
-std::string ErrorWith(const std::string& from, const std::string& to) {
-  std::string text = TextOf(kHarbour);
+// The error of ReadScene for harbour.json, or another file, with `from` replaced by `to`.
+std::string ErrorWith(const std::string& from, const std::string& to,
+                      const std::string& file = kHarbour) {
+  std::string text = TextOf(file);
   EXPECT_NE(text.find(from), text.npos) << from;
   text.replace(text.find(from), from.size(), to);
   const std::string path = ::testing::TempDir() + "clipc_scene.json";
@@ -106,11 +107,16 @@ TEST(SceneFile, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("120, 1]", "120, 2]"),
               HasSubstr("`objects[0].world` is not a world matrix: elements 3, 7, 11 and 15 are "));
   EXPECT_THAT(ErrorWith("120, 1]", "1e300, 1]"),
-              HasSubstr("`objects[0].world` has 1e+300; lengths are at most 1e+18"));
+              HasSubstr("`objects[0].world` has 1e+300; lengths are at most 1e+12"));
   EXPECT_THAT(ErrorWith("[5, 12, 20]", "[5, 12, 1e39]"),
-              HasSubstr("`objects[0].high` has 1e+39; lengths are at most 1e+18"));
+              HasSubstr("`objects[0].high` has 1e+39; lengths are at most 1e+12"));
   EXPECT_THAT(ErrorWith("[0, -20, 0]", "[1e300, -20, 0]"),
-              HasSubstr("`cameras[0].eye` has 1e+300; lengths are at most 1e+18"));
+              HasSubstr("`cameras[0].eye` has 1e+300; lengths are at most 1e+12"));
+  const std::string gltf = "study/scenes/harbour.gltf";
+  EXPECT_THAT(ErrorWith("[0, -20, 0]", "[1e300, -20, 0]", gltf),
+              HasSubstr("`mirrored` has 1e+300; lengths are at most 1e+12"));
+  EXPECT_THAT(ErrorWith("[0, 0, -120]", "[0, 0, 1e13]", gltf),
+              HasSubstr("has -1e+13; lengths are at most 1e+12"));
   EXPECT_THAT(ErrorWith("{", "("), HasSubstr("is not JSON"));
   EXPECT_THROW(ReadScene("study/scenes/none.json"), harness::DrawError);
 }
