@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/spelling.h"
 #include "frontend/signature/attribute_reads.h"
 #include "frontend/signature/distances.h"
 #include "frontend/signature/locations.h"
