@@ -288,12 +288,14 @@ EdgeDisplacement EdgeErrorOf(const DistanceArithmetic& arithmetic, const SeenDra
   const View view(draw.world_view, draw.projection, image_height);
   const Directions directions(draw.view_plane, sine);
   const Places places(draw, view, cut);
-  double along_surface[kEdges], of_vertices[kEdges], in_image[kEdges];
-  std::size_t count = 0;
+  double along_surface[kEdges], in_image[kEdges], of_vertices[kPlaces];
+  std::size_t count = 0, seen_places = 0;
   places.ForEach([&](std::size_t place, const double(&at)[3], const Vector3& seen) {
     const double length = cut.edge * view.HalfImageAt(seen);
-    const double shared = shader.SharedAt(at),
-                 vertices = OfPosition(position, view, at, seen, 2 * kOfEach);
+    const double shared = shader.SharedAt(at);
+    const double vertices =
+        draw.with_vertices ? OfPosition(position, view, at, seen, 2 * kOfEach) : 0;
+    of_vertices[seen_places++] = std::sqrt(vertices);
     for (int number = static_cast<int>(place % static_cast<std::size_t>(places.Stride()));
          number < kDirections; number += places.Stride()) {
       const Vector3 along = directions.At(number, static_cast<double>(place));
@@ -307,12 +309,13 @@ EdgeDisplacement EdgeErrorOf(const DistanceArithmetic& arithmetic, const SeenDra
       }
       const double slope = std::fabs(values[1] - values[0]) / length;
       const double moved = std::sqrt(shared + kOfEach * own) / slope * view.PixelsOf(seen, along);
-      along_surface[count] = moved, of_vertices[count] = std::sqrt(vertices);
+      along_surface[count] = moved;
       in_image[count++] = std::sqrt(moved * moved + vertices);
     }
   });
-  return {Percentile99(along_surface, count), Percentile99(of_vertices, count),
-          Percentile99(in_image, count)};
+  const double along = Percentile99(along_surface, count);
+  if (!draw.with_vertices) return {along, 0, along};
+  return {along, Percentile99(of_vertices, seen_places), Percentile99(in_image, count)};
 }
 
 EdgeDisplacement ClippedVertexErrorOf(const SeenDraw& draw, const SeenCut& cut,

@@ -27,6 +27,7 @@ struct SeenDraw {
   Plane view_plane;
   Matrix world_view, projection;
   VertexArithmetic position;
+  bool with_vertices = true;  ///< else the vertices count as where they belong
 };
 
 /// The way of a vertex to its position by the matrices of a draw.

@@ -141,18 +141,21 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   return pixels;
 }
 
-Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
-                                const DrawMatrices& draw, const SeenCut& cut, double image_height,
-                                double sine) noexcept {
-  const auto all = PredictEdgeDisplacement(space, plane, known_in, draw, cut, image_height, sine);
-  if (!all.ok()) return all.status;
-  return all.value.along_surface;
-}
+namespace {
 
-Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& plane,
-                                                 KnownIn known_in, const DrawMatrices& draw,
-                                                 const SeenCut& cut, double image_height,
-                                                 double sine) noexcept {
+// The cut of a draw to follow.
+struct Followed {
+  const Plane& plane;
+  KnownIn known_in;
+  const SeenCut& cut;
+  double image_height, sine;
+  bool with_vertices;
+};
+
+// The displacement of a draw's edges; without that of its vertices, where it is not wanted.
+Result<EdgeDisplacement> Follow(PlaneSpace space, const DrawMatrices& draw,
+                                const Followed& followed) {
+  const auto& [plane, known_in, cut, image_height, sine, with_vertices] = followed;
   const Step in_view = InView(plane, known_in, draw);
   const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
   if (!constant.ok()) return constant.status;
@@ -162,7 +165,7 @@ Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& 
       !law.ok())
     return law.status;
   const SeenDraw seen_draw = {*Unit(seen), Multiply(draw.world, draw.view), draw.projection,
-                              PositionArithmetic(draw)};
+                              PositionArithmetic(draw), with_vertices};
   DistanceArithmetic arithmetic;
   if (space != PlaneSpace::kObject) static_cast<VertexArithmetic&>(arithmetic) = seen_draw.position;
   arithmetic.constant = constant.value.plane;
@@ -172,6 +175,23 @@ Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& 
     return Status::Failure(Error::kInvalidArgument,
                            "no place of the cut lies before the eye, or its edges have no length");
   return pixels;
+}
+
+}  // namespace
+
+Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
+                                const DrawMatrices& draw, const SeenCut& cut, double image_height,
+                                double sine) noexcept {
+  const auto all = Follow(space, draw, {plane, known_in, cut, image_height, sine, false});
+  if (!all.ok()) return all.status;
+  return all.value.along_surface;
+}
+
+Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& plane,
+                                                 KnownIn known_in, const DrawMatrices& draw,
+                                                 const SeenCut& cut, double image_height,
+                                                 double sine) noexcept {
+  return Follow(space, draw, {plane, known_in, cut, image_height, sine, true});
 }
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,

@@ -140,7 +140,7 @@ struct EdgeDisplacement {
 };
 
 /// The edge error of one draw, along its surface, followed from its own matrices and places of its
-/// cut through each rounding of the shader to the image, which takes half a millisecond for 256
+/// cut through each rounding of the shader to the image, which takes up to a millisecond for 256
 /// places, the most that count. `plane` is known in `known_in`. Tests in study/ compare it with
 /// __float128 over 10,000 draws of each order of matrices, up to 20 pixels, by which an edge is too
 /// short: what 20 neighbouring views of a draw lose is 0.2 to 3 times it in all but a few
@@ -150,9 +150,10 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn kn
                                 const DrawMatrices& draw, const SeenCut& cut, double image_height,
                                 double sine = kAnySurface) noexcept;
 
-/// The same, and what the image shows of it: the position of a vertex goes through draw.order in
-/// float too. Far from the world's origin, space `object` keeps the cut where it belongs on the
-/// surface under every order, but the surface itself is displaced. Errors: as above.
+/// The same, and what the image shows of it, in twice the time: the position of a vertex goes
+/// through draw.order in float too. Far from the world's origin, space `object` keeps the cut where
+/// it belongs on the surface under every order, but the surface itself is displaced. Errors: as
+/// above.
 Result<EdgeDisplacement> PredictEdgeDisplacement(PlaneSpace space, const Plane& plane,
                                                  KnownIn known_in, const DrawMatrices& draw,
                                                  const SeenCut& cut, double image_height,
