@@ -62,8 +62,9 @@ void JsonWriter::Begin(JsonKey key) {
   char* to = NewLine(size + 4);
   *to++ = '"';
   std::memcpy(to, key.text.data(), size);
-  std::memcpy(to + size, "\": ", 3);
-  End(to + size + 3);
+  to += size;
+  *to++ = '"', *to++ = ':', *to++ = ' ';
+  End(to);
 }
 
 char* JsonWriter::NewLine(std::size_t count) {
