@@ -45,8 +45,16 @@ class TargetCheck : ExpressionCheck {
 
   void Run() {
     const ir::Function& entry = program_.functions[program_.entry];
-    if (clipc::InfoOf(program_.stage).runs_in_groups && !target_.Has(Feature::kComputeShaders))
+    const StageInfo& stage = clipc::InfoOf(program_.stage);
+    if (stage.runs_in_groups && !target_.Has(Feature::kComputeShaders))
       return Lack(Feature::kComputeShaders, entry.span, diag::TargetComputeShader, entry.name);
+    if (stage.emits_vertices && !target_.Has(Feature::kGeometryShaders))
+      return Lack(Feature::kGeometryShaders, entry.span, diag::TargetGeometryShader, entry.name);
+    if (program_.emission.instances > 1)
+      Check(Feature::kEmitters, diag::TargetEmission, entry.span, "instance");
+    if (const auto& streams = program_.emission.streams; streams.size() > 1)
+      Check(Feature::kStreams, diag::TargetEmission, program_.vars[streams[1].object].span,
+            program_.vars[streams[1].object].name);
     for (const IoVar& input : program_.inputs) Input(input);
     for (const IoVar& output : program_.outputs) Output(output);
     if (program_.tests_early) Check(Feature::kEarlyTests, diag::TargetEarlyTests, entry.span);
@@ -108,7 +116,7 @@ class TargetCheck : ExpressionCheck {
     if (input.builtin == Builtin::kPixelPosition) return PixelPosition(input);
     if (input.builtin == Builtin::kNone && clipc::InfoOf(program_.stage).has_stage_before)
       return Varying(input);
-    Check(RequirementOf(input.builtin), var.span, input.semantic);
+    Check(RequirementOf(input.builtin, clipc::InfoOf(program_.stage)), var.span, input.semantic);
     DoubleVarying(input);
   }
 
@@ -149,7 +157,8 @@ class TargetCheck : ExpressionCheck {
     if (output.builtin == Builtin::kNone && !clipc::InfoOf(program_.stage).has_stage_after)
       return RenderTarget(output);
     if (output.builtin == Builtin::kNone) return Varying(output);
-    Check(RequirementOf(output.builtin), PlaceOf(output), output.semantic);
+    Check(RequirementOf(output.builtin, clipc::InfoOf(program_.stage)), PlaceOf(output),
+          output.semantic);
   }
 
   // The place of an output in the source. A lowered output has none of its own: it gets that of the

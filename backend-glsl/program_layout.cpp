@@ -19,7 +19,7 @@ void NameInterface(Program& before, Program& after, const NameStyle& style) {
     if (input.builtin != Builtin::kNone) continue;
     Reader& reader = input.reader.emplace();
     reader.is_known = false;
-    reader.name = namer.Global(InterfaceName(input, style));
+    reader.name = namer.Global(InterfaceName(input, style, clipc::InfoOf(before.stage)));
     if (input.semantic == kClipPlaneDistance) continue;
     for (IoVar& output : before.outputs) {
       const bool is_read = output.builtin == Builtin::kNone && output.reader;

@@ -61,6 +61,14 @@ constexpr Row<Builtin> kBuiltins[] = {
     {Builtin::kStencilRef, {Feature::kStencilOutput, nullptr, &diag::TargetPixelValue}},
 };
 
+// In a stage that emits vertices, where some need nothing but the stage itself.
+constexpr Row<Builtin> kBuiltinsOfEmission[] = {
+    {Builtin::kPrimitiveId, {Feature::kGeometryShaders}},
+    {Builtin::kLayer, {Feature::kGeometryShaders}},
+    {Builtin::kViewportIndex, {Feature::kViewportOfVertex, nullptr, &diag::TargetEmission}},
+    {Builtin::kEmitterId, {Feature::kEmitters, nullptr, &diag::TargetEmission}},
+};
+
 constexpr Requirement kImage = {Feature::kImages, nullptr, &diag::TargetImage};
 constexpr Requirement kStorageBuffer = {Feature::kStorageBuffers, nullptr,
                                         &diag::TargetStorageBuffer};
@@ -154,7 +162,13 @@ bool HasComparison(ObjectOp op, ObjectKind kind, const StageInfo& stage) {
   }
 }
 
-const Requirement* RequirementOf(Builtin builtin) { return Find(kBuiltins, builtin); }
+const Requirement* RequirementOf(Builtin builtin, const StageInfo& stage) {
+  if (stage.emits_vertices) {
+    if (const Requirement* requirement = Find(kBuiltinsOfEmission, builtin))
+      return requirement->feature == Feature::kGeometryShaders ? nullptr : requirement;
+  }
+  return Find(kBuiltins, builtin);
+}
 
 const Requirement* RequirementOf(ObjectKind kind) {
   if (IsStorageBuffer(kind)) return &kStorageBuffer;

@@ -42,7 +42,7 @@ bool HasComparison(ir::ObjectOp op, ir::ObjectKind kind, const StageInfo& stage)
 
 // Returns the need of an input or output, an object, an operation or a type; null if every target
 // has it.
-const Requirement* RequirementOf(ir::Builtin builtin);
+const Requirement* RequirementOf(ir::Builtin builtin, const StageInfo& stage);
 const Requirement* RequirementOf(ir::ObjectKind kind);
 const Requirement* RequirementOf(ir::ObjectOp op);
 const Requirement* RequirementOf(ir::Scalar kind);

@@ -42,8 +42,9 @@ struct NameStyle {
   static std::span<const std::string_view> Names();
 };
 
-// The name that the style gives an output, or an input of a stage with a stage before.
-std::string InterfaceName(const ir::IoVar& output, const NameStyle& style);
+// The name that the style gives an output of the stage, or an input of the stage after it. Those of
+// a stage that emits vertices differ from the names of its inputs by "gs_".
+std::string InterfaceName(const ir::IoVar& output, const NameStyle& style, const StageInfo& writer);
 
 // The pattern with its places filled; a place that `values` lacks is kept.
 std::string FillPattern(

@@ -48,12 +48,16 @@ enum class Feature : std::uint8_t {
   kStorageBuffers,     // `buffer`
   kMemoryBarriers,     // memoryBarrier
   kComputeShaders,     // local_size_x, `shared`, barrier, memoryBarrierShared
+  kGeometryShaders,    // EmitVertex
+  kEmitters,           // layout(invocations = 2)
+  kStreams,            // layout(stream = 1)
   kInterlocks,         // beginInvocationInterlock
   kDynamicBlockIndex,  // indices, not constant, of arrays of blocks and of samplers
   // ---- built-in variables
   kClipDistance,
   kCullDistance,
   kClipVertex,
+  kViewportOfVertex,  // gl_ViewportIndex, which a geometry shader writes
   kVertexId,
   kInstanceId,
   kDrawParameters,    // gl_BaseVertex, gl_BaseInstance, gl_DrawID

@@ -63,6 +63,9 @@ constexpr Row kInputs[] = {
     {Builtin::kGroupId, In::WorkgroupId, "gl_WorkGroupID", Scalar::kUint},
     {Builtin::kGroupThreadId, In::LocalInvocationId, "gl_LocalInvocationID", Scalar::kUint},
     {Builtin::kGroupIndex, In::LocalInvocationIndex, "gl_LocalInvocationIndex", Scalar::kUint},
+    {Builtin::kPositionInput, In::Position, "gl_Position", Scalar::kFloat},
+    {Builtin::kPointSizeInput, In::PointSize, "gl_PointSize", Scalar::kFloat},
+    {Builtin::kEmitterId, In::InvocationId, "gl_InvocationID", Scalar::kInt, Cap::Geometry},
     {Builtin::kShadingRateInput, In::ShadingRateKHR, "gl_ShadingRateEXT", Scalar::kInt,
      Cap::FragmentShadingRateKHR, kShadingRate},
     {Builtin::kClipDistanceInput, In::ClipDistance, "gl_ClipDistance", Scalar::kFloat,
@@ -90,6 +93,7 @@ constexpr Row kOutputs[] = {
      kLayers},
     {Builtin::kViewportIndex, In::ViewportIndex, "gl_ViewportIndex", Scalar::kInt,
      Cap::ShaderViewportIndexLayerEXT, kLayers},
+    {Builtin::kPrimitiveIdOutput, In::PrimitiveId, "gl_PrimitiveID", Scalar::kInt, Cap::Geometry},
     {Builtin::kDepth, In::FragDepth, "gl_FragDepth"},
     {Builtin::kDepthGreaterEqual, In::FragDepth, "gl_FragDepth"},
     {Builtin::kDepthLessEqual, In::FragDepth, "gl_FragDepth"},
@@ -213,7 +217,10 @@ bool Writer::DeclareBuiltinOutput(const IoVar& output, std::string_view name) {
     return true;
   }
   Row needed = *row;
-  if (row->extension == kLayers && module_.minor_version() >= 5) {
+  if (row->extension == kLayers && InfoOf(program_.stage).emits_vertices) {
+    needed.capability = row->which == In::Layer ? Cap::Geometry : Cap::MultiViewport;
+    needed.extension = {};
+  } else if (row->extension == kLayers && module_.minor_version() >= 5) {
     needed.capability = row->which == In::Layer ? Cap::ShaderLayer : Cap::ShaderViewportIndex;
     needed.extension = {};
   }

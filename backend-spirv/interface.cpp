@@ -17,7 +17,13 @@ void Writer::DeclareInputs() {
   for (std::size_t i = 0; i < program_.inputs.size(); ++i) {
     const IoVar& input = program_.inputs[i];
     if (!is_read_[input.var.index]) continue;
-    if (IsDistance(input.builtin)) {
+    if (per_vertex_.contains(input.var.index) && input.builtin != Builtin::kNone) {
+      const Ref type = module_.Type(spv::Op::OpTypeArray, {types_.Of((*this)[input.var].type),
+                                                           types_.Uint(VerticesOfInputs())});
+      pointers_[input.var.index] = DeclareBuiltin(input.builtin, type);
+      storages_[input.var.index] = spv::StorageClass::Input;
+      part_indices_[input.var.index].push_back(types_.Int(0));
+    } else if (IsDistance(input.builtin)) {
       pointers_[input.var.index] =
           DeclareBuiltin(input.builtin, types_.Of((*this)[input.var].type));
       storages_[input.var.index] = spv::StorageClass::Input;

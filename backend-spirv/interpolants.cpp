@@ -45,4 +45,23 @@ Ref Writer::Interpolant(const IntrinsicCall& node) {
   return Components(value, ShapeAt(input), std::span(swizzle->components).first(swizzle->count));
 }
 
+// Reads an input at a vertex of the primitive, or emits one.
+Ref Writer::Vertices(const IntrinsicCall& node) {
+  const auto arguments = (*this)[node.arguments];
+  if (node.op != ir::Intrinsic::kInputOfVertex && program_.emission.streams.size() > 1) {
+    module_.Require(spv::Capability::GeometryStreams);
+    Do(node.op == ir::Intrinsic::kEmitVertex ? spv::Op::OpEmitStreamVertex
+                                             : spv::Op::OpEndStreamPrimitive,
+       {Value(arguments[0])});
+    return 0;
+  }
+  if (node.op != ir::Intrinsic::kInputOfVertex) {
+    Do(node.op == ir::Intrinsic::kEmitVertex ? spv::Op::OpEmitVertex : spv::Op::OpEndPrimitive, {});
+    return 0;
+  }
+  Place place = PlaceOfVariable(As<VarRef>(arguments[0])->var);
+  place.indices[0] = Value(arguments[1]);
+  return Load(place);
+}
+
 }  // namespace clipc::spirv

@@ -312,6 +312,7 @@ Ref Writer::Intrinsic(TypeId id, const IntrinsicCall& node) {
     case IntrinsicCategory::kInterpolants: return Interpolant(node);
     case IntrinsicCategory::kMemory: return OrderMemory(node.op);
     case IntrinsicCategory::kAtomic: return Atomic(node);
+    case IntrinsicCategory::kVertices: return Vertices(node);
     case IntrinsicCategory::kWriting: return Writing(node);
     default: break;
   }

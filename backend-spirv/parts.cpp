@@ -68,8 +68,14 @@ void Writer::RequireBarycentrics() {
                                      : "SPV_KHR_fragment_shader_barycentric");
 }
 
+// The vertices of a primitive; a pixel shader's is a triangle.
+std::uint32_t Writer::VerticesOfInputs() const {
+  const Emission& emission = program_.emission;
+  return emission.streams.empty() ? 3 : ir::InfoOf(emission.input).vertices;
+}
+
 // Declares what an input or an output is, or is a part of. Inputs that are read at each vertex are
-// arrays of three.
+// arrays of them.
 void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
                            spv::StorageClass storage) {
   const bool is_input = storage == spv::StorageClass::Input;
@@ -90,14 +96,17 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
   Ref alone = 0;
   Ref& variable = IsPart(io) ? wholes_[{storage, location}] : alone;
   if (variable == 0) {
-    if (is_per_vertex) type = module_.Type(spv::Op::OpTypeArray, {type, types_.Uint(3)});
+    if (is_per_vertex)
+      type = module_.Type(spv::Op::OpTypeArray, {type, types_.Uint(VerticesOfInputs())});
     variable = module_.Variable(types_.Pointer(storage, type), storage);
     module_.Name(variable, name);
     module_.Decorate(variable, spv::Decoration::Location, {location});
     if (options_.relaxed_precision && io.has_min_precision)
       module_.Decorate(variable, spv::Decoration::RelaxedPrecision);
+    if (!is_input && program_.emission.streams.size() > 1)
+      module_.Decorate(variable, spv::Decoration::Stream, {StreamOf(program_, io.var)});
     if (io.blend_index > 0) module_.Decorate(variable, spv::Decoration::Index, {io.blend_index});
-    if (is_per_vertex) {
+    if (is_per_vertex && IsPixelShader()) {
       RequireBarycentrics();
       module_.Decorate(variable, spv::Decoration::PerVertexKHR);
     } else if (is_input == IsPixelShader()) {

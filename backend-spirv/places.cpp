@@ -40,7 +40,8 @@ void Writer::FindMemoryOf(ExprId expr) {
     if (!As<Literal>(index->index) && !is_vector) keep(index->base);
   }
   const auto* asked = As<IntrinsicCall>(expr);
-  if (asked && asked->op == ir::CommonIntrinsic::kAttributeAtVertex)
+  if (asked && (asked->op == ir::CommonIntrinsic::kAttributeAtVertex ||
+                asked->op == ir::CommonIntrinsic::kInputOfVertex))
     per_vertex_.insert(RootOf(program_, (*this)[asked->arguments][0]).index);
   const auto* call = As<Call>(expr);
   if (call && std::ranges::find(functions_, call->function) == functions_.end())

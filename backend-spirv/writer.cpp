@@ -13,8 +13,26 @@ namespace {
 
 // By stage.
 constexpr spv::ExecutionModel kModels[] = {
-    spv::ExecutionModel::Vertex, spv::ExecutionModel::Fragment, spv::ExecutionModel::GLCompute};
+    spv::ExecutionModel::Vertex, spv::ExecutionModel::Fragment, spv::ExecutionModel::GLCompute,
+    spv::ExecutionModel::Geometry};
 static_assert(std::size(kModels) == kStageCount);
+
+// The primitives that a stage takes and gives. By Primitive.
+constexpr spv::ExecutionMode kPrimitivesIn[] = {
+    spv::ExecutionMode::InputPoints, spv::ExecutionMode::InputLines, spv::ExecutionMode::Triangles,
+    spv::ExecutionMode::InputLinesAdjacency, spv::ExecutionMode::InputTrianglesAdjacency};
+static_assert(std::size(kPrimitivesIn) == std::size(kPrimitives));
+constexpr spv::ExecutionMode kPrimitivesOut[] = {spv::ExecutionMode::OutputPoints,
+                                                 spv::ExecutionMode::OutputLineStrip,
+                                                 spv::ExecutionMode::OutputTriangleStrip};
+
+void AddEmission(Module& module, const Emission& emission) {
+  module.Require(spv::Capability::Geometry);
+  module.Execution(kPrimitivesIn[static_cast<std::size_t>(emission.input)]);
+  module.Execution(spv::ExecutionMode::Invocations, {emission.instances});
+  module.Execution(kPrimitivesOut[static_cast<std::size_t>(emission.output)]);
+  module.Execution(spv::ExecutionMode::OutputVertices, {emission.max_vertices});
+}
 
 // The invocations of a pixel, or of a sample, come one after the other.
 void RequireOrder(Module& module, const Program& program) {
@@ -72,6 +90,7 @@ Written Writer::Run() {
     const auto& [x, y, z] = program_.group_size;
     module_.Execution(spv::ExecutionMode::LocalSize, {x, y, z});
   }
+  if (stage.emits_vertices) AddEmission(module_, program_.emission);
   if (has_order_) RequireOrder(module_, program_);
   if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);
   const auto version =

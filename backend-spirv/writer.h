@@ -30,6 +30,7 @@ class Writer : private Emitter {
   // ---- interface.cpp: what the shader shares with the pipeline
   void DeclareInputs();
   std::vector<std::size_t> OrderOfOutputs() const;
+  std::uint32_t VerticesOfInputs() const;
   void DeclareOutputs();
   void DeclareGlobals();
   void DeclareStatic(ir::VarId id);
@@ -151,6 +152,7 @@ class Writer : private Emitter {
   Ref OrderMemory(ir::Intrinsic op);
 
   // ---- waves.cpp, interpolants.cpp
+  Ref Vertices(const ir::IntrinsicCall& node);
   Ref Wave(ir::TypeId type, const ir::IntrinsicCall& node);
   Ref OfWave(spv::Op op, spv::Capability can, Ref type, std::initializer_list<Ref> operands);
   Ref FromQuad(Ref type, Ref value, ir::ExprId lane);

@@ -10,7 +10,7 @@
 // The stages of the pipeline whose shaders clipc reads, and what differs between them.
 namespace clipc {
 
-enum class Stage : std::uint8_t { kVertex, kPixel, kCompute };
+enum class Stage : std::uint8_t { kVertex, kPixel, kCompute, kGeometry };
 
 struct StageInfo {
   std::string_view prefix;        // of the names of its profiles: "vs"
@@ -28,6 +28,8 @@ struct StageInfo {
   // The stage runs in groups of threads, which share memory and wait for each other. It is a
   // program by itself: no data comes from other stages or goes to them.
   bool runs_in_groups = false;
+  // The stage runs for a primitive, whose vertices it reads, and emits vertices of others.
+  bool emits_vertices = false;
   // The stage may order what it stores for other invocations.
   bool orders_memory = false;
 };
@@ -56,12 +58,20 @@ inline constexpr StageInfo kStages[] = {
      .runs = "threads",
      .runs_in_groups = true,
      .orders_memory = true},
+    {.prefix = "gs",
+     .number = 2,
+     .name = "geometry",
+     .extension = ".geom",
+     .runs = "primitives",
+     .has_stage_before = true,
+     .has_stage_after = true,
+     .emits_vertices = true},
 };
 inline constexpr std::size_t kStageCount = std::size(kStages);
 
 constexpr const StageInfo& InfoOf(Stage stage) { return kStages[static_cast<std::size_t>(stage)]; }
 
-// The stage whose profiles begin with `prefix`; none for a stage that clipc does not read, "gs".
+// The stage whose profiles begin with `prefix`; none for a stage that clipc does not read, "hs".
 constexpr std::optional<Stage> StageOf(std::string_view prefix) {
   for (const StageInfo& info : kStages) {
     if (info.prefix == prefix) return static_cast<Stage>(&info - kStages);

@@ -3,7 +3,7 @@
 #
 #   clipc_add_shader(TARGET SHADER water.hlsl
 #     [NAME water]               # of what is written; the shader's file name without its extension
-#     [ENTRY main] [PROFILE vs_5_0]   # or ps_5_0, cs_5_0: the shader is then NAME.frag or NAME.comp, and has no clip table
+#     [ENTRY main] [PROFILE vs_5_0]   # or gs_5_0: NAME.geom; or ps_5_0, cs_5_0: NAME.frag or NAME.comp, without a clip table
 #     [LOWER clip-distance|level9|near-plane|discard|none]
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
@@ -104,6 +104,8 @@ function(clipc_add_shader target)
   set(stage vert)
   if(shader_PROFILE MATCHES "^ps_")
     set(stage frag)
+  elseif(shader_PROFILE MATCHES "^gs_")
+    set(stage geom)
   elseif(shader_PROFILE MATCHES "^cs_")
     set(stage comp)
   endif()

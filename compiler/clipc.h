@@ -221,6 +221,11 @@ struct clipc_reflection {
   const clipc_reflection* pixel_shader; /**< of a pair; else NULL */
   uint32_t group_size[3];               /**< of a compute shader, in x, y and z; else 0 */
   uint64_t shared_bytes;                /**< of the memory that the threads of a group share */
+  const char* input_primitive;          /**< of a geometry shader: "triangle"; else "" */
+  const char* output_primitive;         /**< "point", "line_strip", "triangle_strip" or "" */
+  uint32_t input_vertices;              /**< of the primitive that a geometry shader takes */
+  uint32_t max_vertices;                /**< that it emits */
+  uint32_t instances;                   /**< how often it runs for a primitive; else 0 */
 };
 /** NULL where the result has no reflection, or if there is no memory. */
 CLIPC_API const clipc_reflection* clipc_result_reflection(const clipc_result* result);

@@ -4,13 +4,15 @@
 namespace clipc::ir {
 namespace {
 
-// Whether the node writes an object, or orders such writes. An object is not an lvalue, so
-// ForEachWrite does not visit it.
+// Whether the node writes an object, orders such writes or emits a vertex. An object is not an
+// lvalue, so ForEachWrite does not visit it.
 bool IsStore(const Program& program, ExprId expr) {
   const auto* call = As<ObjectCall>(program, expr);
   const auto* intrinsic = As<IntrinsicCall>(program, expr);
   return (call && WritesObject(call->op)) ||
-         (intrinsic && CategoryOf(intrinsic->op) == IntrinsicCategory::kMemory);
+         (intrinsic && (CategoryOf(intrinsic->op) == IntrinsicCategory::kMemory ||
+                        intrinsic->op == CommonIntrinsic::kEmitVertex ||
+                        intrinsic->op == CommonIntrinsic::kEndPrimitive));
 }
 
 // Whether the node itself writes something, without its operands and, for a call, without the body
@@ -19,11 +21,6 @@ bool Writes(const Program& program, ExprId expr) {
   bool writes = IsStore(program, expr);
   ForEachWrite(program, expr, [&](ExprId) { writes = true; });
   return writes;
-}
-
-void SetBody(Program& program, FunctionId function, std::span<const StmtId> body) {
-  std::get<Block>(program.stmts[program.functions[function].body].node).body =
-      program.stmt_lists.Add(body);
 }
 
 }  // namespace
@@ -215,6 +212,45 @@ ExprId EntryCall(const Program& program, StmtId stmt) {
                                   : ExprId{};
   const auto* call = As<Call>(program, value);
   return call && call->function == program.entry ? value : ExprId{};
+}
+
+FunctionId OutputFunction(const Program& program) {
+  const auto& streams = program.emission.streams;
+  return streams.empty() ? program.main : streams.front().emit;
+}
+
+std::uint32_t StreamOf(const Program& program, VarId output) {
+  const auto& streams = program.emission.streams;
+  for (std::uint32_t i = 1; i < streams.size(); ++i) {
+    const StmtId body[] = {program.functions[streams[i].emit].body};
+    if (AssignedIn(program, body)[output.index]) return i;
+  }
+  return 0;
+}
+
+FunctionId OutputFunction(const Program& program, VarId output) {
+  const std::uint32_t stream = StreamOf(program, output);
+  return stream == 0 ? OutputFunction(program) : program.emission.streams[stream].emit;
+}
+
+bool EmitsVertex(const Program& program, StmtId stmt) {
+  const auto* evaluate = As<Evaluate>(program, stmt);
+  const auto* call = evaluate ? As<IntrinsicCall>(program, evaluate->expr) : nullptr;
+  return call && call->op == CommonIntrinsic::kEmitVertex;
+}
+
+void AppendToOutputs(Program& program, std::span<const StmtId> stmts) {
+  const FunctionId function = OutputFunction(program);
+  const std::span<const StmtId> old = BodyOf(program, function);
+  std::vector<StmtId> body(old.begin(), old.end());
+  const bool emits = !body.empty() && EmitsVertex(program, body.back());
+  body.insert(body.end() - (emits ? 1 : 0), stmts.begin(), stmts.end());
+  SetBody(program, function, body);
+}
+
+void SetBody(Program& program, FunctionId function, std::span<const StmtId> body) {
+  std::get<Block>(program.stmts[program.functions[function].body].node).body =
+      program.stmt_lists.Add(body);
 }
 
 void SetMainBody(Program& program, std::span<const StmtId> body) {

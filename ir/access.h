@@ -179,11 +179,28 @@ std::span<const StmtId> BodyOf(const Program& program, FunctionId function);
 inline std::span<const StmtId> MainBody(const Program& program) {
   return BodyOf(program, program.main);
 }
+// The function that writes the outputs: `main`, or in a stage that emits vertices that of the
+// stream whose vertices are drawn.
+FunctionId OutputFunction(const Program& program);
+// The function that writes this output, which may be one of another stream.
+FunctionId OutputFunction(const Program& program, VarId output);
+// The number of the stream that the output is of.
+std::uint32_t StreamOf(const Program& program, VarId output);
+// The statements of the functions that write outputs; their last ones may emit the vertex.
+inline std::span<const StmtId> OutputBody(const Program& program) {
+  return BodyOf(program, OutputFunction(program));
+}
+// Whether the statement emits the vertex that the outputs have.
+bool EmitsVertex(const Program& program, StmtId stmt);
+// Adds statements to the end of OutputFunction, before the vertex is emitted.
+void AppendToOutputs(Program& program, std::span<const StmtId> stmts);
 // The call of the entry function that a statement of `main` consists of: `T result = entry(...);`,
 // `output = entry(...);` or `entry(...);`; none for every other statement.
 ExprId EntryCall(const Program& program, StmtId stmt);
 // Replaces the statements of `main`. `body` may be a span of the old ones.
 void SetMainBody(Program& program, std::span<const StmtId> body);
+// Replaces the statements of a function. `body` may be a span of the old ones.
+void SetBody(Program& program, FunctionId function, std::span<const StmtId> body);
 // Appends statements to the end of `function`'s body.
 void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts);
 

@@ -58,7 +58,7 @@ EvalResult Machine::Run() {
   }
   InitialiseGlobals();
   CallFunction(program_.main, stack_.size());
-  return {.outputs = ReadOutputs(), .error = error_};
+  return {.outputs = ReadOutputs(), .vertices = std::move(vertices_), .error = error_};
 }
 
 bool Machine::Prepare() {

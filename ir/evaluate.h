@@ -69,6 +69,9 @@ struct ObjectRequest {
 struct EvalInputs {
   // The inputs by index into Program::inputs; a missing one is zero.
   std::vector<IoBits> values;
+  // The same for each vertex of the primitive, in a stage that emits vertices: of the inputs that
+  // it reads at a vertex.
+  std::vector<std::vector<IoBits>> vertices = {};
   // The bytes of the cbuffers by index, as the application uploads them, in HLSL packing; missing
   // ones are zero. Buffer e of an array of ConstantBuffers starts at byte e * Cbuffer::size.
   std::vector<std::vector<std::uint8_t>> cbuffers;
@@ -101,10 +104,18 @@ struct EvalOutputs {
   bool is_discarded = false;         // the pixel is not drawn: the outputs do not matter
 };
 
+// A vertex that a shader emits, with the outputs that it has then.
+struct EvalVertex {
+  std::uint32_t stream = 0;
+  bool starts_strip = false;  // it is the first of the stream, or the first after RestartStrip
+  EvalOutputs outputs;
+};
+
 // Either outputs or an error.
 struct EvalResult {
   EvalOutputs outputs;
-  std::string error;  // empty if `main` ran to the end
+  std::vector<EvalVertex> vertices = {};  // of a stage that emits vertices, in their order
+  std::string error;                      // empty if `main` ran to the end
   explicit operator bool() const { return error.empty(); }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
 #include <cmath>
 
 #include "base/invariant.h"
@@ -57,6 +58,7 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
     return;
   }
   if (category == IntrinsicCategory::kAtomic) return EvalAtomic(node);
+  if (category == IntrinsicCategory::kVertices) return EvalVertexCall(expr, node);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
   const bool asks_quad =
       category == IntrinsicCategory::kNeighbours || category == IntrinsicCategory::kQuad;
@@ -101,6 +103,39 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   }
   stack_.resize(base);
   stack_.insert(stack_.end(), result.begin(), result.begin() + words);
+}
+
+// Reads an input at a vertex, emits a vertex or ends a strip. Vertices after the most that the
+// shader may emit are dropped, as Direct3D does (Direct3D 11.3 functional specification, 13.8).
+void Machine::EvalVertexCall(ExprId expr, const IntrinsicCall& node) {
+  const auto number = [&](std::uint32_t argument) {
+    Eval(program_.expr_lists[node.arguments][argument]);
+    const std::uint32_t value = UintOf(stack_.back());
+    stack_.pop_back();
+    return value;
+  };
+  if (node.op == Intrinsic::kInputOfVertex) {
+    const auto* ref = As<VarRef>(program_, program_.expr_lists[node.arguments][0]);
+    CLIPC_CHECK(ref);
+    const auto input = static_cast<std::size_t>(
+        std::ranges::find(program_.inputs, ref->var, &IoVar::var) - program_.inputs.begin());
+    const std::uint32_t vertex = number(1);
+    const std::vector<Scalar> kinds = KindsOf(program_.types, program_.exprs[expr].type);
+    const bool is_given =
+        vertex < inputs_.vertices.size() && input < inputs_.vertices[vertex].size();
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      stack_.push_back(is_given ? FromBits(inputs_.vertices[vertex][input][i], kinds[i]) : 0);
+    return;
+  }
+  const std::uint32_t stream = number(0);
+  starts_strip_.resize(std::max<std::size_t>(starts_strip_.size(), stream + 1), true);
+  if (node.op == Intrinsic::kEndPrimitive) {
+    starts_strip_[stream] = true;
+    return;
+  }
+  if (vertices_.size() < program_.emission.max_vertices)
+    vertices_.push_back({stream, starts_strip_[stream], ReadOutputs()});
+  starts_strip_[stream] = false;
 }
 
 // Bit patterns are those of floats and doubles, also when the evaluator computes in double.

@@ -23,7 +23,8 @@ bool MayBeConstant(const Program& program, ExprId expr) {
                      return !writes && node.op != CommonIntrinsic::kAsDouble &&
                             node.op != CommonIntrinsic::kCheckAccessFullyMapped &&
                             CategoryOf(node.op) != IntrinsicCategory::kMemory &&
-                            CategoryOf(node.op) != IntrinsicCategory::kAtomic;
+                            CategoryOf(node.op) != IntrinsicCategory::kAtomic &&
+                            CategoryOf(node.op) != IntrinsicCategory::kVertices;
                    },
                    [](const auto&) { return true; },
                },

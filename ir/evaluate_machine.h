@@ -141,6 +141,7 @@ class Machine {
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);
   void EvalAtomic(const IntrinsicCall& node);
+  void EvalVertexCall(ExprId expr, const IntrinsicCall& node);
 
   // evaluate_quad.cpp
   void EvalDerivative(ExprId expr, const IntrinsicCall& node);
@@ -177,6 +178,8 @@ class Machine {
   bool is_constant_ = true;      // false once something was not constant
   int variables_ = 0;            // constant variables whose values are being evaluated
   std::unordered_map<std::uint32_t, std::vector<Word>> known_;  // values of constant variables
+  std::vector<EvalVertex> vertices_;                            // that were emitted
+  std::vector<bool> starts_strip_;                              // by stream: of the next vertex
   bool wrote_out_of_bounds_ = false;
   bool is_discarded_ = false;
   std::uint32_t shared_words_ = 0;  // the first of `memory_`, which a group shares

@@ -66,12 +66,13 @@ bool HasNamedElements(ObjectKind kind) {
          kind != ObjectKind::kConsumeStructuredBuffer;
 }
 bool IsByteAddress(ObjectKind kind) { return IsOf(kind, ObjectCategory::kByteAddressBuffer); }
+bool IsStream(ObjectKind kind) { return IsOf(kind, ObjectCategory::kStream); }
 bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
 bool HasTexels(ObjectKind kind) {
   return IsOf(kind, ObjectCategory::kTexture) || IsOf(kind, ObjectCategory::kSubpass) ||
          IsOf(kind, ObjectCategory::kTypedBuffer);
 }
-bool HasElement(ObjectKind kind) { return HasTexels(kind) || IsStructured(kind); }
+bool HasElement(ObjectKind kind) { return HasTexels(kind) || IsStructured(kind) || IsStream(kind); }
 char RegisterLetter(ObjectKind kind) {
   return IsSampler(kind) ? 's' : IsWritable(kind) ? 'u' : 't';
 }

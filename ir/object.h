@@ -14,7 +14,7 @@ enum class ObjectKind : std::uint8_t {
 #include "base/builtin_types.def"
   kSampler2DShadow,  // a sampler2D whose texture Direct3D 9's driver compares, less or equal: HLSL
                      // has no word for it, resolve::CompareSamplers makes it
-  kOther,  // an object that clipc lets no stage use (a stream, ...): it may only be declared
+  kOther,  // an object that clipc lets no stage use (a state, ...): it may only be declared
 };
 
 enum class ObjectCategory : std::uint8_t {
@@ -26,6 +26,7 @@ enum class ObjectCategory : std::uint8_t {
   kTypedBuffer,      // Buffer<T>
   kStructuredBuffer,
   kByteAddressBuffer,
+  kStream,  // TriangleStream<T>: the vertices that a shader emits
   kOther,
 };
 
@@ -65,6 +66,8 @@ bool IsStructured(ObjectKind kind);
 // counter does.
 bool HasNamedElements(ObjectKind kind);
 bool IsByteAddress(ObjectKind kind);
+// Whether the object is a PointStream, LineStream or TriangleStream.
+bool IsStream(ObjectKind kind);
 // Whether the object is a StructuredBuffer or ByteAddressBuffer, RW or not: the shader sees the
 // memory itself.
 bool IsStorageBuffer(ObjectKind kind);

@@ -51,6 +51,7 @@ constexpr auto MakeInfos() {
                      kTypedBuffer = BitOf(ObjectCategory::kTypedBuffer),
                      kStructuredBuffer = BitOf(ObjectCategory::kStructuredBuffer),
                      kByteAddressBuffer = BitOf(ObjectCategory::kByteAddressBuffer),
+                     kStream = BitOf(ObjectCategory::kStream),
                      kAnyBuffer = kTypedBuffer | kStructuredBuffer | kByteAddressBuffer,
                      kAnyWritable = kTexture | kAnyBuffer;
   return std::array<ObjectOpInfo, kObjectOps>{

@@ -57,6 +57,9 @@ class ProgramPrinter {
       Line("resource {}{}", printer_.Declaration(resource.var), PrintedRegister(resource.reg));
     }
     if (const auto& [x, y, z] = program_.group_size; x > 0) Line("group {} {} {}", x, y, z);
+    if (const Emission& emission = program_.emission; !emission.streams.empty())
+      Line("emission {} -> {}, {} vertices, {} instances", InfoOf(emission.input).name,
+           InfoOf(emission.output).name, emission.max_vertices, emission.instances);
     for (const IoVar& input : program_.inputs) PrintIo("input ", input);
     for (const IoVar& output : program_.outputs) PrintIo("output ", output);
     for (std::size_t i = 0; i < program_.clip_planes.size(); ++i) PrintClipPlane(i);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/arena.h"
+#include "ir/emission.h"
 #include "ir/expr.h"
 #include "ir/ids.h"
 #include "ir/interface.h"
@@ -56,7 +57,7 @@ struct Program {
 
   FunctionId entry;  // the user's function
   // The generated function without parameters and result: it reads the inputs, calls the entry
-  // once, and writes the outputs.
+  // once, and writes the outputs, which in a stage that emits vertices Stream::emit does.
   FunctionId main;
   std::vector<IoVar> inputs, outputs;
   std::vector<OutputGroup> output_groups;  // where the next stage is known
@@ -68,6 +69,7 @@ struct Program {
   bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
   // [numthreads]: the threads of a group in x, y and z; 0 in a stage that does not run in groups.
   std::array<std::uint32_t, 3> group_size = {};
+  Emission emission;  // of a stage that emits vertices
   Form form = Form::kResolved;
   // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
   // for such calls need not look at the nodes of other programs.

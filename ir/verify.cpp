@@ -117,7 +117,9 @@ class ProgramVerifier {
     exprs_.where = "function " + function.name;
     exprs_.calls.clear();
     declared_.clear();
-    if (id == program_.main) ShowInterface(Scope::kVisible);
+    const bool is_main = id == program_.main, writes = WritesOutputs(id);
+    if (is_main) ShowInputs(Scope::kVisible);
+    if (writes) ShowOutputs(Scope::kVisible);
     for (VarId parameter : function.parameters) CheckParameter(parameter);
     if (!exprs_.failed() &&
         Require(function.body.index < program_.stmts.size() &&
@@ -126,17 +128,28 @@ class ProgramVerifier {
       CheckStmt(function.body, {});
     }
     LeaveScope(0);
-    if (id == program_.main) ShowInterface(Scope::kGone);
+    if (is_main) ShowInputs(Scope::kGone);
+    if (writes) ShowOutputs(Scope::kGone);
     Require(exprs_.output_arrays == array_targets_,
             "an array of outputs is only the target of a statement");
     callees_.push_back(exprs_.calls);
     exprs_.where.clear();
   }
 
-  void ShowInterface(Scope scope) {
+  // Whether the function is `main`, or in a stage that emits vertices one that emits one.
+  bool WritesOutputs(FunctionId id) const {
+    const auto& streams = program_.emission.streams;
+    if (streams.empty()) return id == program_.main;
+    return std::ranges::find(streams, id, &Stream::emit) != streams.end();
+  }
+
+  void ShowInputs(Scope scope) {
     for (const IoVar& io : program_.inputs) {
       if (!IsReadAnywhere(io.builtin)) exprs_.scope[io.var.index] = scope;
     }
+  }
+
+  void ShowOutputs(Scope scope) {
     for (const IoVar& io : program_.outputs) exprs_.scope[io.var.index] = scope;
   }
 

@@ -109,6 +109,9 @@ bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
   const Type& result = types[result_id];
   if (arguments.empty()) return false;
   const Type& first = types[arguments[0]];
+  if (op == Intrinsic::kInputOfVertex)
+    return arguments.size() == 2 && result_id == arguments[0] &&
+           types[arguments[1]].kind == TypeKind::kScalar && IsInteger(types[arguments[1]].scalar);
   if (op == Intrinsic::kMul)
     return arguments.size() == 2 && MatchesMul(result, first, types[arguments[1]]);
   const Scalar from = BaseOf(first.scalar);

@@ -40,7 +40,8 @@ class Applier {
       if (const auto input = matches_.outputs[i].input) {
         Output(output, pixel_.inputs[*input], *input, matches_.outputs[i].element);
         end = std::max(end, EndOf(pixel_.inputs[*input], output.location));
-      } else if (output.builtin == Builtin::kNone && !options_.keep_outputs) {
+      } else if (output.builtin == Builtin::kNone && !options_.keep_outputs &&
+                 StreamOf(program_, output.var) == 0) {
         RemoveWrites(output.var);
         continue;
       }
@@ -84,7 +85,7 @@ class Applier {
     const Span span = program_.functions[program_.entry].span;
     const TypeId type = TypeOfElement(input.type);
     Builder builder(program_, span);
-    std::vector<StmtId> body(MainBody(program_).begin(), MainBody(program_).end());
+    std::vector<StmtId> body;
     for (std::uint32_t i = 0; i < input.type.Elements(); ++i) {
       IoVar output;
       output.var = program_.vars.Add(
@@ -95,7 +96,7 @@ class Applier {
       body.push_back(builder.Eval(builder.AssignTo(builder.Ref(output.var), builder.ZeroOf(type))));
       outputs.push_back(std::move(output));
     }
-    SetMainBody(program_, body);
+    AppendToOutputs(program_, body);
   }
 
   // The location after the output's, or after the group's that it is in.
@@ -159,7 +160,7 @@ class Applier {
     const Scalar kind = program_.types[type].scalar;
     if (program_.vars[var].type == type) return;
     program_.vars[var].type = type;
-    for (const StmtId id : MainBody(program_)) {
+    for (const StmtId id : OutputBody(program_)) {
       const ExprId evaluated = WriteOf(id, var);
       if (!evaluated) continue;
       Assign assign = *As<Assign>(program_, evaluated);
@@ -192,10 +193,10 @@ class Applier {
 
   void RemoveWrites(VarId output) {
     std::vector<StmtId> body;
-    for (const StmtId id : MainBody(program_)) {
+    for (const StmtId id : OutputBody(program_)) {
       if (!WriteOf(id, output)) body.push_back(id);
     }
-    SetMainBody(program_, body);
+    SetBody(program_, OutputFunction(program_), body);
   }
 
   static void Loose(Cbuffer& cbuffer, const Matches::Buffer& match) {

@@ -33,7 +33,7 @@ void AdjustClipSpace(Program& program, const ClipSpaceOptions& options) {
     ExprId twice_z = b.BinaryOf(BinaryOp::kMul, b.Float(2), z());
     stmts.push_back(b.Eval(b.AssignTo(z(), b.BinaryOf(BinaryOp::kSub, twice_z, w()))));
   }
-  AppendToBody(program, program.main, stmts);
+  AppendToOutputs(program, stmts);
 }
 
 }  // namespace clipc::passes

@@ -118,7 +118,7 @@ class ClipQuestion {
 
   void CollectWrites() {
     has_writes_ = true;
-    const StmtId main = program_.functions[program_.main].body;
+    const StmtId main = program_.functions[OutputFunction(program_)].body;
     ForEachStmt(program_, main, [&](StmtId id) {
       const auto* declare = As<Declare>(program_, id);
       if (!declare || !declare->init) return;
@@ -148,7 +148,7 @@ class ClipQuestion {
 class DistanceDropper {
  public:
   DistanceDropper(Program& program, VarId distances) : program_(program), distances_(distances) {
-    const auto body = MainBody(program);
+    const auto body = OutputBody(program);
     body_.assign(body.begin(), body.end());
     values_.resize(program.types[program.vars[distances].type].count);
   }
@@ -163,7 +163,7 @@ class DistanceDropper {
       const std::optional<std::uint32_t> index = DistanceAt(id);
       return index && *index >= count;
     });
-    SetMainBody(program_, body_);
+    SetBody(program_, OutputFunction(program_), body_);
     Shorten(count);
   }
 

@@ -20,7 +20,7 @@ void DropUnwritten(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
   const auto has_default = [](const IoVar& output) { return HasDefault(output.builtin); };
   if (std::ranges::none_of(program.outputs, has_default)) return;
-  const StmtId body[] = {program.functions[program.main].body};
+  const StmtId body[] = {program.functions[OutputFunction(program)].body};
   const std::vector<bool> assigned = AssignedIn(program, body);
   std::erase_if(program.outputs, [&](const IoVar& output) {
     return has_default(output) && !assigned[output.var.index];

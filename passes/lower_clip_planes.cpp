@@ -91,7 +91,7 @@ void WriteClipDistances(Program& program, const ClipPlaneOptions& options) {
     Builder b(program, plane.span);
     stmts.push_back(b.Eval(b.AssignTo(b.At(b.Ref(output), i), vertex.DistanceTo(plane))));
   }
-  AppendToBody(program, program.main, stmts);
+  AppendToOutputs(program, stmts);
 }
 
 void WriteClipVertex(Program& program) {
@@ -99,8 +99,7 @@ void WriteClipVertex(Program& program) {
   const VarId output =
       AddOutput(program, Builtin::kClipVertex, "clip_vertex", program.vars[position].type);
   Builder b(program, program.clip_planes.front().span);
-  AppendToBody(program, program.main,
-               std::array{b.Eval(b.AssignTo(b.Ref(output), b.Ref(position)))});
+  AppendToOutputs(program, std::array{b.Eval(b.AssignTo(b.Ref(output), b.Ref(position)))});
 }
 
 void WriteDepth(Program& program, const ClipPlaneOptions& options) {
@@ -118,7 +117,7 @@ void WriteDepth(Program& program, const ClipPlaneOptions& options) {
     stmts.push_back(b.Eval(b.AssignTo(b.Ref(position), Clone(program, local))));
     RemoveWrite(program, position);
   }
-  AppendToBody(program, program.main, stmts);
+  AppendToOutputs(program, stmts);
 }
 
 void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
@@ -143,7 +142,7 @@ void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
         width == 1 ? distances.front() : b.ConstructOf(program.vars[output].type, distances);
     stmts.push_back(b.Eval(b.AssignTo(b.Ref(output), value)));
   }
-  AppendToBody(program, program.main, stmts);
+  AppendToOutputs(program, stmts);
 }
 
 }  // namespace

@@ -27,10 +27,13 @@ VarId FindOutput(const Program& program, Builtin builtin) {
 static bool IsLocalPath(const Program& program, ExprId id) {
   if (const auto* field = As<FieldRef>(program, id)) return IsLocalPath(program, field->base);
   const auto* ref = As<VarRef>(program, id);
-  return ref && program.vars[ref->var].storage == Storage::kLocal;
+  if (!ref) return false;
+  const Storage storage = program.vars[ref->var].storage;
+  return storage == Storage::kLocal || storage == Storage::kIn;
 }
 
-// The assignment if `id`, a statement of the body of main, is `output = value;`; otherwise null.
+// The assignment if `id`, a statement of the function that writes outputs, is `output = value;`;
+// otherwise null.
 static const Assign* WriteOf(const Program& program, StmtId id, VarId output) {
   const Assign* assign = AsAssignment(program, id);
   const auto* target = assign ? As<VarRef>(program, assign->target) : nullptr;
@@ -40,7 +43,7 @@ static const Assign* WriteOf(const Program& program, StmtId id, VarId output) {
 ExprId LocalWrittenTo(const Program& program, VarId output) {
   ExprId found;
   int writes = 0;
-  for (const StmtId id : MainBody(program)) {
+  for (const StmtId id : OutputBody(program)) {
     const Assign* assign = WriteOf(program, id, output);
     if (!assign) continue;
     ++writes;
@@ -51,10 +54,10 @@ ExprId LocalWrittenTo(const Program& program, VarId output) {
 
 void RemoveWrite(Program& program, VarId output) {
   std::vector<StmtId> body;
-  for (const StmtId id : MainBody(program)) {
+  for (const StmtId id : OutputBody(program)) {
     if (!WriteOf(program, id, output)) body.push_back(id);
   }
-  SetMainBody(program, body);
+  SetBody(program, OutputFunction(program), body);
 }
 
 // The first location after the locations of all outputs.

@@ -11,6 +11,7 @@
 #include "passes/drop_unwritten.h"
 #include "passes/hoist_loop_bounds.h"
 #include "passes/inline_entry.h"
+#include "passes/read_vertices.h"
 #include "passes/split_variables.h"
 #include "passes/spread_precise.h"
 
@@ -39,6 +40,9 @@ constexpr ir::Pass<Run> kPipeline[] = {
     // only now. No pass between the two moves the parts of `main`.
     {"split-variables", [](Run& run) { SplitVariables(run.program, run.parts); },
      ir::Form::kInlined},
+    // The array of a primitive's vertices is a local variable of `main`, with all its uses, only
+    // now.
+    {"read-vertices", [](Run& run) { ReadVertices(run.program); }, ir::Form::kInlined},
     // Distances that the shader writes by hand have their constants in `main` only now.
     {"drop-idle-clip-distances", [](Run& run) { DropIdleClipDistances(run.program); },
      ir::Form::kInlined},

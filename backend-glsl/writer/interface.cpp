@@ -73,7 +73,11 @@ std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
     case Builtin::kFrontFacing: return "gl_FrontFacing";
     case Builtin::kSampleIndex: return "gl_SampleID";
     case Builtin::kCoverageInput: return "gl_SampleMaskIn[0]";
-    case Builtin::kPrimitiveId: return "gl_PrimitiveID";
+    case Builtin::kPrimitiveId:
+      return InfoOf(context.program.stage).emits_vertices ? "gl_PrimitiveIDIn" : "gl_PrimitiveID";
+    case Builtin::kEmitterId: return "gl_InvocationID";
+    case Builtin::kPositionInput: return "gl_Position";
+    case Builtin::kPointSizeInput: return "gl_PointSize";
     case Builtin::kLayerInput: return "gl_Layer";
     case Builtin::kViewportInput: return "gl_ViewportIndex";
     case Builtin::kBarycentrics: return is_vulkan ? "gl_BaryCoordEXT" : "gl_BaryCoordNV";
@@ -110,10 +114,15 @@ bool IsUintInput(Builtin builtin) {
   }
 }
 
+bool IsDistanceInput(const IoVar& input) {
+  return input.builtin == Builtin::kClipDistanceInput ||
+         input.builtin == Builtin::kCullDistanceInput;
+}
+
 // Names the extensions that a built-in input needs, and declares what must be declared.
 void WriteBuiltin(WriterContext& context, const IoVar& input, const GlslInfo::Variable& info,
                   std::string& text) {
-  if (const Requirement* requirement = RequirementOf(input.builtin))
+  if (const Requirement* requirement = RequirementOf(input.builtin, InfoOf(context.program.stage)))
     context.Require(requirement->feature);
   const bool is_vulkan = context.target.IsVulkan();
   if (input.builtin == Builtin::kVertexId && !is_vulkan && context.Has(Feature::kBaseVertexDraws) &&
@@ -129,8 +138,7 @@ void WriteBuiltin(WriterContext& context, const IoVar& input, const GlslInfo::Va
     context.has_upper_left_origin = true;
     text += "layout(origin_upper_left) in vec4 gl_FragCoord;\n";
   }
-  if (input.builtin == Builtin::kClipDistanceInput ||
-      input.builtin == Builtin::kCullDistanceInput) {
+  if (IsDistanceInput(input) && !InfoOf(context.program.stage).emits_vertices) {
     Append(text, context.target.IsEs() ? "in highp float " : "in float ",
            BuiltinInput(context, input.builtin), Dimensions(context, input.var), ";\n");
   }
@@ -138,6 +146,20 @@ void WriteBuiltin(WriterContext& context, const IoVar& input, const GlslInfo::Va
   if (input.builtin == Builtin::kViewId && !is_vulkan && !has_stage_before) {
     Append(text, "layout(num_views = ", kViews, ") in;", SemanticComment{input, ""});
   }
+}
+
+// Declares anew the built-in inputs of each vertex where the shader reads distances. Elsewhere
+// their size follows from the indices, as the vertex shader declares it.
+void WriteVertices(const WriterContext& context, std::string& text) {
+  std::string arrays;
+  for (const IoVar& input : context.program.inputs) {
+    if (IsDistanceInput(input) && context.reached.Has(input.var))
+      Append(arrays, "    float ", BuiltinInput(context, input.builtin),
+             Dimensions(context, input.var), ";\n");
+  }
+  if ((context.target.IsVulkan() || context.options.separable) && !arrays.empty())
+    Append(text, "in gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n", arrays,
+           "} gl_in[];\n");
 }
 
 // Whether the input is an integer in HLSL and a float attribute here. Attributes are floats in GLSL
@@ -199,7 +221,11 @@ void WriteVaryingInput(WriterContext& context, const IoVar& input, const GlslInf
            InterpolationText(context,
                              {shape.scalar, input.interpolation, input.centroid, input.sample}),
            context.Has(Feature::kInAndOut) ? "in " : "varying ", PrecisionText(context, input));
-    AppendVarying(context, text, input, shape, info.name);
+    std::string declaration;
+    AppendVarying(context, declaration, input, shape, info.name);
+    // The primitive says how many vertices there are.
+    const bool is_of_vertices = InfoOf(context.program.stage).emits_vertices;
+    text += is_of_vertices ? AtVertex(declaration, "") : declaration;
   }
   Append(text, ";", SemanticComment{input, info.name});
 }
@@ -260,6 +286,8 @@ void WriteVarying(WriterContext& context, const IoVar& output, const GlslInfo::V
   // It is declared with its block, or with the first of its elements.
   if (reader && (reader->group || reader->element > 0)) return;
   const Shape shape = context.ShapeAt(output.var);
+  if (context.program.emission.streams.size() > 1)
+    Append(text, "layout(stream = ", StreamOf(context.program, output.var), ") ");
   Append(text, LocationText{info.location}, PreciseText(context, context[output.var].precise),
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
@@ -286,14 +314,15 @@ void WriteTarget(WriterContext& context, const IoVar& output, const GlslInfo::Va
   Append(text, ";", SemanticComment{output, info.name});
 }
 
-// The elements of an output array that `main` assigns, one bit for each; all if it assigns the
+// The elements of an output array that the shader assigns, one bit for each; all if it assigns the
 // whole array or an element whose index is not constant. The array is only the target of
 // statements, a promise of ir/verify.h.
 std::uint32_t WrittenElements(const WriterContext& context, VarId array) {
   const std::uint32_t count = context.TypeOf(array).count;
   const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;
   std::uint32_t mask = 0;
-  ForEachStmt(context.program, context[context.program.main].body, [&](StmtId stmt) {
+  const FunctionId writer = OutputFunction(context.program);
+  ForEachStmt(context.program, context[writer].body, [&](StmtId stmt) {
     const Assign* assign = AsAssignment(context.program, stmt);
     if (!assign || RootOf(context.program, assign->target) != array) return;
     const auto* index = context.As<Index>(assign->target);
@@ -370,6 +399,8 @@ std::string AtVertex(const WriterContext& context, VarId input, std::string_view
   const auto& inputs = context.program.inputs;
   const auto found = std::ranges::find(inputs, input, &IoVar::var);
   const auto number = static_cast<std::size_t>(found - inputs.begin());
+  if (inputs[number].builtin != Builtin::kNone)
+    return Concat("gl_in[", vertex, "].", BuiltinInput(context, inputs[number].builtin));
   return AtVertex(context.names.attributes[number], vertex);
 }
 
@@ -389,6 +420,7 @@ std::string_view BuiltinOutput(Builtin builtin, const Target& target) {
     case Builtin::kPointSize: return "gl_PointSize";
     case Builtin::kLayer: return "gl_Layer";
     case Builtin::kViewportIndex: return "gl_ViewportIndex";
+    case Builtin::kPrimitiveIdOutput: return "gl_PrimitiveID";
     case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
     case Builtin::kDepth:
     case Builtin::kDepthGreaterEqual:
@@ -405,6 +437,7 @@ bool IsIntOutput(Builtin builtin) {
     case Builtin::kShadingRate:
     case Builtin::kLayer:
     case Builtin::kViewportIndex:
+    case Builtin::kPrimitiveIdOutput:
     case Builtin::kCoverage:
     case Builtin::kStencilRef: return true;
     default: return false;
@@ -438,6 +471,7 @@ std::string WriteInputs(WriterContext& context, const GlslInfo& info) {
   text.reserve(512);
   for (std::size_t i = 0; i < info.inputs.size(); ++i)
     WriteInput(context, context.program.inputs[i], info.inputs[i], text);
+  if (InfoOf(context.program.stage).emits_vertices) WriteVertices(context, text);
   return text;
 }
 
@@ -448,7 +482,8 @@ std::string WriteOutputs(WriterContext& context, const GlslInfo& info) {
   const bool has_stage_after = InfoOf(context.program.stage).has_stage_after;
   for (std::size_t i = 0; i < info.outputs.size(); ++i) {
     const IoVar& output = context.program.outputs[i];
-    if (const Requirement* requirement = RequirementOf(output.builtin))
+    if (const Requirement* requirement =
+            RequirementOf(output.builtin, InfoOf(context.program.stage)))
       context.Require(requirement->feature);
     if (output.builtin != Builtin::kNone) continue;
     if (has_stage_after)

@@ -165,6 +165,19 @@ Binding WriteBarrier(Code& code, Intrinsic op) {
   return Binding::kPostfix;
 }
 
+// Writes an input at a vertex of the primitive, or what emits one.
+Binding WriteVertexCall(Code& code, Intrinsic op, std::span<const ExprId> arguments) {
+  const bool emits = op == Intrinsic::kEmitVertex;
+  if (op == Intrinsic::kInputOfVertex)
+    code.Put(AtVertex(code, code.As<VarRef>(arguments[0])->var, IndexValue(code, arguments[1])));
+  else if (code.program.emission.streams.size() > 1)
+    code.Put(emits ? "EmitStreamVertex(" : "EndStreamPrimitive(", IndexValue(code, arguments[0]),
+             ")");
+  else
+    code.Put(emits ? "EmitVertex()" : "EndPrimitive()");
+  return Binding::kPostfix;
+}
+
 std::string_view AtomicFunction(Intrinsic op) {
   switch (op) {
     case Intrinsic::kInterlockedAdd: return "atomicAdd";
@@ -276,6 +289,7 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   switch (CategoryOf(node.op)) {
     case IntrinsicCategory::kBits: return WriteBits(code, node.op, arguments);
     case IntrinsicCategory::kMemory: return WriteBarrier(code, node.op);
+    case IntrinsicCategory::kVertices: return WriteVertexCall(code, node.op, arguments);
     case IntrinsicCategory::kAtomic: return WriteCall(code, AtomicFunction(node.op), arguments);
     case IntrinsicCategory::kNeighbours: return WriteDerivative(code, node.op, arguments[0]);
     case IntrinsicCategory::kWave:

@@ -175,8 +175,11 @@ class Naming {
                   ElementOf(reader));
   }
 
-  std::string StyledName(const IoVar& output) const {
-    return InterfaceName(output, context_.options.names);
+  // The name of an output of the stage, or of an input, which a vertex shader writes.
+  std::string StyledName(const IoVar& io) const {
+    const bool is_output = context_[io.var].storage == Storage::kOutput;
+    const StageInfo& writer = InfoOf(is_output ? context_.program.stage : clipc::Stage::kVertex);
+    return InterfaceName(io, context_.options.names, writer);
   }
 
   // Names the outputs that the next stage's shader is known to read, or the others.
@@ -207,7 +210,8 @@ class Naming {
   std::string ReadName(const IoVar& output) {
     const Reader& reader = *output.reader;
     if (reader.group) return MemberName(reader);
-    std::string& name = read_names_[output.location - reader.element];
+    const bool is_output = context_[output.var].storage == Storage::kOutput;
+    std::string& name = read_names_[{is_output, output.location - reader.element}];
     if (name.empty()) name = namer_.Global(reader.name.empty() ? StyledName(output) : reader.name);
     return name + ElementOf(reader);
   }
@@ -308,19 +312,23 @@ class Naming {
   Namer& namer_;
   Names names_;
   std::vector<bool> is_given_;  // by VarId: another stage gave the name
-  // The names of outputs that the next stage reads by location, for arrays and matrices the first.
-  std::map<std::uint32_t, std::string> read_names_;
+  // The names of inputs, and of outputs that the next stage reads, by location; of arrays and
+  // matrices by the first.
+  std::map<std::pair<bool, std::uint32_t>, std::string> read_names_;
 };
 
 }  // namespace
 
-std::string InterfaceName(const IoVar& output, const NameStyle& style) {
+std::string InterfaceName(const IoVar& output, const NameStyle& style, const StageInfo& writer) {
   const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
   const std::string written = output.semantic + (output.has_index || output.index > 0 ? index : "");
   const std::string_view name = output.name.empty() ? written : output.name;
-  return FillPattern(
-      style.output,
-      {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
+  std::string text =
+      FillPattern(style.output,
+                  {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
+  if (!writer.emits_vertices) return text;
+  if (text.starts_with("vs_")) text.erase(0, 3);
+  return Concat(writer.prefix, "_", text);
 }
 
 Names NameEverything(WriterContext& context) { return Naming(context).Run(); }

@@ -86,7 +86,9 @@ class ObjectCaller {
       case ObjectOp::kAtomicCompareExchange: return Atomic("CompSwap");
       case ObjectOp::kByteLoad:          // LowerByteBuffers replaced it
       case ObjectOp::kIncrementCounter:  // MakeCounters replaced them
-      case ObjectOp::kDecrementCounter: break;
+      case ObjectOp::kDecrementCounter:
+      case ObjectOp::kAppend:  // LowerStreams replaced them
+      case ObjectOp::kRestartStrip: break;
       case ObjectOp::kTextureSize:
       case ObjectOp::kTextureLevels:
       case ObjectOp::kTextureSamples:

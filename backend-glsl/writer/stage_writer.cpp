@@ -53,6 +53,22 @@ Globals WriteGlobals(Code& code) {
   return globals;
 }
 
+std::string_view InputWord(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::kPoint: return "points";
+    case Primitive::kLine: return "lines";
+    case Primitive::kTriangle: return "triangles";
+    case Primitive::kLineAdjacent: return "lines_adjacency";
+    default: return "triangles_adjacency";
+  }
+}
+
+std::string_view OutputWord(Primitive primitive) {
+  return primitive == Primitive::kPoint  ? "points"
+         : primitive == Primitive::kLine ? "line_strip"
+                                         : "triangle_strip";
+}
+
 std::string Header(const WriterContext& context) {
   std::string text = context.target.VersionLine() + "\n";
   for (const std::string& extension : context.extensions)
@@ -66,6 +82,12 @@ std::string Header(const WriterContext& context) {
     const auto& [x, y, z] = context.program.group_size;
     Append(text, "\nlayout(local_size_x = ", x, ", local_size_y = ", y, ", local_size_z = ", z,
            ") in;\n");
+  }
+  if (const Emission& emission = context.program.emission; !emission.streams.empty()) {
+    Append(text, "\nlayout(", InputWord(emission.input));
+    if (emission.instances > 1) Append(text, ", invocations = ", emission.instances);
+    Append(text, ") in;\nlayout(", OutputWord(emission.output),
+           ", max_vertices = ", emission.max_vertices, ") out;\n");
   }
   if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
   if (context.has_order) {
@@ -97,6 +119,9 @@ std::string StageWriter::Finish(CommentOf comment_of) {
   std::string objects = WriteObjects(code_, info_.objects);
   std::string inputs = WriteInputs(code_, info_);
   std::string outputs = WriteOutputs(code_, info_);
+  if (!code_.program.emission.streams.empty()) code_.Require(Feature::kGeometryShaders);
+  if (code_.program.emission.instances > 1) code_.Require(Feature::kEmitters);
+  if (code_.program.emission.streams.size() > 1) code_.Require(Feature::kStreams);
   Globals globals = WriteGlobals(code_);
   const std::string functions = WriteFunctions(code_, globals.late);
   for (std::string* part : {&objects, &inputs, &outputs, &globals.text}) {

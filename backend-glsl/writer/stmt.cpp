@@ -219,20 +219,6 @@ void WriteSignature(Code& code, FunctionId id, std::string_view name) {
   code.Put("\n");
 }
 
-void WriteFunction(Code& code, FunctionId id, std::string_view name) {
-  code.namer.OpenScope();
-  WriteSignature(code, id, name);
-  ++code.indent;
-  WriteStmts(code, BodyOf(code.program, id));
-  if (const std::string_view remark = code[id].remark; !remark.empty()) {
-    code.out->pop_back();
-    code.Put("  // ", remark, "\n");
-  }
-  --code.indent;
-  code.Line("}");
-  code.namer.CloseScope();
-}
-
 // Whether `main` chooses a component of the color by an index that is not constant. OpenGL ES lets
 // it, but glslang and ANGLE's ParseContext.cpp refuse such an index of an output of a fragment
 // shader, and with ANGLE the browsers.
@@ -243,15 +229,16 @@ bool IsIndexed(const Code& code, VarId color) {
          });
 }
 
-void WriteMain(Code& code, std::span<const LateGlobal> late) {
-  code.namer.OpenScope();
-  code.Line("void main() {");
-  ++code.indent;
-  for (const auto& [name, value] : late) code.Line(name, " = ", value, ";");
-  // Outputs that are uint in HLSL and int in GLSL get a variable of their own first, which is
-  // converted at the end. So does gl_FragData, which OpenGL ES keeps in less than 32 bits, and a
-  // color that an index chooses a component of.
-  std::vector<std::pair<std::string, std::string>> last;
+// An output that has a variable of its own until its function ends.
+struct KeptOutput {
+  std::string name, value;
+};
+
+// Declares the variables of the outputs that are uint in HLSL and int in GLSL, which are converted
+// at the end. So is gl_FragData, which OpenGL ES keeps in less than 32 bits, and a color that an
+// index chooses a component of.
+std::vector<KeptOutput> KeepOutputs(Code& code) {
+  std::vector<KeptOutput> last;
   for (const IoVar& output : code.program.outputs) {
     const bool is_int = IsIntOutput(output.builtin);
     const bool is_color =
@@ -262,8 +249,47 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
     const std::string& local = code.names.vars[output.var.index] = code.namer.Local(
         is_int ? code[output.var].name : Concat("SV_Target", std::to_string(output.location)));
     code.Line(PrecisionText(code, output), Declaration(code, code[output.var].type, local), ";");
-    last.emplace_back(name, is_int ? Concat("int(", local, ")") : local);
+    last.push_back({name, is_int ? Concat("int(", local, ")") : local});
   }
+  return last;
+}
+
+void WriteKept(Code& code, std::span<const KeptOutput> kept) {
+  for (const auto& [name, value] : kept) code.Line(name, " = ", value, ";");
+}
+
+// Writes the statements of a function that is not `main`. One that emits a vertex gives the outputs
+// their values before.
+void WriteBody(Code& code, FunctionId id) {
+  const std::span<const StmtId> body = BodyOf(code.program, id);
+  if (body.empty() || !EmitsVertex(code.program, body.back())) return WriteStmts(code, body);
+  const std::vector<KeptOutput> kept = KeepOutputs(code);
+  WriteStmts(code, body.first(body.size() - 1));
+  WriteKept(code, kept);
+  WriteStmts(code, body.last(1));
+}
+
+void WriteFunction(Code& code, FunctionId id, std::string_view name) {
+  code.namer.OpenScope();
+  WriteSignature(code, id, name);
+  ++code.indent;
+  WriteBody(code, id);
+  if (const std::string_view remark = code[id].remark; !remark.empty()) {
+    code.out->pop_back();
+    code.Put("  // ", remark, "\n");
+  }
+  --code.indent;
+  code.Line("}");
+  code.namer.CloseScope();
+}
+
+void WriteMain(Code& code, std::span<const LateGlobal> late) {
+  code.namer.OpenScope();
+  code.Line("void main() {");
+  ++code.indent;
+  for (const auto& [name, value] : late) code.Line(name, " = ", value, ";");
+  std::vector<KeptOutput> kept;
+  if (OutputFunction(code.program) == code.program.main) kept = KeepOutputs(code);
   // A path that does not write the depth has that of the primitive: GLSL has none there at all.
   for (const IoVar& output : code.program.outputs)
     if (output.may_be_unwritten && !output.is_unwritten &&
@@ -273,7 +299,7 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
   if (code.has_order) code.Line("beginInvocationInterlockARB();");
   WriteStmts(code, MainBody(code.program));
   if (code.has_order) code.Line("endInvocationInterlockARB();");
-  for (const auto& [name, value] : last) code.Line(name, " = ", value, ";");
+  WriteKept(code, kept);
   --code.indent;
   code.Line("}");
   code.namer.CloseScope();

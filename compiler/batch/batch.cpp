@@ -132,6 +132,7 @@ Result<> Batch::CheckUsage() const {
           "several"};
     std::vector<std::pair<const char*, std::string>> files = {
         {"--pixel-output", command.pixel_output},
+        {"--geometry-output", command.geometry_output},
         {"-Fh", command.header},
         {"-Fc", command.listing},
         {"-P", command.preprocessed}};

@@ -47,7 +47,7 @@ struct StageWord {
 
 // Removes the name of a stage from the front of the words.
 StageWord TakeStage(std::vector<std::string_view>& words) {
-  constexpr std::string_view kOther[] = {"tesc", "tese", "geom"};
+  constexpr std::string_view kOther[] = {"tesc", "tese"};
   const std::string_view word = words.empty() ? "" : words[0];
   StageWord taken;
   if (!word.empty()) taken.stage = StageOfExtension(word);

@@ -39,16 +39,22 @@ std::string ContentsOf(const std::vector<std::uint32_t>& words, CommandLine::Spi
 // Adds the shaders of a program, each if it has a path. `kinds` are those of their texts.
 void AddShaders(const CommandLine& command, const OutputPaths& paths, const char* const (&kinds)[2],
                 std::vector<ShaderOutput>& shaders, std::vector<OutputPiece>& pieces) {
-  const std::pair<const char*, const std::string&> files[] = {{"spirv", paths.glsl},
-                                                              {"fragment.spirv", paths.fragment}};
-  for (std::size_t i = 0; i < std::min(shaders.size(), std::size(files)); ++i) {
-    const auto& [kind, path] = files[i];
+  struct File {
+    const char *text, *spirv;
+    const std::string& path;
+  };
+  std::vector<File> files = {{kinds[0], "spirv", paths.glsl}};
+  if (!command.geometry_output.empty())
+    files.push_back({"geometry", "geometry.spirv", paths.geometry});
+  files.push_back({kinds[1], "fragment.spirv", paths.fragment});
+  for (std::size_t i = 0; i < std::min(shaders.size(), files.size()); ++i) {
+    const File& file = files[i];
     ShaderOutput& shader = shaders[i];
-    if (path.empty()) continue;
+    if (file.path.empty()) continue;
     if (shader.spirv.empty()) {
-      pieces.push_back({kinds[i], path, std::move(shader.text)});
+      pieces.push_back({file.text, file.path, std::move(shader.text)});
     } else {
-      pieces.push_back({kind, path, ContentsOf(shader.spirv, command.spirv_form)});
+      pieces.push_back({file.spirv, file.path, ContentsOf(shader.spirv, command.spirv_form)});
     }
   }
 }
@@ -76,8 +82,13 @@ std::string HeaderOf(const CommandLine& command, const Outputs& outputs) {
     return shader.spirv.empty() ? HeaderWith(shader.text, name) : HeaderWith(shader.spirv, name);
   };
   std::string header = header_of(outputs.shaders.front(), variable);
-  if (command.request.shaders.size() > 1)
-    header += header_of(outputs.shaders[1], variable + "_pixel");
+  const std::vector<ShaderSource>& shaders = command.request.shaders;
+  for (std::size_t i = 1; i < shaders.size(); ++i) {
+    const auto profile = ir::ParseProfile(shaders[i].profile);
+    if (profile && profile->stage)
+      header += header_of(outputs.shaders[i],
+                          fmt::format("{}_{}", variable, InfoOf(*profile->stage).name));
+  }
   return header;
 }
 

@@ -38,7 +38,8 @@ struct CommandLine {
   // The files to write; empty if not asked for. A value that is only an extension, ".json", names
   // the file after the GLSL.
   std::string output;  // the GLSL: empty is standard output, unless the options ask for others
-  std::string pixel_output;  // the GLSL of a pair's pixel shader
+  std::string pixel_output;                     // the GLSL of a pair's pixel shader
+  std::string geometry_entry, geometry_output;  // a geometry shader of the same file, and its GLSL
   std::vector<std::string> tables, reflections;
   std::string struct_prefix;     // of the names of C structs
   std::string header, variable;  // -Fh, -Vn

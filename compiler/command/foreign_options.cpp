@@ -95,8 +95,8 @@ void SetStage(Reading& reading, const std::string& value) {
   if (value == "fragment") reading.stage = Stage::kPixel;
   if (!reading.stage)
     reading.Refuse(
-        fmt::format("`{}`: clipc compiles vertex, pixel and compute shaders; use dxc or glslang "
-                    "for other ones",
+        fmt::format("`{}`: clipc compiles vertex, geometry, pixel and compute shaders; use dxc or "
+                    "glslang for other ones",
                     AsWritten(reading, value)));
 }
 

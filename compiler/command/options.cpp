@@ -251,19 +251,24 @@ void FinishStage(Reading& reading) {
     name = fmt::format("{}_5_0", InfoOf(*stage).prefix);
 }
 
-// The profile of a pixel shader that is compiled beside a vertex shader: of the same model, of
-// ps_2_0 where there is none that clipc knows.
-std::string ProfileBeside(const std::string& vertex) {
+// The profile of a shader that is compiled beside a vertex shader: of the same model, or of the
+// first one where there is none that clipc knows.
+std::string ProfileBeside(const std::string& vertex, Stage stage) {
   std::string name = vertex;
-  name.replace(0, 2, "ps");
+  name.replace(0, 2, InfoOf(stage).prefix);
   const auto profile = ir::ParseProfile(name);
-  return profile && profile->IsAtLeast(2, 0) ? name : "ps_2_0";
+  const bool draws = InfoOf(stage).draws_pixels;
+  return profile && profile->IsAtLeast(2, 0) ? name : draws ? "ps_2_0" : "gs_4_0";
 }
 
 // Settles what the program is: a shader after the first is compiled where its output is named, and
 // rewritten where HLSL is given its entry; elsewhere it is a neighbour.
 void FinishProgram(CommandLine& command) {
   ProgramRequest& request = command.request;
+  if (!command.geometry_output.empty() && !command.geometry_entry.empty())
+    request.shaders.push_back(
+        {.entry = command.geometry_entry,
+         .profile = ProfileBeside(request.first().profile, Stage::kGeometry)});
   const ShaderSource& given = command.pixel_shader;
   request.hlsl.in_one_file = given.path.empty() && command.pixel_output.empty();
   if (command.pixel_output.empty() && (!request.hlsl.wanted || given.entry.empty())) {
@@ -272,7 +277,7 @@ void FinishProgram(CommandLine& command) {
   }
   ShaderSource next = given;
   if (next.entry.empty() && !next.path.empty()) next.entry = "main";
-  if (next.profile.empty()) next.profile = ProfileBeside(request.first().profile);
+  if (next.profile.empty()) next.profile = ProfileBeside(request.first().profile, Stage::kPixel);
   request.shaders.push_back(std::move(next));
 }
 

@@ -142,6 +142,11 @@ void SetPixelOutput(Reading& reading, const std::string& value) {
   if (value.empty()) reading.Refuse("--pixel-output needs the name of a file, or `.frag`");
 }
 
+void SetGeometryOutput(Reading& reading, const std::string& value) {
+  reading.command.geometry_output = value;
+  if (value.empty()) reading.Refuse("--geometry-output needs the name of a file, or `.geom`");
+}
+
 // Without a value it is glslang's -D, which says that the text is HLSL.
 void Define(Reading& reading, const std::string& value) {
   if (!value.empty()) reading.command.request.defines.push_back(value);
@@ -190,7 +195,8 @@ void SetExplained(Reading& reading, const std::string& value) {
 constexpr Option kOwnOptions[] = {
     Topic("language", "the shader and its language"),
     {"-T", kJoinedOrSeparate, SetProfile, "<PROFILE>",
-     "vs_2_0 .. vs_6_8 (vs_5_0), ps_2_0 .. ps_6_8, cs_4_0 .. cs_6_8, vs_4_0_level_9_0, _9_1, _9_3"},
+     "vs_2_0 .. vs_6_8 (vs_5_0), ps_2_0 .., gs_4_0 .., cs_4_0 .. cs_6_8, vs_4_0_level_9_0, _9_1, "
+     "_9_3"},
     {"-E", kOptional, SetEntryOrPreprocess, "<NAME>", "entry function (main)"},
     {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
@@ -262,11 +268,15 @@ constexpr Option kOwnOptions[] = {
     {"--pixel-shader", kEquals, Set<&ShaderSource::path>, "<FILE>",
      "fit this pixel shader: HLSL, GLSL or SPIR-V"},
     {"--pixel-entry", kEquals, Set<&ShaderSource::entry>, "<NAME>",
-     "its entry function (main; of SPIR-V the only one)"},
+     "its entry function (main; of SPIR-V the only one); --pixel-profile=NAME (ps_5_0 beside "
+     "vs_5_0)"},
     {"--pixel-output", kEquals, SetPixelOutput, "<FILE>",
      "write it too: HLSL, by default of the same file; a file, or .frag beside the other"},
-    {"--pixel-profile", kEquals, Set<&ShaderSource::profile>, "<NAME>",
-     "its profile (ps_5_0 beside vs_5_0)"},
+    {"--pixel-profile", kEquals, Set<&ShaderSource::profile>},
+    {"--geometry-entry", kEquals, Set<&CommandLine::geometry_entry>, "<N>",
+     "a geometry shader before it, for --geometry-output=FILE; --planes-in-last-stage clips there"},
+    {"--geometry-output", kEquals, SetGeometryOutput},
+    {"--planes-in-last-stage", kFlag, Set<&PlaneOptions::in_last_stage>},
     {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
      "also those that it does not read"},
     {"--zero-unwritten", kFlag, Set<&LinkOptions::zero_unwritten>, "",

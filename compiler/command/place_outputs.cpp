@@ -75,7 +75,7 @@ std::vector<std::string> OutputPaths::Named() const {
   const auto add = [&](const std::string& path) {
     if (!path.empty() && path != "-") named.push_back(path);
   };
-  add(glsl), add(fragment);
+  add(glsl), add(geometry), add(fragment);
   std::ranges::for_each(tables, add);
   std::ranges::for_each(reflections, add);
   for (const std::string& path : {dependencies, header, listing, preprocessed}) add(path);
@@ -129,6 +129,11 @@ OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.listing = NameAfter(command.listing, name);
   outputs.tables = NamesAfter(command.tables, name);
   outputs.reflections = NamesAfter(command.reflections, name);
+  if (const std::string& geometry = command.geometry_output; !geometry.empty()) {
+    const std::string_view extension = command.request.outputs.spirv ? ".geom.spv" : ".geom";
+    outputs.geometry =
+        IsExtension(geometry) ? NameAfter(geometry, name) : InFolder(geometry, input, extension);
+  }
   if (!command.pixel_output.empty()) {
     outputs.fragment = PlacePixel(command, input, name);
   } else if (command.request.planes.lowering == Lowering::kDiscard &&

@@ -14,7 +14,7 @@ namespace clipc {
 
 // The paths of all outputs for one input. Empty: not asked for. "-": standard output.
 struct OutputPaths {
-  std::string glsl, fragment, dependencies, header, listing, preprocessed;
+  std::string glsl, geometry, fragment, dependencies, header, listing, preprocessed;
   std::vector<std::string> tables, reflections;
   std::string dependency_target;  // of the make rule
 

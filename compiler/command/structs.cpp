@@ -129,6 +129,7 @@ class Header {
   std::string Write() {
     for (const BufferFact& buffer : facts_.buffers) AddBuffer(buffer);
     if (facts_.group) AddGroup(*facts_.group);
+    if (facts_.emission) AddEmission(*facts_.emission);
     return text_;
   }
 
@@ -246,6 +247,17 @@ class Header {
                    "\n// {0}, which shares {4} bytes in a group\n"
                    "enum {{ {1}_group_x = {2}, {1}_group_y = {3}, {1}_group_z = {5} }};\n",
                    facts_.entry, name, x, y, group.shared_bytes, z);
+  }
+
+  // What a draw call must give, and how many vertices come of it.
+  void AddEmission(const EmissionFact& emission) {
+    const std::string name = NewName(facts_.entry);
+    fmt::format_to(std::back_inserter(text_),
+                   "\n// {0}, which takes a {2} and gives a {4}\n"
+                   "enum {{ {1}_input_vertices = {3}, {1}_max_vertices = {5}, "
+                   "{1}_instances = {6} }};\n",
+                   facts_.entry, name, emission.input, emission.input_vertices, emission.output,
+                   emission.max_vertices, emission.instances);
   }
 
   // The type of an array's elements, which are structs.

@@ -70,6 +70,12 @@ bool IsIdentifier(std::string_view text) {
 
 // The first mistake in what is said about the pixel shader of a pair.
 Result<> CheckPair(const CommandLine& command) {
+  const bool has_geometry = !command.geometry_output.empty();
+  if (has_geometry != !command.geometry_entry.empty())
+    return Problem{
+        "--geometry-entry names a geometry shader, and --geometry-output its file; give both"};
+  if (has_geometry && command.request.planes.variants)
+    return Problem{"--variants is for programs without a geometry shader"};
   const bool is_pair = !command.pixel_output.empty();
   if (!is_pair && !command.pixel_shader.profile.empty())
     return Problem{"--pixel-profile is for --pixel-output, which compiles the pixel shader"};
@@ -159,6 +165,8 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
            "this is not a pixel shader");
   }
   report(!has_planes && !command.tables.empty(), "--table", "only a vertex shader has clip planes");
+  report(request.planes.in_last_stage && request.PlaneStage() == 0, "--planes-in-last-stage",
+         "no stage runs between this shader and the rasteriser");
   report(request.debug.changes_result() && !command.tables.empty(), "--table",
          "a dump takes its place");
   report(request.debug.changes_result() && !command.reflections.empty(), "--reflect",

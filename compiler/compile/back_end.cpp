@@ -123,7 +123,8 @@ Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
 std::vector<Finished> WriteVariants(std::span<Job> jobs, const LoweredProgram& lowered,
                                     const std::vector<ShaderOutput>& whole) {
   std::vector<Finished> variants;
-  const std::size_t planes = lowered.linked.front().program.clip_planes.size();
+  const std::size_t owner = jobs.front().request.PlaneStage();
+  const std::size_t planes = lowered.linked[owner].program.clip_planes.size();
   const std::size_t most = std::min<std::size_t>(planes, *jobs.front().request.planes.variants);
   for (std::size_t count = 0; count <= most && !jobs.front().diagnostics.has_errors(); ++count) {
     if (count == planes) {
@@ -138,15 +139,17 @@ std::vector<Finished> WriteVariants(std::span<Job> jobs, const LoweredProgram& l
 }
 
 // Describes the program in the outputs that were asked for.
-void Describe(const LoweredProgram& lowered, const glsl::ProgramLayout& layout, bool wants_facts,
-              Outputs& outputs) {
+void Describe(const LoweredProgram& lowered, const glsl::ProgramLayout& layout,
+              const ProgramRequest& request, Outputs& outputs) {
+  const std::size_t owner = request.PlaneStage();
+  const bool wants_facts = request.outputs.facts;
   std::vector<DescribedStage> stages;
-  for (std::size_t i = 0; i < lowered.shaders.size() && (i == 0 || wants_facts); ++i) {
+  for (std::size_t i = 0; i < lowered.shaders.size() && (i <= owner || wants_facts); ++i) {
     const glsl::GlslInfo& info = layout.InfoOf(i);
     stages.push_back({lowered.shaders[i], info, MakeClipTable(lowered.shaders[i], info)});
   }
   if (wants_facts) outputs.facts = MakeFacts(stages, lowered.position);
-  outputs.table = std::move(stages.front().table);
+  outputs.table = std::move(stages[owner].table);
 }
 
 }  // namespace
@@ -165,7 +168,7 @@ void RunBackEnd(std::span<Job> jobs, std::vector<ir::Program> typed, CompileResu
       outputs.listing += (i == 0 ? "" : "\n") + WriteGlsl(jobs, i, layout, true);
   }
   glsl::ProgramLayout layout = LayOut(jobs, lowered->shaders);
-  Describe(*lowered, layout, wanted.facts, outputs);
+  Describe(*lowered, layout, request, outputs);
   Finished finished = Finish(jobs, lowered->shaders, layout);
   std::string_view unjudged = finished.unjudged;
   outputs.shaders = std::move(finished.shaders);

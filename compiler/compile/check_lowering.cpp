@@ -69,6 +69,14 @@ void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& reque
   diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesOnlyInTable);
 }
 
+void CheckPlanesMoved(const ir::Program& program, const std::string& entry, bool are_moved,
+                      Diagnostics& diagnostics) {
+  const auto& planes = program.clip_planes;
+  if (are_moved || planes.empty()) return;
+  diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesBeforeLast,
+                     entry);
+}
+
 // [earlydepthstencil] forces the depth-stencil test, with its writes, before the shader (Direct3D
 // 11.3, 15.3.4 "Force Early Depth/Stencil Test"; GL_ARB_shader_image_load_store: a fragment that is
 // discarded afterwards has updated the buffers).

@@ -42,6 +42,11 @@ void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& request,
                             Diagnostics& diagnostics);
 
+// Reports the clip planes of a shader that another one follows before the rasteriser, `entry`,
+// unless they are moved to that.
+void CheckPlanesMoved(const ir::Program& program, const std::string& entry, bool are_moved,
+                      Diagnostics& diagnostics);
+
 // Reports clip planes that only the clip table has: the device clips with them, not the GLSL.
 void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,
                         const glsl::Target& target, Diagnostics& diagnostics);

@@ -158,6 +158,17 @@ struct GroupFact {
   friend bool operator==(const GroupFact&, const GroupFact&) = default;
 };
 
+// A stage that emits vertices.
+struct EmissionFact {
+  std::string input;                 // the primitive that it takes: "triangle"
+  std::string output;                // "point", "line_strip" or "triangle_strip"
+  std::uint32_t input_vertices = 0;  // of the primitive
+  std::uint32_t max_vertices = 0;    // that it emits
+  std::uint32_t instances = 1;
+  std::uint32_t streams = 1;
+  friend bool operator==(const EmissionFact&, const EmissionFact&) = default;
+};
+
 struct StageFacts {
   std::string entry = {}, profile = {};
   std::string stage = {};  // "pixel"
@@ -169,6 +180,7 @@ struct StageFacts {
   std::vector<ResourceFact> resources = {};
   HostFact host = {};
   std::optional<GroupFact> group = {};
+  std::optional<EmissionFact> emission = {};
   bool tests_early = false;
   friend bool operator==(const StageFacts&, const StageFacts&) = default;
 };

@@ -42,13 +42,13 @@ class FactsPrinter {
     json_.Member("target", facts.target);
     Stage(shader);
     if (facts.planes) Planes(*facts.planes);
-    if (facts.stages.size() == 1) return;
-    const StageFacts& pixel = facts.stages[1];
-    json_.Object("pixelShader", [&] {
-      json_.Member("entry", pixel.entry);
-      json_.Member("profile", pixel.profile);
-      Stage(pixel);
-    });
+    for (const StageFacts& next : std::span(facts.stages).subspan(1)) {
+      json_.Object(JsonKey(next.stage + "Shader"), [&] {
+        json_.Member("entry", next.entry);
+        json_.Member("profile", next.profile);
+        Stage(next);
+      });
+    }
   }
 
   void Stage(const StageFacts& facts) {
@@ -69,7 +69,17 @@ class FactsPrinter {
     json_.ListOf("resources", facts.resources, [&](const ResourceFact& fact) { Resource(fact); });
     if (facts.draws_pixels) json_.Object("host", [&] { Host(facts.host); });
     if (facts.group) json_.Object("group", [&] { Group(*facts.group); });
+    if (facts.emission) json_.Object("emission", [&] { Emission(*facts.emission); });
     Flag(facts.tests_early, "earlyTests");
+  }
+
+  void Emission(const EmissionFact& fact) {
+    json_.Member("input", fact.input);
+    json_.Member("inputVertices", fact.input_vertices);
+    json_.Member("output", fact.output);
+    json_.Member("maxVertices", fact.max_vertices);
+    json_.Member("instances", fact.instances);
+    json_.Member("streams", fact.streams);
   }
 
   void Group(const GroupFact& fact) {

@@ -37,13 +37,18 @@ ir::VarId Fit(std::span<Job> jobs, std::size_t number, const std::vector<Lowered
     LinkWithNeighbour(job, program, dependencies);
   }
   if (job.diagnostics.has_errors()) return {};
+  if (number < request.PlaneStage()) {
+    CheckPlanesMoved(program, jobs[request.PlaneStage()].plan.check.entry,
+                     request.planes.in_last_stage, job.diagnostics);
+    return {};
+  }
   const ir::VarId position_input = FindPositionInput(program, job.plan.lowering, job.diagnostics);
   if (!request.planes.given_to_device && !request.debug.changes_result())
     CheckPlanesAreKept(program, job.plan.lowering, request.target, job.diagnostics);
   return position_input;
 }
 
-LowerOptions OptionsOf(Job& job, ir::VarId position_input, std::string& dump) {
+LowerOptions OptionsOf(Job& job, std::size_t number, ir::VarId position_input, std::string& dump) {
   const ProgramRequest& request = job.request;
   LowerOptions options{request.target, {}, {}};
   // The shaders of a program are numbered together.
@@ -53,7 +58,8 @@ LowerOptions OptionsOf(Job& job, ir::VarId position_input, std::string& dump) {
     options.needs = SpirvNeeds(options.target);
   passes::PipelineOptions& passes = options.passes;
   passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
-  passes.clip_space = request.style.clip_space;
+  // A stage that another one follows gives it the position as Direct3D has it.
+  if (number >= request.PlaneStage()) passes.clip_space = request.style.clip_space;
   passes.precise_outputs = request.style.precise;
   static_cast<ir::PassOptions&>(passes) = PassesOf(job, dump);
   return options;
@@ -100,7 +106,7 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
     if (job.diagnostics.has_errors()) return std::nullopt;
     if (request.outputs.facts && InfoOf(program.stage).has_stage_after)
       lowered.position = FollowPosition(program);
-    LowerOptions options = OptionsOf(job, position, result.dump);
+    LowerOptions options = OptionsOf(job, i, position, result.dump);
     options.passes.drops_unneeded = i + 1 < jobs.size() && program.outputs.size() < written;
     options.passes.discarded_planes = DiscardedPlanes(jobs, programs, i);
     if (options.passes.discarded_planes > 0) CheckDiscards(program, job.diagnostics);

@@ -36,6 +36,17 @@ RegisterFact FactOf(const ir::Register& reg) {
 using PlacedMember = std::pair<ir::VarId, const GlslInfo::UniformMember*>;
 
 // What is said of one stage.
+EmissionFact FactOf(const ir::Emission& emission) {
+  const ir::PrimitiveInfo& output = ir::InfoOf(emission.output);
+  const bool is_strip = output.vertices > 1;
+  return {.input = std::string(ir::InfoOf(emission.input).name),
+          .output = std::string(output.name) + (is_strip ? "_strip" : ""),
+          .input_vertices = ir::InfoOf(emission.input).vertices,
+          .max_vertices = emission.max_vertices,
+          .instances = emission.instances,
+          .streams = static_cast<std::uint32_t>(emission.streams.size())};
+}
+
 class Describer {
  public:
   explicit Describer(const DescribedStage& stage)
@@ -47,7 +58,7 @@ class Describer {
                      .profile = table.profile,
                      .stage = std::string(traits.name),
                      .draws_pixels = traits.draws_pixels,
-                     .is_named = !traits.has_stage_after,
+                     .is_named = program_.stage != Stage::kVertex,
                      .inputs = Signature(program_.inputs, info_.inputs),
                      .outputs = Signature(program_.outputs, info_.outputs)};
     for (const ir::CbufferId id : program_.cbuffers.ids()) {
@@ -63,6 +74,7 @@ class Describer {
       facts.group = {program_.group_size, ir::SharedBytes(program_)};
       AddAccess(facts.resources);
     }
+    if (traits.emits_vertices) facts.emission = FactOf(program_.emission);
     facts.tests_early = program_.tests_early;
     return facts;
   }

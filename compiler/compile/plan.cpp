@@ -132,12 +132,25 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
   refuse(request.style.invariant, "--invariant");
 }
 
-// The clip planes as the request has them for a shader: those of the first one.
+// Reports planes in the space of the vertices that a stage reads which emits others.
+void CheckPlaneSpace(const ProgramRequest& request, std::size_t number, const Plan& plan,
+                     Diagnostics& diagnostics) {
+  const ir::Profile& profile = plan.check.profile;
+  const bool emits = profile.stage && InfoOf(*profile.stage).emits_vertices;
+  if (emits && number == request.PlaneStage() && request.planes.space == PlaneSpace::kObject)
+    diagnostics.Report({}, diag::OptionOfStage, "--plane-space=object", profile.name,
+                       InfoOf(*profile.stage).name);
+}
+
+// The clip planes as the request has them for a shader. One before the last that has them gives
+// them to that, or Fit reports them.
 LoweringRequest LoweringOf(const ProgramRequest& request, std::size_t number,
                            const ir::Profile& profile) {
+  const std::size_t owner = request.PlaneStage();
   static const PlaneOptions kNone;
-  const PlaneOptions& planes = number == 0 ? request.planes : kNone;
-  return {planes.lowering.value_or(DefaultLowering(profile)), planes.space, planes.position_input,
+  const PlaneOptions& planes = number == owner ? request.planes : kNone;
+  const Lowering usual = number < owner ? Lowering::kNone : DefaultLowering(profile);
+  return {planes.lowering.value_or(usual), planes.space, planes.position_input,
           request.hlsl.plane_distances};
 }
 
@@ -165,16 +178,28 @@ void CheckProgram(const ProgramRequest& request, const Plan& plan, Diagnostics& 
 }
 
 // Reports what is wrong with a shader after the first.
-void CheckNext(const ProgramRequest& request, const Plan& plan, Diagnostics& diagnostics) {
+void CheckNext(const ProgramRequest& request, std::size_t number, const Plan& plan,
+               Diagnostics& diagnostics) {
   if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
   const ir::Profile& profile = plan.check.profile;
-  if (!diagnostics.has_errors() && profile.stage != Stage::kPixel) {
+  const bool is_last = number + 1 == request.shaders.size();
+  const bool emits = profile.stage && InfoOf(*profile.stage).emits_vertices;
+  const bool is_between = emits && (!is_last || request.shaders.size() == 2);
+  if (!diagnostics.has_errors() && profile.stage != Stage::kPixel && !is_between) {
     diagnostics.Report({}, diag::UnknownProfile, profile.name,
                        " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
   }
 }
 
 }  // namespace
+
+std::size_t ProgramRequest::PlaneStage() const {
+  for (std::size_t i = shaders.size(); i-- > 1;) {
+    const auto profile = ir::ParseProfile(shaders[i].profile);
+    if (profile && profile->stage && InfoOf(*profile->stage).has_stage_after) return i;
+  }
+  return 0;
+}
 
 Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& diagnostics) {
   const ShaderSource& shader = request.shaders[number];
@@ -184,14 +209,17 @@ Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& dia
   plan.check.keeps_bindings = request.target.KeepsBindings();
   plan.check.entry = shader.entry;
   plan.check.entry_call = shader.entry_call;
+  if (request.planes.in_last_stage && number > 0 && number == request.PlaneStage())
+    plan.check.planes_entry = request.first().entry;
   plan.write = WriteOptionsOf(request.style, diagnostics);
   plan.lowering = LoweringOf(request, number, plan.check.profile);
   if (number == 0) {
     plan.stop_after = request.debug.stop_after;
     CheckProgram(request, plan, diagnostics);
   } else {
-    CheckNext(request, plan, diagnostics);
+    CheckNext(request, number, plan, diagnostics);
   }
+  CheckPlaneSpace(request, number, plan, diagnostics);
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
   // are the usual ones where stages match by name.
   const bool is_hlslcc = request.style.names.empty()

@@ -101,6 +101,9 @@ struct PlaneOptions {
   // The caller reads the planes of lowering kLevel9 from the table or the reflection and gives them
   // to the device. Without that, clip planes that the GLSL does not have are an error.
   bool given_to_device = false;
+  // The planes of the first shader are those of the last one before the rasteriser, which writes
+  // the positions that are clipped.
+  bool in_last_stage = false;
   // Fill Outputs::variants; the number is the most planes of a variant.
   std::optional<std::uint32_t> variants;
 };
@@ -172,7 +175,7 @@ struct ProgramRequest {
   IncludeOptions includes;
   LanguageOptions language;
   glsl::Target target = *glsl::Target::Parse("glsl450");
-  PlaneOptions planes;  // of the first shader
+  PlaneOptions planes;  // of the shader that PlaneStage names
   StyleOptions style;
   LinkOptions link;
   HlslOptions hlsl;
@@ -189,6 +192,10 @@ struct ProgramRequest {
   const ShaderSource& FileOf(std::size_t number) const {
     return shaders[number].path.empty() ? first() : shaders[number];
   }
+
+  // The number of the last shader before the rasteriser, whose positions are clipped; of the first
+  // one where there is none.
+  std::size_t PlaneStage() const;
 
   // Whether a shader of the program is fitted to what reads its outputs.
   bool is_linked() const { return shaders.size() > 1 || neighbour; }

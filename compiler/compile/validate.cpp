@@ -17,7 +17,8 @@ namespace clipc {
 namespace {
 
 // By stage.
-constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute};
+constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute,
+                                      EShLangGeometry};
 static_assert(std::size(kLanguages) == kStageCount);
 
 std::vector<std::string> Problems(std::string_view log) {

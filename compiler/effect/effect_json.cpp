@@ -93,6 +93,7 @@ class EffectPrinter {
       json_.ListOf("choices", fact.choices, [&](const EffectChoice& it) { Choice(it); });
     Text(pass.vertex.text, "vertexShader");
     Text(pass.pixel.text, "pixelShader");
+    Text(pass.geometry.text, "geometryShader");
     Text(pass.compute.text, "computeShader");
     if (!pass.other_shaders.empty()) {
       json_.ListOf("otherShaders", pass.other_shaders, [&](const ast::NamedText& shader) {

@@ -33,7 +33,8 @@ std::string ProfileFor(const EffectShader& shader) {
 }
 
 // The name of the state that gives a pass its shader, by stage.
-constexpr std::string_view kShaderStates[] = {"VertexShader", "PixelShader", "ComputeShader"};
+constexpr std::string_view kShaderStates[] = {"VertexShader", "PixelShader", "ComputeShader",
+                                              "GeometryShader"};
 static_assert(std::size(kShaderStates) == kStageCount);
 std::string_view StateOf(Stage stage) { return kShaderStates[static_cast<std::size_t>(stage)]; }
 
@@ -74,8 +75,10 @@ class ProgramFinder {
     for (const std::string& text : pass.not_read)
       diagnostics_.Report(pass.span, diag::EffectNotRead, text, pass.name);
     for (const auto& [name, value] : pass.other_shaders) LeaveOut(added, pass, name, value);
-    const std::vector<StageShaders> drawing = {ShadersOf(added, pass, Stage::kVertex, pass.vertex),
-                                               ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    const std::vector<StageShaders> drawing = {
+        ShadersOf(added, pass, Stage::kVertex, pass.vertex),
+        ShadersOf(added, pass, Stage::kGeometry, pass.geometry),
+        ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
     const std::vector<StageShaders> computing = {
         ShadersOf(added, pass, Stage::kCompute, pass.compute)};
     AddPrograms(added, drawing);  // its choice is the first
@@ -260,7 +263,12 @@ class ProgramFinder {
     request.language.is_in_effect = true;
     request.outputs.facts = true;
     request.planes.given_to_device = !command_.header.empty();  // which names them
-    if (request.shaders.size() > 1)
+    for (const EffectStage& stage : program.shaders) {
+      if (stage.stage != Stage::kGeometry || request.shaders.size() == 1) continue;
+      group.command.geometry_entry = stage.shader->function;
+      group.command.geometry_output = request.outputs.spirv ? ".geom.spv" : ".geom";
+    }
+    if (request.shaders.size() > 1 && program.shaders.back().stage == Stage::kPixel)
       group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";
     return found_.groups.size() - 1;
   }

@@ -88,13 +88,18 @@ class GlEffectMaker {
     };
     if (fact.programs.empty() && !fact.is_left_out) leave_out("shader");
     const std::vector<const EffectProgramFact*> programs = ProgramsOf(fact);
-    const auto draws = [](const EffectProgramFact& program) {
-      return program.shaders.front().stage == Stage::kVertex;
+    const auto has = [](const EffectProgramFact& program, Stage stage) {
+      const auto& shaders = program.shaders;
+      return std::ranges::find(shaders, stage, &EffectShaderFact::stage) != shaders.end();
     };
-    if (std::ranges::any_of(fact.programs, [&](const EffectProgramFact& program) {
-          return program.is_compiled && !draws(program);
-        }))
-      leave_out("vertex shader");
+    const auto draws = [&](const EffectProgramFact& program) {
+      return has(program, Stage::kVertex) && !has(program, Stage::kGeometry);
+    };
+    for (const EffectProgramFact& program : fact.programs) {
+      if (!program.is_compiled || draws(program)) continue;
+      leave_out(has(program, Stage::kVertex) ? "program of a vertex and a pixel shader alone"
+                                             : "vertex shader");
+    }
     std::optional<GlRange> states, annotations;  // the same for all programs
     for (std::size_t i = 0; i < programs.size(); ++i) {
       const EffectProgramFact* const program = programs[i];

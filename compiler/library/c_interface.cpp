@@ -83,6 +83,7 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (named(command.preprocessed) && command.preprocessed != ".i") return "-P";
   if (named(command.fragment)) return "--fragment";
   if (named(command.pixel_output) && command.pixel_output != ".frag") return "--pixel-output";
+  if (named(command.geometry_output)) return "--geometry-output";
   if (command.write_dependencies || named(command.dependency_file)) return "-MD";
   if (command.only_dependencies) return "-M";
   if (named(command.batch)) return "--batch";

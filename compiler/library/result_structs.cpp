@@ -48,6 +48,14 @@ class ReflectionStructs::Printer {
       std::ranges::copy(facts.group->size, shader.group_size);
       shader.shared_bytes = facts.group->shared_bytes;
     }
+    shader.input_primitive = shader.output_primitive = "";
+    if (facts.emission) {
+      shader.input_primitive = facts.emission->input.c_str();
+      shader.output_primitive = facts.emission->output.c_str();
+      shader.input_vertices = facts.emission->input_vertices;
+      shader.max_vertices = facts.emission->max_vertices;
+      shader.instances = facts.emission->instances;
+    }
     return shader;
   }
 
@@ -109,7 +117,7 @@ class ReflectionStructs::Printer {
 ReflectionStructs::ReflectionStructs(const Facts& facts) {
   Printer printer(*this);
   clipc_reflection& shader = printer.Shader(facts.stages.front());
-  if (facts.stages.size() > 1) shader.pixel_shader = &printer.Shader(facts.stages[1]);
+  if (facts.stages.size() > 1) shader.pixel_shader = &printer.Shader(facts.stages.back());
 }
 
 }  // namespace clipc

@@ -16,6 +16,7 @@
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/check/static_local.h"
+#include "frontend/parse/attributes.h"
 #include "frontend/resolve/resolve.h"
 #include "frontend/signature/build_main.h"
 #include "ir/packing.h"
@@ -24,6 +25,18 @@ namespace clipc {
 namespace check {
 namespace {
 
+// The function whose clip planes the shader has, and its attributes: the entry, or where that has
+// none, a stage before it that the options name.
+std::pair<FunctionInfoId, AttributeLists> PlanesOf(Context& context, FunctionInfoId entry,
+                                                   const AttributeLists& attributes) {
+  const std::string& name = context.options.planes_entry;
+  if (name.empty() || HasAttribute(context, attributes, kClipPlanesAttribute))
+    return {entry, attributes};
+  const FunctionInfoId other = FindEntry(context, name);
+  if (!other) return {entry, attributes};
+  return {other, AttributesOf(context, other)};
+}
+
 // Checks the entry function and makes `main`; without bodies only what the signature and the clip
 // planes name.
 void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& attributes,
@@ -31,7 +44,8 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   Program& program = context.program;
   program.entry = Reach(context, entry);
   const EntrySignature signature = SignatureOf(context, entry);
-  ReachClipPlanes(context, entry, attributes);
+  const auto [planes_of, planes] = PlanesOf(context, entry, attributes);
+  ReachClipPlanes(context, planes_of, planes);
   if (bodies == EntryBodies::kCheck) {
     CheckBodies(context);
     CheckRecursion(context);
@@ -46,12 +60,13 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   if (InfoOf(program.stage).draws_pixels)
     program.tests_early = HasAttribute(context, attributes, "earlydepthstencil");
   CheckGroupSize(context, entry, attributes);
-  CheckClipPlanes(context, entry, attributes);
+  CheckEmission(context, entry, attributes);
+  CheckClipPlanes(context, planes_of, planes);
 }
 
 void Run(Context& context, const ir::PassOptions& passes) {
   DeclareAll(context, context.file.top_level, context.names.global());
-  const FunctionInfoId entry = FindEntry(context);
+  const FunctionInfoId entry = FindEntry(context, context.options.entry);
   if (!entry || context[entry].is_broken) return;
   Program& program = context.program;
   const AttributeLists attributes = AttributesOf(context, entry);
@@ -89,7 +104,7 @@ EntryPoint CheckEntryPoint(const ast::File& file, const CheckOptions& options, E
                            Diagnostics& diagnostics) {
   check::Context context(file, options, diagnostics);
   DeclareAll(context, file.top_level, context.names.global());
-  const check::FunctionInfoId entry = FindEntry(context);
+  const check::FunctionInfoId entry = FindEntry(context, options.entry);
   if (!entry || context[entry].is_broken) return {};
   const check::AttributeLists attributes = AttributesOf(context, entry);
   check::CheckEntry(context, entry, attributes, bodies);

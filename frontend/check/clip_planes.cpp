@@ -232,8 +232,8 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
 bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];
-  if (program.profile.stage != Stage::kVertex || program.profile.IsDirect3D9()) {
-    const bool is_direct3d9 = program.profile.stage == Stage::kVertex;
+  if (!InfoOf(program.stage).has_stage_after || program.profile.IsDirect3D9()) {
+    const bool is_direct3d9 = program.stage == Stage::kVertex;
     context.Report(attribute.span, diag::ClipPlanesProfile, program.profile.name,
                    is_direct3d9 ? "; `-T vs_4_0_level_9_1` is for the same hardware" : "");
     return false;
@@ -337,12 +337,19 @@ AttributeLists AttributesOf(const Context& context, FunctionInfoId function) {
   return attributes;
 }
 
-bool HasAttribute(const Context& context, const AttributeLists& attributes, std::string_view name) {
-  return std::ranges::any_of(attributes, [&](std::span<const ast::Attr> list) {
-    return std::ranges::any_of(list, [&](const ast::Attr& attribute) {
+const ast::Attr* FindAttribute(const Context& context, const AttributeLists& attributes,
+                               std::string_view name) {
+  for (const std::span<const ast::Attr> list : attributes) {
+    const auto found = std::ranges::find_if(list, [&](const ast::Attr& attribute) {
       return EqualIgnoringCase(context[attribute.name], name);
     });
-  });
+    if (found != list.end()) return &*found;
+  }
+  return nullptr;
+}
+
+bool HasAttribute(const Context& context, const AttributeLists& attributes, std::string_view name) {
+  return FindAttribute(context, attributes, name) != nullptr;
 }
 
 void ReachClipPlanes(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {

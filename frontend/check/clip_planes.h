@@ -13,6 +13,9 @@ namespace clipc::check {
 using AttributeLists = std::vector<std::span<const ast::Attr>>;
 AttributeLists AttributesOf(const Context& context, FunctionInfoId function);
 // Whether an attribute of the name, in any case, is among them.
+// The first attribute of the name, of any case; null if there is none.
+const ast::Attr* FindAttribute(const Context& context, const AttributeLists& attributes,
+                               std::string_view name);
 bool HasAttribute(const Context& context, const AttributeLists& attributes, std::string_view name);
 
 // Reaches the buffers that the clip planes of the entry point lie in, whether or not the code reads

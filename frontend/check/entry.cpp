@@ -82,13 +82,13 @@ std::vector<std::string_view> CompiledByTechniques(const Context& context) {
   return names;
 }
 
-void ReportNoEntry(Context& context) {
+void ReportNoEntry(Context& context, const std::string& entry) {
   std::vector<std::string> names, likely;
   std::vector<Span> places;
   for (SymbolId id : context.names.symbol_ids()) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     names.push_back(ScopedName(context, id));
-    if (names.back() == context.options.entry) {
+    if (names.back() == entry) {
       context.Report(context[id].span, diag::EntryOnlyDeclared, names.back());
       return;
     }
@@ -96,7 +96,7 @@ void ReportNoEntry(Context& context) {
     if (IsLikelyEntry(context, DeclOf(context, id))) likely.push_back(names.back());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  std::vector<std::string_view> near = NearNames(context.options.entry, candidates);
+  std::vector<std::string_view> near = NearNames(entry, candidates);
   if (near.empty() && likely.size() == 1) near = {likely.front()};
   if (near.empty() && candidates.size() == 1) near = candidates;
   bool has_hints = false;
@@ -123,7 +123,7 @@ void ReportNoEntry(Context& context) {
   where.end = where.begin;
   if (!near.empty() && !has_hints)
     where = places[static_cast<std::size_t>(std::ranges::find(names, near[0]) - names.begin())];
-  context.Report(where, diag::EntryNotFound, context.options.entry, tail);
+  context.Report(where, diag::EntryNotFound, entry, tail);
 }
 
 }  // namespace
@@ -137,8 +137,8 @@ bool MayBeEntry(const Context& context, const ast::FunctionDecl& decl) {
          std::ranges::any_of(context[decl.parameters], has_semantics);
 }
 
-FunctionInfoId FindEntry(Context& context) {
-  std::vector<std::string_view> parts = SplitQualified(context.options.entry);
+FunctionInfoId FindEntry(Context& context, const std::string& entry) {
+  std::vector<std::string_view> parts = SplitQualified(entry);
   const Name name = NameOf(context, parts.back());
   std::vector<SymbolId> found;
   ScopeId scope = context.names.global();
@@ -156,22 +156,22 @@ FunctionInfoId FindEntry(Context& context) {
     }
   }
   if (found.empty()) {
-    ReportNoEntry(context);
+    ReportNoEntry(context, entry);
     return {};
   }
   if (found.size() > 1) {
-    Diagnostic& report = context.Report(context[found[0]].span, diag::EntryAmbiguous,
-                                        context.options.entry, found.size());
+    Diagnostic& report =
+        context.Report(context[found[0]].span, diag::EntryAmbiguous, entry, found.size());
     for (SymbolId id : found)
       report.Note(context[id].span, diag::Candidate, ScopedName(context, id));
     return {};
   }
   // The default arguments and attributes of the function's prototypes belong to it.
-  FunctionInfoId entry;
+  FunctionInfoId function;
   for (FunctionInfoId id : OverloadsOf(context, found[0], {})) {
-    if (context[id].decl == context[found[0]].decl) entry = id;
+    if (context[id].decl == context[found[0]].decl) function = id;
   }
-  return entry;
+  return function;
 }
 
 }  // namespace clipc::check

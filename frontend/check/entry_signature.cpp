@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
@@ -103,16 +107,6 @@ GroupLimits LimitsOf(const Profile& profile) {
   return {{768, 768, 1}, 768};
 }
 
-const ast::Attr* FindGroupSize(const Context& context, const AttributeLists& attributes) {
-  for (const std::span<const ast::Attr> list : attributes) {
-    const auto found = std::ranges::find_if(list, [&](const ast::Attr& attribute) {
-      return EqualIgnoringCase(context[attribute.name], "numthreads");
-    });
-    if (found != list.end()) return &*found;
-  }
-  return nullptr;
-}
-
 void ReadGroupSize(Context& context, const ast::Attr& attribute) {
   Program& program = context.program;
   const auto arguments = context[attribute.arguments];
@@ -137,6 +131,151 @@ void ReadGroupSize(Context& context, const ast::Attr& attribute) {
     context.Report(attribute.span, diag::GroupTooLarge, product, program.profile.name, threads);
 }
 
+// ---- the stage that emits vertices
+
+// By Primitive.
+constexpr ast::Qualifiers kQualifiers[] = {ast::kPoint, ast::kLine, ast::kTriangle,
+                                           ast::kLineAdjacent, ast::kTriangleAdjacent};
+static_assert(std::size(kQualifiers) == std::size(kPrimitives));
+
+constexpr std::int64_t kMostScalars = 1024;
+constexpr std::int64_t kMostInstances = 32;
+constexpr std::size_t kMostStreams = 4;
+
+std::optional<Primitive> PrimitiveOf(ast::Qualifiers qualifiers) {
+  for (std::size_t i = 0; i < std::size(kQualifiers); ++i) {
+    if (qualifiers & kQualifiers[i]) return static_cast<Primitive>(i);
+  }
+  return std::nullopt;
+}
+
+std::string VerticesText(const PrimitiveInfo& primitive) {
+  return fmt::format("{} vert{}", primitive.vertices, primitive.vertices == 1 ? "ex" : "ices");
+}
+
+// What the vertices of such a stream are joined to.
+Primitive OutputOf(ObjectKind stream) {
+  if (stream == ObjectKind::kLineStream) return Primitive::kLine;
+  return stream == ObjectKind::kTriangleStream ? Primitive::kTriangle : Primitive::kPoint;
+}
+
+// Reads the stream, a variable that no resource is. LowerStreams asks for it.
+void ReadStream(Context& context, const ast::VarDecl& var, const Parameter& parameter,
+                EntryParameter& into) {
+  if (parameter.storage != Storage::kInOut)
+    context.Report(var.name_span, diag::StreamNotInout, context[var.name],
+                   context.TypeName(parameter.type));
+  into.is_uniform = into.is_stream = true;
+  into.uniform_var = AddVar(context, var.name, parameter.type, Storage::kResource, var.name_span);
+  context.program.emission.output = OutputOf(context[parameter.type].object);
+}
+
+void ReadVertices(Context& context, const ast::VarDecl& var, const Parameter& parameter,
+                  std::optional<Primitive> written, EntryParameter& into) {
+  const Type& type = context[parameter.type];
+  Emission& emission = context.program.emission;
+  into.primitive = written.value_or(Primitive::kPoint);
+  if (!written) {
+    context.Report(var.name_span, diag::PrimitiveMissing, context[var.name]);
+    return;
+  }
+  const PrimitiveInfo& info = InfoOf(*written);
+  if (parameter.storage != Storage::kIn)
+    context.Report(var.name_span, diag::OutputNotStream, context[var.name]);
+  if (type.count != info.vertices)
+    context.Report(var.name_span, diag::PrimitiveVertices, context[var.name],
+                   WithCount(type.count, "element"), info.name, VerticesText(info));
+  // The first parameter with vertices has the primitive of all.
+  if (emission.takes_primitive && emission.input != *written)
+    context.Report(var.name_span, diag::PrimitiveTwice, context[var.name], info.name,
+                   InfoOf(emission.input).name);
+  emission.input = *written;
+  emission.takes_primitive = true;
+}
+
+// The number that the attribute has, from 1 to `most`; nullopt after an error, and without the
+// attribute.
+std::optional<std::uint32_t> NumberIn(Context& context, const AttributeLists& attributes,
+                                      std::string_view name, std::int64_t most) {
+  const ast::Attr* attribute = FindAttribute(context, attributes, name);
+  if (!attribute) return std::nullopt;
+  const auto arguments = context[attribute->arguments];
+  if (arguments.size() != 1) {
+    context.Report(attribute->span, diag::EmissionArguments, name, arguments.size());
+    return std::nullopt;
+  }
+  const auto number = ConstantInteger(context, arguments[0]);
+  if (!number) return std::nullopt;
+  if (*number >= 1 && *number <= most) return static_cast<std::uint32_t>(*number);
+  context.Report(context[arguments[0]].span, diag::EmissionRange, name, *number, most);
+  return std::nullopt;
+}
+
+// The most scalars of a vertex that is emitted to one stream.
+std::int64_t ScalarsOf(const Program& program) {
+  std::map<FunctionId, std::int64_t> scalars;
+  std::int64_t most = 0;
+  for (const IoVar& output : program.outputs) {
+    const Type& type = program.types[program.vars[output.var].type];
+    std::int64_t& of_stream = scalars[OutputFunction(program, output.var)];
+    of_stream += type.kind == TypeKind::kArray ? type.count : type.Components();
+    most = std::max(most, of_stream);
+  }
+  return most;
+}
+
+// Reports a stream that may not be one of several, which are of points ("Stream-Output Object" of
+// Microsoft's HLSL reference).
+void CheckStream(Context& context, const Stream& stream) {
+  const Program& program = context.program;
+  const auto& streams = program.emission.streams;
+  const Var& var = program.vars[stream.object];
+  const auto number = static_cast<std::size_t>(&stream - streams.data());
+  const bool is_of_points = program.types[var.type].object == ObjectKind::kPointStream;
+  const bool has_model = program.profile.IsAtLeast(5, 0);
+  if (streams.size() > 1 && (!is_of_points || !has_model || number >= kMostStreams))
+    context.Report(var.span, diag::StreamNotOfSeveral, var.name, streams.size(), kMostStreams);
+}
+
+void CheckCounts(Context& context, const AttributeLists& attributes) {
+  Program& program = context.program;
+  const ast::Attr* attribute = FindAttribute(context, attributes, "maxvertexcount");
+  if (!attribute) {
+    const Function& function = program.functions[program.entry];
+    context.Report(function.span, diag::EmissionCountMissing, function.name);
+    return;
+  }
+  const auto count = NumberIn(context, attributes, "maxvertexcount", kMostScalars);
+  if (!count) return;
+  program.emission.max_vertices = *count;
+  const std::int64_t scalars = ScalarsOf(program);
+  if (scalars * *count > kMostScalars)
+    context.Report(attribute->span, diag::EmissionTooLarge, *count, scalars, scalars * *count,
+                   kMostScalars);
+}
+
+// Reads what only such a stage has at a parameter: a stream, or the primitive whose vertices an
+// array has. Reports what is wrong with it. Returns whether the parameter is a stream, which is
+// read completely then.
+bool ReadEmission(Context& context, const ast::VarDecl& var, const Parameter& parameter,
+                  EntryParameter& into) {
+  if (!InfoOf(context.program.stage).emits_vertices || context.IsError(parameter.type))
+    return false;
+  const Type& type = context[parameter.type];
+  if (type.kind == TypeKind::kObject && IsStream(type.object)) {
+    ReadStream(context, var, parameter, into);
+    return true;
+  }
+  const auto written = PrimitiveOf(var.qualifiers);
+  if (type.kind == TypeKind::kArray && !(var.qualifiers & ast::kUniform)) {
+    ReadVertices(context, var, parameter, written, into);
+  } else if (written) {
+    context.Report(var.name_span, diag::PrimitiveVertices, context[var.name], "no elements",
+                   InfoOf(*written).name, VerticesText(InfoOf(*written)));
+  }
+  return false;
+}
+
 }  // namespace
 
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
@@ -156,9 +295,13 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     ReadVulkan(context, var.attributes, entry_parameter);
     entry_parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
-    if (!(var.qualifiers & ast::kUniform) && IsPatch(context, var)) {
+    const bool is_patch = !(var.qualifiers & ast::kUniform) && IsPatch(context, var);
+    if (is_patch) {
       context.Report(var.name_span, diag::SemanticOnObject, context[var.name],
                      context[context[var.type].name.name]);
+    } else if (ReadEmission(context, var, parameter, entry_parameter)) {
+      signature.parameters.push_back(std::move(entry_parameter));
+      continue;
     }
     const std::size_t place = signature.parameters.size();
     const bool is_given = context.options.call_names_parameters && place < arguments.size() &&
@@ -204,11 +347,32 @@ void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists
         context.Report(attribute.span, diag::AttributeWithoutEffect, context[attribute.name]);
     }
   }
-  if (const ast::Attr* attribute = FindGroupSize(context, attributes)) {
+  if (const ast::Attr* attribute = FindAttribute(context, attributes, "numthreads")) {
     ReadGroupSize(context, *attribute);
   } else {
     const Function& function = program.functions[program.entry];
     context.Report(function.span, diag::GroupSizeMissing, function.name);
+  }
+}
+
+void CheckEmission(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {
+  Program& program = context.program;
+  if (!InfoOf(program.stage).emits_vertices || context.diagnostics.has_errors()) return;
+  const ViewSwitch in(context, {.scope = context[entry].scope, .order = context[entry].order});
+  const Function& function = program.functions[program.entry];
+  Emission& emission = program.emission;
+  if (!emission.takes_primitive)
+    context.Report(function.span, diag::PrimitiveOfNone, function.name);
+  if (emission.streams.empty()) context.Report(function.span, diag::StreamMissing, function.name);
+  for (const Stream& stream : emission.streams) CheckStream(context, stream);
+  CheckCounts(context, attributes);
+  const ast::Attr* attribute = FindAttribute(context, attributes, "instance");
+  if (!attribute) return;
+  if (!program.profile.IsAtLeast(5, 0)) {
+    context.Report(attribute->span, diag::QualifierProfile, "instance", "gs_5_0",
+                   program.profile.name);
+  } else if (const auto count = NumberIn(context, attributes, "instance", kMostInstances)) {
+    emission.instances = *count;
   }
 }
 

@@ -24,4 +24,10 @@ void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
 // of the Direct3D 11 reference for profiles 4.0 and 4.1. Does nothing in other stages.
 void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
+// Reads [maxvertexcount(n)] and [instance(n)] of the entry point into program.emission, and reports
+// what is wrong with what it reads and gives: "Geometry-Shader Object", "maxvertexcount" and
+// "instance" of Microsoft's HLSL reference; the Direct3D 11.3 functional specification, 13.
+// Requires that BuildMain ran. Does nothing in stages that emit no vertices.
+void CheckEmission(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
+
 }  // namespace clipc::check

@@ -171,6 +171,8 @@ std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::s
   for (const auto& object : kObjectNames) {
     if (!EqualIgnoringCase(object.text, text)) continue;
     if (!HasElement(object.kind)) return context.types.Object(object.kind);
+    if (IsStream(object.kind) && type.arguments.empty())
+      return context.FailType(type.span, diag::MissingTypeArgument, text);
     const TypeId element = ElementArgument(context, type, text);
     if (context.IsError(element)) return element;
     const bool is_texel = context[element].IsScalarOrVector() && !IsWide(context[element].scalar);

@@ -215,7 +215,7 @@ class EffectReader {
   }
 
   void AddStatement(EffectPass& pass, Statement statement) const {
-    constexpr std::string_view kOthers[] = {"geometryshader", "hullshader", "domainshader"};
+    constexpr std::string_view kOthers[] = {"hullshader", "domainshader"};
     std::string name = ToLower(statement.text.name);
     if (name.ends_with("shader") && name.starts_with("set")) name.erase(0, 3);
     if (name.empty()) {
@@ -224,6 +224,8 @@ class EffectReader {
       pass.vertex = ReadShader(statement.value);
     } else if (name == "pixelshader") {
       pass.pixel = ReadShader(statement.value);
+    } else if (name == "geometryshader") {
+      pass.geometry = ReadShader(statement.value);
     } else if (name == "computeshader") {
       pass.compute = ReadShader(statement.value);
     } else if (std::ranges::find(kOthers, name) != std::end(kOthers)) {

@@ -67,12 +67,7 @@ constexpr auto kWords = [] {
       MayQualify("noinline"),
       MayQualify("varying"),  // Cg
       MayQualify("single"),   // of a cbuffer, in effects
-      // Geometry and mesh shaders.
-      MayQualify("point"),
-      MayQualify("line"),
-      MayQualify("triangle"),
-      MayQualify("lineadj"),
-      MayQualify("triangleadj"),
+      // Mesh shaders.
       MayQualify("vertices"),
       MayQualify("indices"),
       MayQualify("primitives"),

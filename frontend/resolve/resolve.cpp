@@ -5,6 +5,7 @@
 #include "frontend/resolve/counters.h"
 #include "frontend/resolve/fold_arguments.h"
 #include "frontend/resolve/known_offsets.h"
+#include "frontend/resolve/lower_streams.h"
 #include "frontend/resolve/mark_nonuniform.h"
 #include "frontend/resolve/settle_samplers.h"
 #include "frontend/rules/check_gradients.h"
@@ -44,6 +45,8 @@ constexpr Pass<Run> kPasses[] = {
     {"resolve-objects",
      [](Run& run) { ResolveObjects(run.program, run.options.struct_registers, run.diagnostics); },
      Form::kTyped},
+    // A stream is one of the entry's parameters only now.
+    {"lower-streams", [](Run& run) { LowerStreams(run.program, run.diagnostics); }, Form::kTyped},
     // The passes from here on ask which variable an object is.
     {"settle-samplers",
      [](Run& run) {

@@ -30,6 +30,7 @@ void ObjectResolver::Run() {
   for (ClipPlane& plane : program_.clip_planes) {
     if (plane.value) plane.value = Visit(plane.value).expr;
   }
+  for (Stream& stream : program_.emission.streams) stream.emit = InPlace(stream.emit);
   program_.main = InPlace(program_.main);
   program_.entry = entry_;
   program_.functions = std::move(functions_);

@@ -11,10 +11,11 @@
 #include "base/spelling.h"
 #include "frontend/signature/attribute_reads.h"
 #include "frontend/signature/distances.h"
-#include "frontend/signature/locations.h"
+#include "frontend/signature/interface_vars.h"
 #include "frontend/signature/pixel_inputs.h"
 #include "frontend/signature/semantic_check.h"
 #include "frontend/signature/signature_leaves.h"
+#include "frontend/signature/vertex_inputs.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 
@@ -44,15 +45,14 @@ class MainBuilder {
     ReadDistances(Builtin::kClipDistanceInput, clip_reads_, reads_gaps);
     ReadDistances(Builtin::kCullDistanceInput, cull_reads_, reads_gaps);
     attributes_.Finish();
+    vertices_.Finish();
     CallEntry();
     leaves_.SetByRow(signature_.stages_match_by_row);
-    for (const Carrier& output : pending_outputs_) {
-      for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
-    }
-    const bool writes_gaps = FitWithGaps(clip_, cull_);
-    WriteDistances(Builtin::kClipDistance, clip_, writes_gaps);
-    WriteDistances(Builtin::kCullDistance, cull_, writes_gaps);
-    CheckDistanceCount();
+    if (stage_.emits_vertices)
+      WriteStreams();
+    else
+      WriteOutputs();
+    vars_.CheckDistances();
     leaves_.ReportMissing();
     semantics_.CheckPosition(signature_.has_later_stage);
     for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
@@ -61,6 +61,44 @@ class MainBuilder {
   }
 
  private:
+  // Writes the outputs after the call of the entry, or after what body_ has.
+  void WriteOutputs() {
+    for (const Carrier& output : pending_outputs_) {
+      for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
+    }
+    const bool has_gaps = FitWithGaps(clip_, cull_);
+    WriteDistances(Builtin::kClipDistance, clip_, has_gaps);
+    WriteDistances(Builtin::kCullDistance, cull_, has_gaps);
+  }
+
+  // Makes the functions that emit the vertices of the streams.
+  void WriteStreams() {
+    for (const Carrier& output : pending_outputs_)
+      diagnostics_.Report(output.span, diag::OutputNotStream, output.name);
+    for (const EntryParameter& parameter : signature_.parameters) {
+      if (!parameter.is_stream) continue;
+      const std::vector<StmtId> main = std::exchange(body_, {});
+      const auto number = static_cast<std::uint32_t>(program_.emission.streams.size());
+      if (number > 0) semantics_.NextStream();
+      const Var object = program_.vars[parameter.uniform_var];
+      const TypeId type = program_.types[object.type].element;
+      const VarId vertex = program_.vars.Add(
+          {.name = "vertex", .type = type, .storage = Storage::kIn, .span = object.span});
+      pending_outputs_ = {{leaves_.Whole(vertex), type, object.name, object.span,
+                           CursorOf(parameter), parameter.row_major}};
+      WriteOutputs();
+      body_.push_back(builder_.Eval(builder_.IntrinsicOf(
+          CommonIntrinsic::kEmitVertex, program_.types.Void(), {builder_.Uint(number)})));
+      const FunctionId emit = program_.functions.Add({"append_" + object.name,
+                                                      program_.types.Void(),
+                                                      {vertex},
+                                                      builder_.BlockOf(body_),
+                                                      object.span});
+      program_.emission.streams.push_back({parameter.uniform_var, emit});
+      body_ = main;
+    }
+  }
+
   // ---- parameters
 
   void PrepareParameter(VarId id, const EntryParameter& parameter) {
@@ -72,6 +110,7 @@ class MainBuilder {
     const bool reads = var.storage != Storage::kOut;
     const bool writes = var.storage != Storage::kIn;
     Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
+    if (parameter.primitive) return ReadVertices(id, whole);
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
       const std::span<const Carrier> leaves = leaves_.Of(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
@@ -87,13 +126,31 @@ class MainBuilder {
     if (writes) pending_outputs_.push_back(std::move(whole));
   }
 
+  // Reads the inputs of each vertex of the primitive, an element of the parameter.
+  void ReadVertices(VarId id, Carrier whole) {
+    const VarId local = builder_.Local(program_.vars[id].name, whole.type);
+    whole.part = leaves_.Whole(local);
+    body_.push_back(builder_.Stmt(Declare{local, {}}));
+    const Type type = program_.types[whole.type];
+    for (std::uint32_t i = 0; i < type.count; ++i) {
+      Carrier vertex = whole;
+      vertex.type = type.element;
+      vertex.part = leaves_.Inside(whole.part, i);
+      vertices_.Start(i);
+      ReadInto(vertex, {}, true);
+    }
+    arguments_.push_back(builder_.Ref(local));
+  }
+
   // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once, and textures
   // and samplers from those of `objects`.
-  void ReadInto(const Carrier& whole, VarId objects) {
+  void ReadInto(const Carrier& whole, VarId objects, bool is_vertex = false) {
     std::vector<ExprId> columns;
     for (const Carrier& leaf : leaves_.Of(whole)) {
       const bool is_object = program_.types[leaf.type].kind == TypeKind::kObject;
-      ExprId value = is_object ? InVar(leaves_.ValueOf(leaf.part), objects) : Input(leaf);
+      ExprId value = is_object   ? InVar(leaves_.ValueOf(leaf.part), objects)
+                     : is_vertex ? vertices_.Read(leaf)
+                                 : Input(leaf);
       if (!value) continue;
       PartNumber target = leaf.part;
       if (const Part part = leaves_[target]; part.columns > 0) {
@@ -149,12 +206,19 @@ class MainBuilder {
   ExprId Input(const Carrier& leaf) {
     const SystemValue value = semantics_.LookUp(leaf, Direction::kInput);
     if (stage_.has_stage_before) semantics_.CheckInterpolation(leaf);
+    if (stage_.emits_vertices && value.builtin != Builtin::kPrimitiveId &&
+        value.builtin != Builtin::kEmitterId && value.builtin != Builtin::kViewId &&
+        value.use != SystemValue::Use::kRefused) {
+      diagnostics_.Report(leaf.span, diag::InputNotOfVertex, leaf.name);
+      return {};
+    }
     using Use = SystemValue::Use;
     // No output of the stage before matches what the rasterizer makes.
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
     if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
     if (value.use == Use::kPlain) {
-      if (const VarId shared = SharedInput(leaf)) return Fit(builder_.Ref(shared), leaf.type);
+      if (const VarId shared = SharedInput(leaf))
+        return Fit(program_, builder_, builder_.Ref(shared), leaf.type);
     }
     if (value.use == Use::kRefused || !semantics_.MayAdd(leaf, Direction::kInput, value)) return {};
     const bool is_lacking =
@@ -163,7 +227,8 @@ class MainBuilder {
     const bool is_plain = (value.use == Use::kPlain && !is_lacking) || program_.is_interface_only;
     if (is_plain && program_.profile.IsDirect3D9()) return Attribute(leaf);
     const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
-    return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
+    return Fit(program_, builder_,
+               builder_.Ref(vars_.AddInput(leaf, StoredType(program_.types, leaf.type), builtin)),
                leaf.type);
   }
 
@@ -174,14 +239,16 @@ class MainBuilder {
                         program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
     if (!shares) return {};
     const VarId input = attributes_.InputOf(leaf.cursor.semantic);
-    return input && program_.vars[input].type == StoredType(leaf.type) ? input : VarId{};
+    return input && program_.vars[input].type == StoredType(program_.types, leaf.type) ? input
+                                                                                       : VarId{};
   }
 
   // The part that this input has of the register that all inputs of its semantic read.
   ExprId Attribute(const Carrier& leaf) {
     VarId input = attributes_.InputOf(leaf.cursor.semantic);
-    if (!input) input = AddIo(program_.inputs, leaf, StoredType(leaf.type), Builtin::kNone);
-    return Fit(attributes_.Read(input, program_.types[leaf.type].Components()), leaf.type);
+    if (!input) input = vars_.AddInput(leaf, StoredType(program_.types, leaf.type), Builtin::kNone);
+    return Fit(program_, builder_, attributes_.Read(input, program_.types[leaf.type].Components()),
+               leaf.type);
   }
 
   // The value of a built-in input; none after an error.
@@ -218,14 +285,14 @@ class MainBuilder {
     const auto known = std::ranges::find(program_.inputs, builtin, &IoVar::builtin);
     const VarId input = known != program_.inputs.end()
                             ? known->var
-                            : AddIo(program_.inputs, leaf, TypeOf(builtin), builtin);
+                            : vars_.AddInput(leaf, TypeOf(program_.types, builtin), builtin);
     if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
     ExprId read = builder_.Ref(input);
     if (IsNumberOfThread(builtin) && type.Components() < 3)
       read = builder_.SwizzledRun(read, 0, type.Components());
     if (value.builtin == Builtin::kFrontFacing)
-      return Fit(FacingOf(builder_, read, kind), leaf.type);
-    return Fit(is_first ? FirstBitOf(program_, read) : read, leaf.type);
+      return Fit(program_, builder_, FacingOf(builder_, read, kind), leaf.type);
+    return Fit(program_, builder_, is_first ? FirstBitOf(program_, read) : read, leaf.type);
   }
 
   // The leading components of the position that the leaf has. Direct3D 9's pixels have whole
@@ -242,7 +309,7 @@ class MainBuilder {
                           "the position, which GLSL has at the pixel's center");
     if (count < 4) value = builder_.SwizzledRun(value, 0, count);
     if (form == SystemValue::Form::kCorner) value = CornerOf(builder_, value, count);
-    return Fit(value, leaf.type);
+    return Fit(program_, builder_, value, leaf.type);
   }
 
   // The position of the sample: GLSL has it where the shader runs for each, which reading the
@@ -251,7 +318,7 @@ class MainBuilder {
     constexpr auto kNumber = Builtin::kSampleIndex;
     auto number = std::ranges::find(program_.inputs, kNumber, &IoVar::builtin);
     if (number == program_.inputs.end()) {
-      AddIo(program_.inputs, leaf, TypeOf(kNumber), kNumber);
+      vars_.AddInput(leaf, TypeOf(program_.types, kNumber), kNumber);
       number = program_.inputs.end() - 1;
       number->semantic = "SV_SampleIndex", number->index = 0;
     }
@@ -271,35 +338,25 @@ class MainBuilder {
     }
   }
 
-  // The type in which an input or output is stored: uint for bool, the base kind for half and for
-  // minimum-precision kinds.
-  TypeId StoredType(TypeId id) {
-    const Scalar base = BaseOf(program_.types[id].scalar);
-    return program_.types.WithScalar(id, base == Scalar::kBool ? Scalar::kUint : base);
-  }
-
-  // Converts `value` to `type`, which differs from its own type in the component kind or in being a
-  // vector of one.
-  ExprId Fit(ExprId value, TypeId type) {
-    value = builder_.ConvertTo(program_.types[type].scalar, value);
-    if (builder_.TypeOf(value) == type) return value;
-    const bool to_vector = program_.types[type].kind == TypeKind::kVector;
-    return to_vector ? builder_.ConstructOf(type, {value}) : builder_.Swizzled(value, {0});
-  }
-
   // ---- outputs
 
   void Output(const Carrier& leaf) {
     // The outputs of a shader that is read for its interface match nothing.
-    if (program_.is_interface_only) return WriteOutput(leaf, StoredType(leaf.type), Builtin::kNone);
+    if (program_.is_interface_only)
+      return WriteOutput(leaf, StoredType(program_.types, leaf.type), Builtin::kNone);
     const SystemValue value = semantics_.LookUp(leaf, Direction::kOutput);
     if (stage_.has_stage_after) semantics_.CheckInterpolation(leaf);
     if (value.use == SystemValue::Use::kRefused ||
         !semantics_.MayAdd(leaf, Direction::kOutput, value))
       return;
     if (value.use == SystemValue::Use::kTarget && !semantics_.IsTarget(leaf)) return;
+    // The first stream is the one that is drawn. Those after it are captured: all is data there.
+    if (!program_.emission.streams.empty())
+      return WriteOutput(leaf, StoredType(program_.types, leaf.type), Builtin::kNone);
     switch (value.builtin) {
-      case Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
+      case Builtin::kNone:
+        WriteOutput(leaf, StoredType(program_.types, leaf.type), value.builtin);
+        return;
       case Builtin::kPosition: WriteFloats(leaf, "a `float4`", value.builtin); return;
       case Builtin::kPointSize:
       case Builtin::kDepth:
@@ -316,19 +373,19 @@ class MainBuilder {
     if (static_cast<int>(type.Components()) != InfoOf(builtin).components ||
         BaseOf(type.scalar) != Scalar::kFloat)
       return semantics_.Refuse(leaf, wanted);
-    WriteOutput(leaf, TypeOf(builtin), builtin);
+    WriteOutput(leaf, TypeOf(program_.types, builtin), builtin);
   }
 
   void WriteIndex(const Carrier& leaf, Builtin builtin) {
     const Type type = program_.types[leaf.type];
     if (type.Components() != 1 || !IsInteger(type.scalar))
       return semantics_.Refuse(leaf, "a `uint`");
-    WriteOutput(leaf, TypeOf(builtin), builtin);
+    WriteOutput(leaf, TypeOf(program_.types, builtin), builtin);
   }
 
   void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
-    const VarId output = AddIo(program_.outputs, leaf, stored, builtin);
-    ExprId value = Fit(leaves_.ValueOf(leaf.part), stored);
+    const VarId output = vars_.AddOutput(leaf, stored, builtin);
+    ExprId value = Fit(program_, builder_, leaves_.ValueOf(leaf.part), stored);
     if (HasAllBitsForTrue(leaf)) value = builder_.UnaryOf(UnaryOp::kNegate, value);
     if (IsClampedOutput(program_, leaf.cursor.semantic.name, program_.types[stored]))
       value = builder_.IntrinsicOf(CommonIntrinsic::kSaturate, stored, {value});
@@ -340,59 +397,6 @@ class MainBuilder {
   bool HasAllBitsForTrue(const Carrier& leaf) const {
     return !stage_.has_stage_after && program_.types[leaf.type].scalar == Scalar::kBool &&
            program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
-  }
-
-  // The type of the variable of a built-in input or output, which is not an array.
-  TypeId TypeOf(Builtin builtin) {
-    const BuiltinInfo& info = InfoOf(builtin);
-    return info.components == 1 ? program_.types.Make(info.scalar)
-                                : program_.types.Vector(info.scalar, info.components);
-  }
-
-  VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
-    const bool is_input = &list == &program_.inputs;
-    const auto& [semantic, given, assumed, span, interpolation, centroid, sample, location,
-                 blend_index, precise] = leaf.cursor;
-    std::string name(is_input ? "in" : stage_.prefix);
-    name += '_';
-    name += ToUpper(semantic.name);
-    name += std::to_string(semantic.index);
-    const VarId id = program_.vars.Add({.name = std::move(name),
-                                        .type = type,
-                                        .storage = is_input ? Storage::kInput : Storage::kOutput,
-                                        .span = leaf.span,
-                                        .precise = precise && !is_input});
-    if (list.empty()) list.reserve(leaves_.size() + 1);  // one for the distances of clip planes
-    std::string path = leaf.name + leaf.elements;
-    std::uint32_t place = 0;
-    // Only the inputs are read of a shader that another stage's must match.
-    const bool is_matched = is_input || !program_.is_interface_only;
-    const bool is_target = builtin == Builtin::kNone && !is_input && !stage_.has_stage_after;
-    if (blend_index && !is_target)
-      diagnostics_.Report(leaf.span, diag::AttributeWithoutEffect, "vk::index");
-    if (is_target && is_matched)
-      place = TargetNumber(leaf);
-    else if (builtin == Builtin::kNone)
-      place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
-                                        path, leaf.span);
-    list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
-                    sample, semantic.has_index, is_matched && location,
-                    leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
-    list.back().has_min_precision = program_.types.HasMinPrecision(leaf.type);
-    if (is_target) list.back().blend_index = blend_index.value_or(0);
-    return id;
-  }
-
-  // The number of the render target that an output goes to.
-  std::uint32_t TargetNumber(const Carrier& leaf) {
-    const std::uint32_t number = leaf.cursor.location.value_or(leaf.cursor.semantic.index);
-    const auto known = std::ranges::find_if(program_.outputs, [&](const IoVar& output) {
-      return output.builtin == Builtin::kNone && output.location == number &&
-             output.blend_index == leaf.cursor.blend_index.value_or(0);
-    });
-    if (known != program_.outputs.end())
-      diagnostics_.Report(leaf.span, diag::LocationTwice, number, leaf.name, known->path);
-    return number;
   }
 
   // ---- clip and cull distances by hand
@@ -407,13 +411,14 @@ class MainBuilder {
     auto& pieces = builtin == Builtin::kClipDistanceInput ? clip_reads_ : cull_reads_;
     pieces.Add(leaf.cursor.semantic.index, values, leaf.span);
     const TypeId vector = program_.types.Vector(Scalar::kFloat, static_cast<int>(count));
-    return Fit(count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
+    return Fit(program_, builder_,
+               count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
   }
 
   void ReadDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
     if (pieces.empty()) return;
     const std::vector<ExprId> values = pieces.Packed(has_gaps);
-    const VarId array = AddDistances(program_.inputs, builtin, values.size(), pieces.span());
+    const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
     for (std::uint32_t i = 0; i < values.size(); ++i) {
       const ExprId element = builder_.At(builder_.Ref(array), i);
       if (values[i]) program_.exprs[values[i]].node = program_.exprs[element].node;
@@ -437,7 +442,7 @@ class MainBuilder {
   void WriteDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
     if (pieces.empty()) return;
     const std::vector<ExprId> values = pieces.Packed(has_gaps);
-    const VarId array = AddDistances(program_.outputs, builtin, values.size(), pieces.span());
+    const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
     for (std::uint32_t i = 0; i < values.size(); ++i) {
       const ExprId value = values[i] ? values[i] : builder_.Float(0);
       body_.push_back(builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), value)));
@@ -449,28 +454,6 @@ class MainBuilder {
     if (BaseOf(program_.types[leaf.type].scalar) == Scalar::kFloat) return true;
     semantics_.Refuse(leaf, "a `float` scalar or vector");
     return false;
-  }
-
-  // Adds the array of distances to the inputs or outputs.
-  VarId AddDistances(std::vector<IoVar>& list, Builtin builtin, std::size_t count, Span span) {
-    const bool is_clip =
-        builtin == Builtin::kClipDistance || builtin == Builtin::kClipDistanceInput;
-    distance_count_ += static_cast<std::uint32_t>(count);
-    distance_span_ = distance_span_ ? distance_span_ : span;
-    Carrier leaf;
-    leaf.type = program_.types.Array(program_.types.Make(Scalar::kFloat),
-                                     static_cast<std::uint32_t>(count));
-    leaf.name = is_clip ? "clip_distance" : "cull_distance";
-    leaf.cursor.semantic.name = is_clip ? "SV_ClipDistance" : "SV_CullDistance";
-    leaf.span = span;
-    const VarId array = AddIo(list, leaf, leaf.type, builtin);
-    program_.vars[array].name = leaf.name;
-    return array;
-  }
-
-  void CheckDistanceCount() {
-    if (distance_count_ <= kMaxDistances) return;
-    diagnostics_.Report(distance_span_, diag::TooManyClipDistances, distance_count_);
   }
 
   Program& program_;
@@ -485,10 +468,9 @@ class MainBuilder {
   std::vector<Carrier> pending_outputs_;
   std::vector<ExprId> center_reads_;  // of the position that is not the sample's
   Distances clip_, cull_, clip_reads_, cull_reads_;
-  Span distance_span_;  // of the first distances
   AttributeReads attributes_{program_, builder_};
-  Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
-  std::uint32_t distance_count_ = 0;
+  InterfaceVars vars_{program_, diagnostics_};
+  VertexInputs vertices_{program_, builder_, semantics_, vars_};
 };
 
 }  // namespace

@@ -26,7 +26,9 @@ struct EntryParameter {
   std::optional<std::uint32_t> location;     // [[vk::location(..)]]
   std::optional<std::uint32_t> blend_index;  // [[vk::index(..)]]
   bool is_uniform = false;
-  VarId uniform_var;  // the member of $Params that a `uniform` parameter became
+  VarId uniform_var;       // the member of $Params that a `uniform` parameter became; a stream
+  bool is_stream = false;  // of vertices that the shader emits; is_uniform then
+  std::optional<Primitive> primitive = {};  // whose vertices the parameter has, an array
   VarId
       objects;  // the variable that has the textures and samplers of the struct; none: it has none
 };

@@ -23,6 +23,8 @@ class SemanticCheck {
 
   // The meaning of the leaf's semantic on one side of the stage.
   SystemValue LookUp(const Carrier& leaf, Direction direction);
+  // The next outputs are those of another stream, which may have the same semantics.
+  void NextStream() { seen_outputs_.clear(); }
   // Whether the leaf may be an input or output beside those that were asked about before.
   bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value);
   // Whether the profile lacks the input of a pixel shader, which may be declared and is not read.

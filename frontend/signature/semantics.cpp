@@ -29,15 +29,16 @@ constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
 constexpr Sides kNowhere{kRefused, kRefused};
 constexpr Sides kOnlyMade{kMade, kRefused};
 constexpr Sides kAnywhere{kPlain, kPlain};
+constexpr Sides kPointSizes{Is(Builtin::kPointSizeInput), Is(Builtin::kPointSize)};
 
 struct Semantic {
   std::string_view name;
-  Sides vertex, pixel, compute = kNowhere;
+  Sides vertex, pixel, geometry = kNowhere, compute = kNowhere;
   bool is_old = false;  // Direct3D 9's name of an output, which is data from profile 4.0 on
 
   const SystemValue& Of(Stage stage, Direction direction) const {
     static constexpr Sides Semantic::* kColumns[] = {&Semantic::vertex, &Semantic::pixel,
-                                                     &Semantic::compute};
+                                                     &Semantic::compute, &Semantic::geometry};
     static_assert(std::size(kColumns) == kStageCount);
     const Sides& sides = this->*kColumns[static_cast<std::size_t>(stage)];
     return direction == Direction::kInput ? sides.input : sides.output;
@@ -47,18 +48,26 @@ struct Semantic {
 // The system values, as an input and as an output of each stage. A position or clip distance that
 // the input assembler reads is data like any other (DXC: "Arb" for the vertex input).
 constexpr Semantic kSemantics[] = {
-    {"SV_Position", {kPlain, Is(Builtin::kPosition, 0)}, {Is(Builtin::kPixelPosition), kRefused}},
+    {"SV_Position",
+     {kPlain, Is(Builtin::kPosition, 0)},
+     {Is(Builtin::kPixelPosition), kRefused},
+     {Is(Builtin::kPositionInput), Is(Builtin::kPosition)}},
     {"SV_ClipDistance",
      {kPlain, Is(Builtin::kClipDistance)},
-     {Is(Builtin::kClipDistanceInput), kRefused}},
+     {Is(Builtin::kClipDistanceInput), kRefused},
+     {Is(Builtin::kClipDistanceInput), Is(Builtin::kClipDistance)}},
     {"SV_CullDistance",
      {kPlain, Is(Builtin::kCullDistance)},
-     {Is(Builtin::kCullDistanceInput), kRefused}},
-    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade},
-    {"SV_InstanceID", {Is(Builtin::kInstanceId), kPlain}, {kPlain, kRefused}},
+     {Is(Builtin::kCullDistanceInput), kRefused},
+     {Is(Builtin::kCullDistanceInput), Is(Builtin::kCullDistance)}},
+    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade, kAnywhere},
+    {"SV_InstanceID", {Is(Builtin::kInstanceId), kPlain}, {kPlain, kRefused}, kAnywhere},
     {"SV_StartVertexLocation", {Is(Builtin::kBaseVertex, 6, 8), kRefused}, kNowhere},
     {"SV_StartInstanceLocation", {Is(Builtin::kBaseInstance, 6, 8), kRefused}, kNowhere},
-    {"SV_ViewID", {Is(Builtin::kViewId, 6, 1), kPlain}, {Is(Builtin::kViewId, 6, 1), kRefused}},
+    {"SV_ViewID",
+     {Is(Builtin::kViewId, 6, 1), kPlain},
+     {Is(Builtin::kViewId, 6, 1), kRefused},
+     {Is(Builtin::kViewId, 6, 1), kPlain}},
     {"SV_VulkanVertexID", {Is(Builtin::kVertexIndex), kRefused}, kNowhere},  // Slang's name
     {"SV_VulkanInstanceID", {Is(Builtin::kInstanceIndex), kRefused}, kNowhere},
     {"SV_ShadingRate",
@@ -66,16 +75,22 @@ constexpr Semantic kSemantics[] = {
      {Is(Builtin::kShadingRateInput, 6, 4), kRefused}},
     {"SV_RenderTargetArrayIndex",
      {kPlain, Is(Builtin::kLayer)},
-     {Is(Builtin::kLayerInput), kRefused}},
+     {Is(Builtin::kLayerInput), kRefused},
+     {kPlain, Is(Builtin::kLayer)}},
     {"SV_ViewportArrayIndex",
      {kPlain, Is(Builtin::kViewportIndex)},
-     {Is(Builtin::kViewportInput), kRefused}},
-    {"SV_DispatchThreadID", kNowhere, kOnlyMade, {Is(Builtin::kThreadId), kRefused}},
-    {"SV_GroupID", kNowhere, kOnlyMade, {Is(Builtin::kGroupId), kRefused}},
-    {"SV_GroupThreadID", kNowhere, kOnlyMade, {Is(Builtin::kGroupThreadId), kRefused}},
-    {"SV_GroupIndex", kNowhere, kOnlyMade, {Is(Builtin::kGroupIndex), kRefused}},
-    {"SV_PrimitiveID", {kRefused, kPlain}, {Is(Builtin::kPrimitiveId), kRefused}},
-    {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}},
+     {Is(Builtin::kViewportInput), kRefused},
+     {kPlain, Is(Builtin::kViewportIndex)}},
+    {"SV_DispatchThreadID", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kThreadId), kRefused}},
+    {"SV_GroupID", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kGroupId), kRefused}},
+    {"SV_GroupThreadID", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kGroupThreadId), kRefused}},
+    {"SV_GroupIndex", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kGroupIndex), kRefused}},
+    {"SV_PrimitiveID",
+     {kRefused, kPlain},
+     {Is(Builtin::kPrimitiveId), kRefused},
+     {Is(Builtin::kPrimitiveId), Is(Builtin::kPrimitiveIdOutput)}},
+    {"SV_GSInstanceID", kNowhere, kOnlyMade, {Is(Builtin::kEmitterId, 5), kRefused}},
+    {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}, {kRefused, kPlain}},
     {"SV_SampleIndex", kNowhere, {Is(Builtin::kSampleIndex, 4, 1), kRefused}},
     {"SV_Coverage", kNowhere, {Is(Builtin::kCoverageInput, 5), Is(Builtin::kCoverage, 4, 1)}},
     {"SV_InnerCoverage", kNowhere, {Is(Builtin::kFullyCovered, 5), kRefused}},
@@ -87,16 +102,27 @@ constexpr Semantic kSemantics[] = {
     {"SV_StencilRef", kNowhere, {kRefused, Is(Builtin::kStencilRef, 5)}},
     // Direct3D 9's names. Those of a pixel shader's inputs and outputs mean the same under later
     // profiles.
-    {"VPOS", kAnywhere, {{Use::kBuiltin, Builtin::kPixelPosition, 3, 0, Form::kCorner}, kRefused}},
-    {"VFACE", kAnywhere, {{Use::kBuiltin, Builtin::kFrontFacing, 3, 0, Form::kSign}, kRefused}},
-    {"COLOR", kAnywhere, {kPlain, kTarget}},
-    {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}},
-    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kLost, kRefused}, kNowhere, true},
-    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, kNowhere, true},
+    {"VPOS",
+     kAnywhere,
+     {{Use::kBuiltin, Builtin::kPixelPosition, 3, 0, Form::kCorner}, kRefused},
+     kAnywhere},
+    {"VFACE",
+     kAnywhere,
+     {{Use::kBuiltin, Builtin::kFrontFacing, 3, 0, Form::kSign}, kRefused},
+     kAnywhere},
+    {"COLOR", kAnywhere, {kPlain, kTarget}, kAnywhere},
+    {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}, kAnywhere},
+    {"POSITION",
+     {kPlain, Is(Builtin::kPosition, 0)},
+     {kLost, kRefused},
+     {kPlain, Is(Builtin::kPosition, 0)},
+     kNowhere,
+     true},
+    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, kAnywhere, kNowhere, true},
     // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
-    {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
+    {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade, kPointSizes},
     // vk::PointSize is written [[vk::builtin("PointSize")]].
-    {"vk::PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
+    {"vk::PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade, kPointSizes},
     {"vk::BaseVertex", {Is(Builtin::kBaseVertex, 0), kRefused}, kNowhere},
     {"vk::BaseInstance", {Is(Builtin::kBaseInstance, 0), kRefused}, kNowhere},
     {"vk::DrawIndex", {Is(Builtin::kDrawIndex, 0), kRefused}, kNowhere},

@@ -83,13 +83,14 @@ class SignatureLeaves {
   void ReportMissing() const;
 
   PartNumber Whole(VarId variable);
+  // A field or an element of a part; where `columns` is not 0, a column of a matrix with so many.
+  PartNumber Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns = 0);
   const Part& operator[](PartNumber number) const { return parts_[number]; }
   // Returns the value of a part, a new expression in each call.
   ExprId ValueOf(PartNumber number);
   ExprId Transposed(ExprId matrix);
 
  private:
-  PartNumber Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns);
   void Collect(const Carrier& piece, Cursor& cursor);
   void CollectField(Carrier& piece, const Field& field, Cursor& cursor);
   void Override(Cursor& field, const Cursor& whole, const std::string& name);

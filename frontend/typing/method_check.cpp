@@ -128,6 +128,15 @@ ExprId MethodCheck::SubpassLoad() {
   return Finish(ObjectOp::kSubpassLoad, Element());
 }
 
+ExprId MethodCheck::Append() {
+  if (!HasCount(1, 1) || !Take(OperandKind::kValue, 0, Element())) return Error();
+  return Finish(ObjectOp::kAppend, program.types.Void());
+}
+
+ExprId MethodCheck::RestartStrip() {
+  return HasCount(0, 0) ? Finish(ObjectOp::kRestartStrip, program.types.Void()) : Error();
+}
+
 ExprId MethodCheck::Unknown(std::span<const std::string_view> near) {
   if (kind_ == ObjectKind::kOther) return Unusable();
   const std::string tail = near.empty() ? "" : fmt::format("; did you mean `{}`?", near.front());

@@ -66,6 +66,8 @@ class MethodCheck : IntrinsicCheck {
   ExprId GetDimensions() { return CheckGetDimensions(*this, object_); }
   ExprId SamplePosition();
   ExprId SubpassLoad();
+  ExprId Append();
+  ExprId RestartStrip();
   ExprId Unsupported() { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
   ExprId Unusable() { return Fail(name_span, diag::ObjectUnusable, name, ThisStage().name); }
 

@@ -120,6 +120,9 @@ constexpr Method kByteMethods[] = {
     {"InterlockedXor", kWriting, &MethodCheck::Atomic},
 };
 
+constexpr Method kStreamMethods[] = {{"Append", kNothing, &MethodCheck::Append},
+                                     {"RestartStrip", kNothing, &MethodCheck::RestartStrip}};
+
 constexpr Method kSubpassMethods[] = {{"SubpassLoad", kNothing, &MethodCheck::SubpassLoad}};
 
 std::span<const Method> MethodsOf(ObjectKind kind) {
@@ -129,6 +132,7 @@ std::span<const Method> MethodsOf(ObjectKind kind) {
     case ObjectCategory::kStructuredBuffer: return kBufferMethods;
     case ObjectCategory::kByteAddressBuffer: return kByteMethods;
     case ObjectCategory::kSubpass: return kSubpassMethods;
+    case ObjectCategory::kStream: return kStreamMethods;
     default: return {};
   }
 }
@@ -168,7 +172,9 @@ ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object) {
     return call.Fail(call.name_span, diag::MethodUnknown,
                      call.program.types.Name(call.TypeIdOf(object)), call.name, "");
   }
-  if (IsOrdered(type.object) && !call.ThisStage().draws_pixels)
+  const bool lacks = (IsOrdered(type.object) && !call.ThisStage().draws_pixels) ||
+                     (IsStream(type.object) && !call.ThisStage().emits_vertices);
+  if (lacks)
     return call.Fail(call.name_span, diag::ObjectUnusable, call.name, call.ThisStage().name);
   MethodCheck check(call, object, type.object);
   const std::span<const Method> methods = MethodsOf(type.object);

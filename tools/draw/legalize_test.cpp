@@ -24,8 +24,10 @@ std::vector<ir::IoBits> Outputs(const ir::Program& program, const RandomInputs& 
   const auto use = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
     inputs.UseObject(program, buffers, request, 0, result);
   };
-  const ir::EvalResult result =
-      ir::RunMain(program, {inputs.vertices[vertex], inputs.cbuffers, use, {}});
+  const ir::EvalResult result = ir::RunMain(program, {.values = inputs.vertices[vertex],
+                                                      .cbuffers = inputs.cbuffers,
+                                                      .read_object = use,
+                                                      .start = {}});
   EXPECT_TRUE(result) << result.error;
   std::vector<ir::IoBits> values = result.outputs.values;
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -25,6 +25,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 float4 vs(float4 p : POSITION) : SV_Position { return p + SHIFT; }
 float4 plain(float4 p : POSITION) : POSITION { return p; }
 float4 unclipped(float4 p : POSITION) : SV_Position { return p; }
+[maxvertexcount(1)] void points(point float4 p[1] : SV_Position, inout PointStream<float4> s : SV_Position) { s.Append(p[0]); }
 float4 pixel(float4 p : SV_Position) : SV_Target { return p; }
 Texture2D image : register(t0);
 SamplerState linear_sampler : register(s0);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "frontend/signature/locations.h"
+#include "frontend/signature/names.h"
+#include "frontend/signature/signature_leaves.h"
+#include "ir/builder.h"
+
+namespace clipc::signature {
+
+// The variables of the shader's inputs and outputs.
+class InterfaceVars {
+ public:
+  // Keeps references to the program and the diagnostics.
+  InterfaceVars(Program& program, Diagnostics& diagnostics);
+
+  VarId AddInput(const Carrier& leaf, TypeId type, Builtin builtin) {
+    return Add(program_.inputs, leaf, type, builtin);
+  }
+  VarId AddOutput(const Carrier& leaf, TypeId type, Builtin builtin) {
+    return Add(program_.outputs, leaf, type, builtin);
+  }
+  // Adds the array of clip or cull distances, with `count` elements.
+  VarId AddDistances(Builtin builtin, std::size_t count, Span span);
+  // Reports inputs, and outputs, with more distances than GLSL's arrays have.
+  void CheckDistances();
+
+ private:
+  VarId Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin);
+  std::uint32_t TargetNumber(const Carrier& leaf);
+
+  // The distances of the inputs, or of the outputs.
+  struct DistanceCount {
+    std::uint32_t count = 0;
+    Span span;  // of the first
+  };
+
+  Program& program_;
+  const StageInfo& stage_;
+  Diagnostics& diagnostics_;
+  Locations locations_[2];      // of outputs and of inputs
+  DistanceCount distances_[2];  // of outputs and of inputs
+};
+
+// The type of the variable of a built-in input or output, which is not an array.
+TypeId TypeOf(TypeTable& types, Builtin builtin);
+// The type in which an input or output is stored: uint for bool, the base kind for half and for
+// minimum-precision kinds.
+TypeId StoredType(TypeTable& types, TypeId id);
+// Converts `value` to `type`, which differs from its own type in the component kind or in being a
+// vector of one.
+ExprId Fit(Program& program, Builder& builder, ExprId value, TypeId type);
+
+}  // namespace clipc::signature
