@@ -64,6 +64,8 @@ class Runner {
     if (!Stage().has_stage_after) options_.lowerings = {"none"};
     if (Stage().runs_in_groups && options_.targets == CompareOptions().targets)
       options_.targets = {"glsl430", "glsl450", "essl310", "vulkan"};
+    if (Stage().emits_vertices && options_.targets == CompareOptions().targets)
+      options_.targets = {"glsl150", "glsl410", "glsl450", "essl320"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }

@@ -12,8 +12,11 @@ using namespace ir;
 
 IoBits ValueOf(const Program& program, const IoVar& input, RandomValues& values) {
   const Type& type = program.types[program.vars[input.var].type];
+  const bool is_array = type.kind == TypeKind::kArray;
+  const Scalar kind = is_array ? program.types[type.element].scalar : type.scalar;
   IoBits bits{};
-  for (std::uint32_t i = 0; i < type.Components(); ++i) bits[i] = values.Next(BaseOf(type.scalar));
+  for (std::uint32_t i = 0; i < (is_array ? type.count : type.Components()); ++i)
+    bits[i] = values.Next(BaseOf(kind));
   return bits;
 }
 
@@ -44,6 +47,8 @@ void MakeVertices(const Program& program, const RandomOptions& options, RandomVa
     std::vector<IoBits>& attributes = inputs.vertices.emplace_back();
     for (const IoVar& input : program.inputs) attributes.push_back(ValueOf(program, input, values));
   }
+  // The vertices that a geometry shader reads have no values of the draw call.
+  if (clipc::InfoOf(program.stage).emits_vertices) return;
   for (int run = 0; run < options.vertices * options.instances; ++run) {
     if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
     SetBuiltins(program, options, run, inputs.vertices[run]);

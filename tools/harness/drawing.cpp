@@ -50,6 +50,15 @@ GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
               before_linking);
 }
 
+GLuint LinkProgram(const std::string& vertex, const std::string& geometry,
+                   const std::string& fragment,
+                   const std::function<void(GLuint program)>& before_linking) {
+  return Link({{GL_VERTEX_SHADER, "vertex", vertex},
+               {GL_GEOMETRY_SHADER, "geometry", geometry},
+               {GL_FRAGMENT_SHADER, "fragment", fragment}},
+              before_linking);
+}
+
 GLuint LinkComputeProgram(const std::string& compute) {
   return Link({{GL_COMPUTE_SHADER, "compute", compute}}, {});
 }

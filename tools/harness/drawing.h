@@ -21,6 +21,11 @@ namespace clipc::harness {
 GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                    const std::function<void(GLuint program)>& before_linking = {});
 
+// The same with a geometry shader between the two.
+GLuint LinkProgram(const std::string& vertex, const std::string& geometry,
+                   const std::string& fragment,
+                   const std::function<void(GLuint program)>& before_linking);
+
 // The same of a compute shader.
 GLuint LinkComputeProgram(const std::string& compute);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -61,39 +62,44 @@ void Draw(const Inputs& inputs) {
   glDeleteBuffers(1, &buffer);
 }
 
-std::vector<Captured> CaptureAtOnce(const std::string& vertex, std::span<const std::string> names,
-                                    const Inputs& inputs) {
-  const harness::Framebuffer framebuffer(1, 1);
-  GlProgram program(vertex, EmptyFragmentFor(VersionOf(vertex)), names);
+// The outputs `names` of at most so many points that a draw call gives.
+std::vector<Captured> CapturePoints(GlProgram& program, std::size_t names, const Inputs& inputs,
+                                    int most, const std::function<void()>& draw) {
   program.Bind(inputs);
-  std::vector<Captured> outputs = CapturedOf(program.id(), names.size());
+  std::vector<Captured> outputs = CapturedOf(program.id(), names);
   std::size_t words = 0;
   for (const Captured& output : outputs)
     words += static_cast<std::size_t>(output.layout.Words()) * output.count;
-  const int vertices = inputs.vertices * inputs.instances;
-  const std::size_t bytes = 4 * words * vertices;
+  const std::size_t bytes = 4 * words * most;
 
   const GLuint buffer = harness::NewBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr, bytes);
+  GLuint query = 0;
+  glGenQueries(1, &query);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
   glEnable(GL_RASTERIZER_DISCARD);
+  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
   glBeginTransformFeedback(GL_POINTS);
-  Draw(inputs);
+  draw();
   glEndTransformFeedback();
+  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
   glDisable(GL_RASTERIZER_DISCARD);
-  harness::CheckErrors("running the vertex shader");
+  GLuint vertices = 0;
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &vertices);
+  glDeleteQueries(1, &query);
+  harness::CheckErrors("running the shader");
   const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0,
                                         static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
   if (!mapped) throw DrawError("reading what transform feedback wrote");
-  Distribute(static_cast<const std::uint32_t*>(mapped), vertices, outputs);
+  Distribute(static_cast<const std::uint32_t*>(mapped), static_cast<int>(vertices), outputs);
   glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
   glDeleteBuffers(1, &buffer);
   return outputs;
 }
 
-}  // namespace
-
-std::vector<Captured> Capture(const std::string& vertex, std::span<const std::string> names,
-                              const Inputs& inputs) {
+// Captures the outputs, as many at once as fit.
+std::vector<Captured> CaptureAll(
+    std::span<const std::string> names,
+    const std::function<std::vector<Captured>(std::span<const std::string>)>& capture) {
   std::vector<Captured> all;
   while (!names.empty()) {
     std::size_t count = 0;
@@ -101,11 +107,33 @@ std::vector<Captured> Capture(const std::string& vertex, std::span<const std::st
       components += MostComponents(names[count]);
       if (components > kMaxComponents) break;
     }
-    std::vector<Captured> some = CaptureAtOnce(vertex, names.first(count), inputs);
+    std::vector<Captured> some = capture(names.first(count));
     std::move(some.begin(), some.end(), std::back_inserter(all));
     names = names.subspan(count);
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<Captured> Capture(const std::string& vertex, std::span<const std::string> names,
+                              const Inputs& inputs) {
+  const harness::Framebuffer framebuffer(1, 1);
+  return CaptureAll(names, [&](std::span<const std::string> some) {
+    GlProgram program(vertex, EmptyFragmentFor(VersionOf(vertex)), some);
+    return CapturePoints(program, some.size(), inputs, inputs.vertices * inputs.instances,
+                         [&] { Draw(inputs); });
+  });
+}
+
+std::vector<Captured> CaptureGeometry(const GeometryRun& run, std::span<const std::string> names,
+                                      const Inputs& inputs) {
+  const harness::Framebuffer framebuffer(1, 1);
+  return CaptureAll(names, [&](std::span<const std::string> some) {
+    GlProgram program(run.vertex, run.geometry, EmptyFragmentFor(VersionOf(run.geometry)), some);
+    return CapturePoints(program, some.size(), inputs, run.most_vertices,
+                         [&] { glDrawArrays(run.primitive, 0, inputs.vertices); });
+  });
 }
 
 }  // namespace clipc::draw

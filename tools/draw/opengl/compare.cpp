@@ -4,6 +4,7 @@
 #include "tools/draw/dispatch.h"
 #include "tools/draw/feed.h"
 #include "tools/draw/opengl/dispatch.h"
+#include "tools/draw/opengl/geometry.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/opengl/surface.h"
 #include "tools/draw/vulkan/opengl_text.h"
@@ -60,7 +61,8 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
         stage.draws_pixels ? Drawn(of, outputs, trial, inputs)
         : stage.runs_in_groups
             ? Chosen(CapturedMemory(trial.shader, trial.inputs, Dispatch(of, inputs)), outputs)
-            : Capture(of, names, inputs),
+        : stage.emits_vertices ? Emit(of, names, trial, inputs)
+                               : Capture(of, names, inputs),
         trial.tolerance);
   };
   const Comparison of_glsl = compare(text);

@@ -124,6 +124,17 @@ GlProgram::GlProgram(const std::string& vertex, const std::string& fragment,
   glGenVertexArrays(1, &vertex_array_);
 }
 
+GlProgram::GlProgram(const std::string& vertex, const std::string& geometry,
+                     const std::string& fragment, std::span<const std::string> captured)
+    : program_(harness::LinkProgram(vertex, geometry, fragment, [&](GLuint program) {
+        std::vector<const char*> names;
+        for (const std::string& name : captured) names.push_back(name.c_str());
+        glTransformFeedbackVaryings(program, static_cast<GLsizei>(names.size()), names.data(),
+                                    GL_INTERLEAVED_ATTRIBS);
+      })) {
+  glGenVertexArrays(1, &vertex_array_);
+}
+
 GlProgram::GlProgram(const std::string& compute) : program_(harness::LinkComputeProgram(compute)) {
   glGenVertexArrays(1, &vertex_array_);
 }

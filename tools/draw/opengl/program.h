@@ -56,6 +56,9 @@ class GlProgram : NotCopied {
   GlProgram(const std::string& vertex, const std::string& fragment,
             std::span<const std::string> captured,
             const std::function<void(GLuint program)>& before_linking = {});
+  // The same with a geometry shader between the two, whose outputs are captured.
+  GlProgram(const std::string& vertex, const std::string& geometry, const std::string& fragment,
+            std::span<const std::string> captured);
   // Links a compute shader.
   explicit GlProgram(const std::string& compute);
   ~GlProgram();
@@ -88,6 +91,17 @@ class GlProgram : NotCopied {
   std::vector<GLuint> textures_;  // on texture unit 0, 1, ...
   std::vector<BoundImage> images_;
 };
+
+// How a geometry shader runs: after a vertex shader, for primitives of that kind.
+struct GeometryRun {
+  std::string vertex, geometry;
+  GLenum primitive = GL_POINTS;
+  int most_vertices = 0;  // that all runs emit together
+};
+// Runs the geometry shader, which gives points, without a later stage, and returns the outputs
+// `names` of all vertices that it emits, in their order.
+std::vector<Captured> CaptureGeometry(const GeometryRun& run, std::span<const std::string> names,
+                                      const Inputs& inputs);
 
 // Runs the vertex shader without any other stage, on points, and returns the outputs `names` in
 // their order. A context that VersionOf(vertex) names must be current.
