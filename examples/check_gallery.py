@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Holds the GLSL beside each shader of examples/gallery and examples/compute against the GLSL that clipc writes now.
+"""Holds the GLSL beside each shader of examples/gallery, compute and geometry against the GLSL that clipc writes now.
 
 usage: check_gallery.py CLIPC [--write]
 
@@ -14,7 +14,7 @@ import sys
 
 EXAMPLES = pathlib.Path(__file__).resolve().parent
 # The folders of shaders, and the suffix of the GLSL in each.
-FOLDERS = {"gallery": ".vert", "compute": ".comp"}
+FOLDERS = {"gallery": ".vert", "compute": ".comp", "geometry": ".geom"}
 
 
 def compiled(clipc, shader):
