@@ -87,6 +87,7 @@ class MainBuilder {
       pending_outputs_ = {{leaves_.Whole(vertex), type, object.name, object.span,
                            CursorOf(parameter), parameter.row_major}};
       WriteOutputs();
+      clip_ = cull_ = {};
       body_.push_back(builder_.Eval(builder_.IntrinsicOf(
           CommonIntrinsic::kEmitVertex, program_.types.Void(), {builder_.Uint(number)})));
       const FunctionId emit = program_.functions.Add({"append_" + object.name,

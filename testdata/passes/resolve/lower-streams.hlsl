@@ -1,4 +1,4 @@
-// Append is a call of the function that writes the outputs and emits them; a stream is no parameter of other functions.
+// Append is a call of the function that writes the outputs and emits them; a stream is not a parameter of other functions.
 // RUN: %clipc %s -T gs_5_0 --dump-after=lower-streams | FileCheck %s
 // RUN: %draw compare %s -T gs_5_0 --target=glsl410,glsl450
 struct V { float4 p : SV_Position; };
