@@ -336,6 +336,7 @@ std::uint32_t WrittenElements(const WriterContext& context, VarId array) {
 // gl_PerVertex where the interface between separate stages is built from it, otherwise as arrays
 // alone.
 void WritePerVertex(WriterContext& context, const GlslInfo& info, std::string& text) {
+  if (!InfoOf(context.program.stage).has_stage_after) return;  // its outputs are no vertex's
   const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
   const bool has_block = is_vulkan || (!is_es && context.target.version() >= 410);
   const bool in_block = has_block && (is_vulkan || context.options.separable);

@@ -26,8 +26,8 @@ struct KnownText {
   KnownText(FrontendContext& context, const SourceInput& input, const WarningOptions& warnings)
       : source(context, input), messages(warnings) {}
 
-  // Returns what clipc::Check does. `options` differ from those of another call in the profile and
-  // the entry alone, and `diagnostics` has the `messages`.
+  // Returns what clipc::Check does. `options` differ from those of another call in the profile,
+  // the entry and whose planes it has alone, and `diagnostics` has the `messages`.
   ir::Program Check(const CheckOptions& options, Diagnostics& diagnostics);
 
   Source source;
@@ -39,7 +39,7 @@ struct KnownText {
     ir::Program program;
     Diagnostics messages;
   };
-  std::map<std::string, Checked> checked_;  // by profile and entry
+  std::map<std::string, Checked> checked_;  // by profile, entry and planes_entry
   std::size_t exprs_ = 0;                   // of all programs
 };
 

@@ -243,6 +243,11 @@ void RewriteHlsl(std::span<Job> jobs, CompileResult& result) {
     if (!MayHaveClipPlanes(main->file, main->entries[i])) continue;
     std::optional<rewrite::Entry> entry = ReadEntry(*main, i);
     if (!entry || entry->planes == 0) continue;
+    if (entry->point.program.stage != Stage::kVertex) {
+      job.diagnostics.Report(entry->point.definition, diag::Unsupported,
+                             "`--target=hlsl` for the clip planes of a geometry shader");
+      continue;
+    }
     PlanPlanes(job, *entry);
     CheckNewNames(request, main->file, *entry);
     if (job.plan.lowering.lowering == Lowering::kDiscard && jobs.size() == 1) {

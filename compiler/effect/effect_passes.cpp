@@ -79,6 +79,8 @@ class ProgramFinder {
         ShadersOf(added, pass, Stage::kVertex, pass.vertex),
         ShadersOf(added, pass, Stage::kGeometry, pass.geometry),
         ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
+    if (!drawing[1].IsNull() && drawing[0].IsNull() && !added.is_left_out)
+      LeaveOut(added, pass, StateOf(Stage::kVertex), "NULL");
     const std::vector<StageShaders> computing = {
         ShadersOf(added, pass, Stage::kCompute, pass.compute)};
     AddPrograms(added, drawing);  // its choice is the first

@@ -30,11 +30,15 @@ namespace {
 std::pair<FunctionInfoId, AttributeLists> PlanesOf(Context& context, FunctionInfoId entry,
                                                    const AttributeLists& attributes) {
   const std::string& name = context.options.planes_entry;
-  if (name.empty() || HasAttribute(context, attributes, kClipPlanesAttribute))
-    return {entry, attributes};
-  const FunctionInfoId other = FindEntry(context, name);
+  const FunctionInfoId other = name.empty() ? FunctionInfoId{} : FindEntry(context, name);
   if (!other) return {entry, attributes};
-  return {other, AttributesOf(context, other)};
+  AttributeLists of_other = AttributesOf(context, other);
+  if (!HasAttribute(context, attributes, kClipPlanesAttribute)) return {other, of_other};
+  if (const ast::Attr* second = FindAttribute(context, of_other, kClipPlanesAttribute)) {
+    const ast::Attr* first = FindAttribute(context, attributes, kClipPlanesAttribute);
+    context.Report(first->span, diag::ClipPlanesTwice).Note(second->span, diag::FirstGivenHere);
+  }
+  return {entry, attributes};
 }
 
 // Checks the entry function and makes `main`; without bodies only what the signature and the clip

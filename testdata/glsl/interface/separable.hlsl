@@ -24,3 +24,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // OLD-NEXT: void main() {
 // OLD-NEXT:     gl_Position = in_POSITION0;
 // OLD-NEXT: }
+
+// A pixel shader has no such block.
+// RUN: %clipc %s -T ps_5_0 -E pixel --separable --validate -o - | FileCheck %s --check-prefix=PIXEL --implicit-check-not=gl_PerVertex
+// PIXEL: void main() {
+float4 pixel(float4 c : COLOR0) : SV_Target { return c; }
