@@ -24,9 +24,12 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-# With notes of what runs, -O3 makes only that larger; without, it lengthens the build by more than it gains.
+# With notes of what runs, -O3 makes only that larger; without, it lengthens the build by more than it gains. What is downloaded is
+# small first.
 if(CLIPC_PROFILE)
   set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+elseif(CLIPC_WASM)
+  set(CMAKE_CXX_FLAGS_RELEASE "-Os -DNDEBUG")
 else()
   set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 endif()
