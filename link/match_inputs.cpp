@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/spelling.h"
+#include "ir/access.h"
 #include "link/names.h"
 
 namespace clipc::link {
@@ -182,9 +183,11 @@ class InputMatcher {
   // ---- matching
 
   // An output that no path writes matches nothing: the pixel shader would read what is undefined.
+  // Neither does one of a stream after the first, which alone is drawn.
   bool IsFree(std::size_t output) const {
     const ir::IoVar& io = program_.outputs[output];
-    return io.builtin == ir::Builtin::kNone && !io.is_unwritten && !outputs_[output].input;
+    return io.builtin == ir::Builtin::kNone && !io.is_unwritten && !outputs_[output].input &&
+           StreamOf(program_, io.var) == 0;
   }
   GlslType GlslTypeAt(std::size_t output) const {
     return link::GlslTypeOf(program_.types, program_.vars[program_.outputs[output].var].type)

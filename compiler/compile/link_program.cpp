@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile/link_program.h"
 
+#include <algorithm>
+
 #include "compiler/compile/neighbour.h"
 #include "link/match.h"
 #include "link/read.h"
@@ -17,6 +19,19 @@ void ForgetNames(link::Interface& neighbour, bool is_glsl) {
   for (link::UniformBlock& block : neighbour.blocks) {
     if (!is_glsl) block.name.clear();
   }
+}
+
+// After a geometry shader the number of the primitive is what that shader writes.
+void CheckPrimitiveId(const ir::Program& program, const ir::Program& next,
+                      Diagnostics& diagnostics) {
+  if (program.emission.streams.empty()) return;
+  const auto read = std::ranges::find(next.inputs, ir::Builtin::kPrimitiveId, &ir::IoVar::builtin);
+  if (read == next.inputs.end() ||
+      std::ranges::find(program.outputs, ir::Builtin::kPrimitiveIdOutput, &ir::IoVar::builtin) !=
+          program.outputs.end())
+    return;
+  diagnostics.Report(program.functions[program.entry].span, diag::PixelInputUnwritten,
+                     read->semantic);
 }
 
 }  // namespace
@@ -51,6 +66,7 @@ void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& pro
                                    .zero_unwritten = link.zero_unwritten,
                                    .is_es = job.request.target.IsEs()};
   const link::Matches matches = link::Match(program, reader, options, job.diagnostics);
+  CheckPrimitiveId(program, next.program, job.diagnostics);
   if (!job.diagnostics.has_errors()) link::Apply(program, reader, matches, options);
 }
 
