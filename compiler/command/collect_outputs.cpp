@@ -16,9 +16,9 @@
 namespace clipc {
 namespace {
 
-std::string VariableOf(const CommandLine& command, const Outputs& outputs) {
+std::string VariableOf(const CommandLine& command) {
   if (!command.variable.empty()) return command.variable;
-  std::string name = "g_" + outputs.table->entry;
+  std::string name = "g_" + command.request.first().entry;
   std::ranges::replace(name, ':', '_');
   return name;
 }
@@ -77,7 +77,7 @@ void AddVariants(const CommandLine& command, const OutputPaths& paths,
 
 // The header of -Fh: an array or a string for each shader that was compiled.
 std::string HeaderOf(const CommandLine& command, const Outputs& outputs) {
-  const std::string variable = VariableOf(command, outputs);
+  const std::string variable = VariableOf(command);
   const auto header_of = [](const ShaderOutput& shader, const std::string& name) {
     return shader.spirv.empty() ? HeaderWith(shader.text, name) : HeaderWith(shader.spirv, name);
   };
