@@ -165,7 +165,9 @@ def draw(directions, edges, speed):
     draw_costs(axes[2], rows, speed, "cut", "six planes cut most away")
     one = ("near-plane", "near-plane-f32")
     axes[0].set_yticks(range(len(rows)))
-    axes[0].set_yticklabels([f"{way}\n{WAYS[way]}{', 1 plane' * (way in one)}" for way in rows], fontsize=8)
+    axes[0].set_yticklabels(
+        [f"{way}\n{WAYS[way]}{', 1 plane' * (way in one)}" for way in rows], fontsize=8
+    )
     axes[0].set_ylim(len(rows) - 0.4, -1.05)
     for axis in axes:
         axis.grid(axis="y", color="#eeeeee")

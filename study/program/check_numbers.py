@@ -35,8 +35,9 @@ FAR = "10000"  # world_offset in flicker.csv
 TAKEN = {
     "directions": lambda row: True,
     "edges": lambda row: (row["sweep"], row["parameter"]) in POINTS,
-    "flicker": lambda row: row["world_offset"] == FAR
-    or (row["eye_to_plane"] in RATIOS and row["method"] in MOVED),
+    "flicker": lambda row: (
+        row["world_offset"] == FAR or (row["eye_to_plane"] in RATIOS and row["method"] in MOVED)
+    ),
     "laws": lambda row: True,
     "scene-costs": lambda row: True,
     "speed": lambda row: True,
@@ -80,10 +81,13 @@ def situations():
     speed = {(r["workload"], r["way"], r["planes"]): r for r in read("speed")}
     edges = {(r["sweep"], r["parameter"], r["method"]): r for r in read("edges")}
     # In the image; and along the object, where that is less by a tenth or more.
-    both = lambda row: short(float(row["p99_in_image_px"])) + (
-        f" (along it {short(float(row['p99_px']))})"
-        if float(row["p99_px"]) < 0.9 * float(row["p99_in_image_px"])
-        else ""
+    both = lambda row: (
+        short(float(row["p99_in_image_px"]))
+        + (
+            f" (along it {short(float(row['p99_px']))})"
+            if float(row["p99_px"]) < 0.9 * float(row["p99_in_image_px"])
+            else ""
+        )
     )
     lost = lambda point: lambda method: both(edges[(*point, method)])
     usual = lambda method: both(direction(method))
@@ -119,8 +123,9 @@ def situations():
 
 
 def advantage():
-    times = lambda method, ratio: float(direction("clip", ratio)["p99_in_image_px"]) / float(
-        direction(method, ratio)["p99_in_image_px"]
+    times = lambda method, ratio: (
+        float(direction("clip", ratio)["p99_in_image_px"])
+        / float(direction(method, ratio)["p99_in_image_px"])
     )
     near, middle = ([times(m, ratio) for m in ("xyw1", "object")] for ratio in ("10", "400"))
     return (
@@ -167,7 +172,9 @@ def held():
 def flicker():
     rows = read("flicker")
     found = {
-        (r["method"], r["eye_to_plane"]): [short(float(r[c])) for c in ("p99_px", "p99_in_image_px")]
+        (r["method"], r["eye_to_plane"]): [
+            short(float(r[c])) for c in ("p99_px", "p99_in_image_px")
+        ]
         for r in rows
         if r["world_offset"] == "0"
     }
@@ -419,7 +426,9 @@ def check_rest():
             flags=re.S,
         )
         for line in text.splitlines():
-            for number in re.findall(r"(?<![\w.])(?:\d+\.\d+(?!\.?\d)|\d{1,3}(?:,\d{3})+|\d{3,})", line):
+            for number in re.findall(
+                r"(?<![\w.])(?:\d+\.\d+(?!\.?\d)|\d{1,3}(?:,\d{3})+|\d{3,})", line
+            ):
                 if number not in given:
                     problems.append(f"{name}: {number} comes from no table: {line.strip()[:100]}")
     return problems
@@ -461,7 +470,14 @@ def main():
     if "--take" in arguments:
         take(pathlib.Path(arguments[arguments.index("--take") + 1]))
     problems, blocks = [], 0
-    for name in ("docs/study.md", "docs/laws.md", "docs/scene.md", "docs/runtime.md", "docs/speed.md", "README.md"):
+    for name in (
+        "docs/study.md",
+        "docs/laws.md",
+        "docs/scene.md",
+        "docs/runtime.md",
+        "docs/speed.md",
+        "README.md",
+    ):
         found, count = check_blocks(ROOT / name, write)
         problems += found
         blocks += count

@@ -113,7 +113,7 @@ for method, moves in {"object": False, "object-steps": True}.items():
 
 # Planes of random directions: object stays below a rasteriser's step, clip does not.
 directions = {(r["depth"], r["method"], r["eye_to_plane"]): r for r in read("directions.csv")}
-for (depth, method, ratio), row in directions.items():
+for (_, method, ratio), row in directions.items():
     expect(
         float(row["median_px"]) <= float(row["p99_px"]) <= float(row["largest_px"]),
         f"{method} at {ratio} is not in order",

@@ -133,7 +133,12 @@ def by_sweep(rows, key):
 
 def main_chart(charts, directions, edges, speed):
     figure = chart.draw(directions, edges, speed)
-    charts.add("speed-accuracy", chart.CAPTION, figure, "each way to clip by what it loses and what it costs")
+    charts.add(
+        "speed-accuracy",
+        chart.CAPTION,
+        figure,
+        "each way to clip by what it loses and what it costs",
+    )
 
 
 def flicker_chart(charts, flicker):

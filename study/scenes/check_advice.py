@@ -350,19 +350,6 @@ def is_possible(way, scene, thing):
 
 
 def moved(scene):
-    """The scene with its camera moved and turned by a hundredth of what it sees."""
-    camera = scene["cameras"][0]
-    r = random.Random(scene["name"])
-    tangent = math.tan(math.radians(camera.get("fov", 60)) / 2)
-    step = camera["half_height"] if camera.get("orthographic") else 10 * camera["near"] * tangent
-    camera = camera | {
-        "eye": [x + 0.01 * step * r.uniform(-1, 1) for x in camera["eye"]],
-        "yaw": camera["yaw"] + (0 if camera.get("orthographic") else 0.01 * tangent) * r.uniform(-1, 1),
-    }
-    return scene | {"cameras": [camera]}
-
-
-def moved(scene):
     """The scene with its camera moved and turned a little, so that none of its numbers is round."""
     camera, r = scene["cameras"][0], random.Random(scene["name"])
     is_ortho = camera.get("orthographic")

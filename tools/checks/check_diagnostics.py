@@ -55,6 +55,7 @@ Everything that clipc reports about a shader.
 
 {HOW}"""
 
+
 def index(all_kinds):
     """docs/diagnostics.md: the names of each chapter."""
     rows = [INDEX, "| chapter | kinds | names |", "|---|---|---|"]

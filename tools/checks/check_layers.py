@@ -13,7 +13,9 @@ VOCABULARY = "clip-table/vocabulary.h"
 LIBRARY = "compiler/clipc.hpp"  # what an application sees of the compiler
 # The headers of the runtime and the clip table are installed below include/clipc, and include each other by the way from one to
 # the other: an application's own runtime/status.h cannot stand for clipc's.
-INSTALLED = re.compile(r"(runtime|effect-runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc(_effect\.h|\.hpp)")
+INSTALLED = re.compile(
+    r"(runtime|effect-runtime|clip-table)/(?!test_|json).*\.h|compiler/clipc(_effect\.h|\.hpp)"
+)
 COMPILER = {
     "compiler",
     "compiler/compile",

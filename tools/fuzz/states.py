@@ -130,7 +130,9 @@ class Draw:
 
     def effect_pass(self):
         if self.is_obs:
-            call = self.pick(("VA(v)", "compile VA(v)", "VC(v, 2.0)", "VC(v, (1))", "VA((v))", "VA"))
+            call = self.pick(
+                ("VA(v)", "compile VA(v)", "VC(v, 2.0)", "VC(v, (1))", "VA((v))", "VA")
+            )
             return f"  pass {{ vertex_shader = {call}; pixel_shader = PA(uv); }}\n"
         lines = f"  VertexShader = {self.shader('V')};\n  PixelShader = {self.shader('P')};\n"
         lines += self.states("Pass")
@@ -149,7 +151,9 @@ class Draw:
             text += f"{block} {block}0 {{\n{self.states(block)}}};\n"
         text += SHADERS + "int i, k; int Given[2];\n"
         for number in range(3):
-            values = [str(self.random.randrange(-1, 4)) for _ in range(1 + self.random.randrange(4))]
+            values = [
+                str(self.random.randrange(-1, 4)) for _ in range(1 + self.random.randrange(4))
+            ]
             text += f"int T{number}[{len(values)}] = {{{', '.join(values)}}};\n"
         passes = "".join(self.effect_pass() for _ in range(1 + self.random.randrange(3)))
         return text + f"technique T {{\n{passes}}}\n"

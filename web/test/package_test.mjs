@@ -92,7 +92,12 @@ await test('an effect from memory', () => {
     technique Draw { pass P { VertexShader = compile vs_3_0 VS(); PixelShader = compile ps_3_0 PS(); } }`;
   const readInclude = (path) => (path === 'lights.fxh' ? 'float4x4 World;' : null);
   const options = ['--effect'];
-  const result = compiler.compile(text, { path: 'water.fx', target: 'webgl2', options, readInclude });
+  const result = compiler.compile(text, {
+    path: 'water.fx',
+    target: 'webgl2',
+    options,
+    readInclude,
+  });
   assert.equal(result.status, 'compiled', result.messages);
   const [program] = result.effect.techniques[0].passes[0].programs;
   assert.match(program.glsl, /^#version 300 es/);
