@@ -2,9 +2,13 @@
 # FetchContent makes clipc a part of a project: configures cmake/fetch_content with a mirror of this repository, and looks for the
 # shader's command among those of the build. To compile clipc there would take as long as the build that has this test.
 #   cmake -DSCRATCH= -DCOMPILER= -P test_fetch_content.cmake
-find_program(git git REQUIRED)
-file(REMOVE_RECURSE ${SCRATCH})
+find_program(git git)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
+if(NOT git OR NOT EXISTS ${root}/.git)
+  message("no git, or no repository of it: nothing was fetched")
+  return()
+endif()
+file(REMOVE_RECURSE ${SCRATCH})
 # The lines of the page are those of the project.
 file(READ ${root}/docs/cmake.md page)
 file(STRINGS ${root}/cmake/fetch_content/CMakeLists.txt lines)
