@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 #include "ir/access.h"
 #include "ir/evaluate.h"
 #include "ir/intrinsic_list.h"
 #include "ir/scalar.h"
+#include "ir/walk.h"
 
 namespace clipc::legalize {
 
@@ -22,33 +24,82 @@ constexpr double kLargestPlace = 32768;
 // The operators of an expression that are looked through, so that nested conversions take linear
 // time.
 constexpr int kMaxDepth = 16;
-// A float operation rounds by at most this part of its result, which keeps its sign.
+// A float operation rounds by at most this part of its result, which keeps its sign; a division on
+// a graphics processor by a few of these.
 constexpr double kRounding = 0x1p-23;
+// A float operation may make infinity of what is not below, and 0 of what is smaller than, these.
+constexpr double kLargest = 0x1p127, kSmallest = 0x1p-126;
+
+using Range = std::optional<FloatRange>;
+
+Range Rounded(FloatRange range, int steps = 1) {
+  if (std::max(std::abs(range.low), std::abs(range.high)) >= kLargest) return std::nullopt;
+  return FloatRange{range.low - std::abs(range.low) * kRounding * steps,
+                    range.high + std::abs(range.high) * kRounding * steps, range.may_be_nan};
+}
+
+Range Union(const Range& a, const Range& b) {
+  if (!a || !b) return std::nullopt;
+  return FloatRange{std::min(a->low, b->low), std::max(a->high, b->high),
+                    a->may_be_nan || b->may_be_nan};
+}
+
+// The results of `op` for the ends of both ranges.
+Range OfCorners(const FloatRange& a, const FloatRange& b, auto&& op) {
+  const auto [low, high] =
+      std::minmax({op(a.low, b.low), op(a.low, b.high), op(a.high, b.low), op(a.high, b.high)});
+  return FloatRange{low, high, a.may_be_nan || b.may_be_nan};
+}
+
+// Whether a processor may take a value in the range for 0.
+bool HasZero(const FloatRange& range) { return range.low < kSmallest && range.high > -kSmallest; }
+
+FloatRange Magnitude(const FloatRange& range) {
+  const auto [least, most] = std::minmax({std::abs(range.low), std::abs(range.high)});
+  return {HasZero(range) ? 0 : least, most, range.may_be_nan};
+}
+
+// All that an int or uint can be; std::nullopt for every other scalar.
+Range AllOf(Scalar kind) {
+  if (kind == Scalar::kInt) return FloatRange{-0x1p31, 0x1p31};
+  if (kind == Scalar::kUint) return FloatRange{0, 0x1p32};
+  return std::nullopt;
+}
 
 class RangeFinder {
  public:
-  explicit RangeFinder(const Program& program) : program_(program) {}
+  RangeFinder(const Program& program, const std::function<Range(VarId)>& of_local)
+      : program_(program), of_local_(of_local) {}
 
-  std::optional<FloatRange> Of(ExprId expr, int depth = 0) const {
+  Range Of(ExprId expr, int depth = 0) const {
     if (depth == 0 || As<Literal>(program_, expr) || As<VarRef>(program_, expr)) {
       if (const auto bits = ConstantBits(program_, expr))
         return OfConstant(*bits, TypeOf(program_, expr).scalar);
     }
+    const Type& type = TypeOf(program_, expr);
     // What has fewer digits may be as small as 65504.
-    const Scalar kind = TypeOf(program_, expr).scalar;
-    if (depth == kMaxDepth || (kind != Scalar::kFloat && kind != Scalar::kDouble))
-      return std::nullopt;
+    const bool is_float = type.scalar == Scalar::kFloat || type.scalar == Scalar::kDouble;
+    const Range all = AllOf(type.scalar);
+    if (!type.IsNumeric() || (!is_float && !all)) return std::nullopt;
+    const Range range = depth < kMaxDepth ? OfNode(expr, depth) : std::nullopt;
+    if (is_float) return range;
+    // An integer that leaves its type begins anew at the other end.
+    return range && range->low >= all->low && range->high <= all->high ? range : all;
+  }
+
+ private:
+  Range OfNode(ExprId expr, int depth) const {
     const auto of = [&](ExprId operand) { return Of(operand, depth + 1); };
     return Visit(
         Overloaded{
+            [&](const VarRef& node) { return of_local_(node.var); },
             [&](const Swizzle& node) { return OfSwizzle(node, of); },
             [&](const Unary& node) {
-              const auto range = of(node.operand);
-              return range && node.op == UnaryOp::kNegate ? Range({-range->high, -range->low})
-                                                          : std::nullopt;
+              const auto range = node.op == UnaryOp::kNegate ? of(node.operand) : std::nullopt;
+              return range ? Range({-range->high, -range->low, range->may_be_nan}) : std::nullopt;
             },
-            [&](const Binary& node) { return OfBinary(node, of); },
-            [&](const Convert& node) { return OfConversion(node, of); },
+            [&](const Binary& node) { return OfBinary(expr, node, of); },
+            [&](const Convert& node) { return OfConversion(expr, node, of); },
             [&](const Splat& node) { return of(node.operand); },
             [&](const Construct& node) { return OfAll(node.arguments, of); },
             [&](const Conditional& node) { return Union(of(node.when_true), of(node.when_false)); },
@@ -56,19 +107,6 @@ class RangeFinder {
             [](const auto&) { return Range(); },
         },
         program_.exprs[expr].node);
-  }
-
- private:
-  using Range = std::optional<FloatRange>;
-
-  static Range Rounded(FloatRange range) {
-    if (!std::isfinite(range.low) || !std::isfinite(range.high)) return std::nullopt;
-    return FloatRange{range.low - std::abs(range.low) * kRounding,
-                      range.high + std::abs(range.high) * kRounding};
-  }
-  static Range Union(const Range& a, const Range& b) {
-    if (!a || !b) return std::nullopt;
-    return FloatRange{std::min(a->low, b->low), std::max(a->high, b->high)};
   }
 
   static Range OfConstant(const std::vector<std::uint64_t>& bits, Scalar kind) {
@@ -94,51 +132,84 @@ class RangeFinder {
     const bool is_place = std::ranges::any_of(program_.inputs, [&](const IoVar& input) {
       return input.builtin == Builtin::kPixelPosition && input.var == ref->var;
     });
+    if (!is_place) return of(node.base);
     const bool is_xy =
         std::ranges::all_of(node.components.begin(), node.components.begin() + node.count,
                             [](std::uint8_t component) { return component < 2; });
-    return is_place && is_xy ? Range(FloatRange{0, kLargestPlace}) : std::nullopt;
+    return is_xy ? Range(FloatRange{0, kLargestPlace}) : std::nullopt;
   }
 
-  static Range OfBinary(const Binary& node, auto& of) {
+  Range OfBinary(ExprId expr, const Binary& node, auto& of) const {
+    const bool is_float = IsFloat(TypeOf(program_, expr).scalar);
     const Range left = of(node.left), right = left ? of(node.right) : std::nullopt;
     if (!left || !right) return std::nullopt;
+    const bool may_be_nan = left->may_be_nan || right->may_be_nan;
     switch (node.op) {
-      case BinaryOp::kAdd: return Rounded({left->low + right->low, left->high + right->high});
-      case BinaryOp::kSub: return Rounded({left->low - right->high, left->high - right->low});
+      case BinaryOp::kAdd:
+        return Rounded({left->low + right->low, left->high + right->high, may_be_nan});
+      case BinaryOp::kSub:
+        return Rounded({left->low - right->high, left->high - right->low, may_be_nan});
       case BinaryOp::kMul: {
-        const auto [low, high] = std::minmax({left->low * right->low, left->low * right->high,
-                                              left->high * right->low, left->high * right->high});
-        return Rounded({low, high});
+        const Range product = OfCorners(*left, *right, std::multiplies<>());
+        return Rounded(*product);
+      }
+      case BinaryOp::kDiv: {
+        // An integer is divided by what is not 0, or has no meaning.
+        if (!is_float || HasZero(*right)) return std::nullopt;
+        const Range quotient = OfCorners(*left, *right, std::divides<>());
+        return Rounded(*quotient, 4);
+      }
+      case BinaryOp::kMod: return is_float ? std::nullopt : Remainder(*left, *right);
+      case BinaryOp::kBitAnd: {
+        // At most the least of those that have no sign.
+        const Range& mask = right->low >= 0 ? right : left;
+        if (mask->low < 0) return std::nullopt;
+        const double other = left->low >= 0 ? left->high : mask->high;
+        return FloatRange{0, std::min(mask->high, other)};
       }
       default: return std::nullopt;
     }
   }
 
-  Range OfConversion(const Convert& node, auto& of) const {
+  // Of x % y, which has the sign of x and is smaller than y.
+  static Range Remainder(const FloatRange& left, const FloatRange& right) {
+    if (HasZero(right)) return std::nullopt;
+    const double most = Magnitude(right).high;
+    return FloatRange{left.low < 0 ? -most : 0, left.high > 0 ? most : 0};
+  }
+
+  // Of a conversion, which truncates where it gives an integer. Of does the rest where the value
+  // does not fit.
+  Range OfConversion(ExprId expr, const Convert& node, auto& of) const {
     const Scalar from = TypeOf(program_, node.operand).scalar;
-    return from == Scalar::kBool ? FloatRange{0, 1} : of(node.operand);
+    if (from == Scalar::kBool) return FloatRange{0, 1};
+    const Range range = of(node.operand);
+    if (!range || IsFloat(TypeOf(program_, expr).scalar)) return range ? Rounded(*range) : range;
+    return range->may_be_nan ? Union(range, FloatRange{0, 0}) : range;
   }
 
   // min(max(x, low), high) of any x: max(NaN, low) is low in Direct3D.
   static Range Clamped(const Range& low, const Range& high) {
-    if (!low || !high) return std::nullopt;
+    if (!low || !high || low->may_be_nan || high->may_be_nan) return std::nullopt;
     return FloatRange{std::min(low->low, high->low), high->high};
   }
 
   // min and max. Of a value that may be anything, min(max(x, low), high) is known as clamp is.
   Range OfExtreme(const IntrinsicCall& node, const Range& a, const Range& b, auto& of) const {
     const bool is_min = node.op == Intrinsic::kMin;
-    if (a && b)
-      return is_min ? FloatRange{std::min(a->low, b->low), std::min(a->high, b->high)}
-                    : FloatRange{std::max(a->low, b->low), std::max(a->high, b->high)};
-    if (!a && !b) return std::nullopt;
+    if (a && b) {
+      const bool may_be_nan = a->may_be_nan || b->may_be_nan;
+      return is_min ? FloatRange{std::min(a->low, b->low), std::min(a->high, b->high), may_be_nan}
+                    : FloatRange{std::max(a->low, b->low), std::max(a->high, b->high), may_be_nan};
+    }
+    const Range& known = a ? a : b;
+    if (!known || known->may_be_nan) return std::nullopt;
     const ExprId open = program_.expr_lists[node.arguments][a ? 1 : 0];
     const auto* inner = As<IntrinsicCall>(program_, open);
     if (!inner || inner->op != (is_min ? Intrinsic::kMax : Intrinsic::kMin)) return std::nullopt;
     const auto sides = program_.expr_lists[inner->arguments];
-    const Range first = of(sides[0]), other = first ? first : of(sides[1]), &known = a ? a : b;
-    if (!other) return std::nullopt;
+    const Range first = of(sides[0]), other = first ? first : of(sides[1]);
+    if (!other || other->may_be_nan) return std::nullopt;
     return is_min ? Clamped(other, known)
                   : FloatRange{known->low, std::max(known->high, other->high)};
   }
@@ -149,28 +220,111 @@ class RangeFinder {
     };
     switch (node.op) {
       case Intrinsic::kSaturate:
-      case Intrinsic::kStep: return FloatRange{0, 1};  // 0 for NaN
+      case Intrinsic::kStep: return FloatRange{0, 1};        // 0 for NaN
+      case Intrinsic::kFrac: return FloatRange{0, 1, true};  // of infinity
       case Intrinsic::kClamp: return Clamped(argument(1), argument(2));
       case Intrinsic::kMin:
       case Intrinsic::kMax: return OfExtreme(node, argument(0), argument(1), of);
+      case Intrinsic::kFmod: return OfFmod(argument(0), argument(1));
+      case Intrinsic::kAbs:
+        if (const Range range = argument(0)) return Magnitude(*range);
+        return std::nullopt;
       case Intrinsic::kFloor:
       case Intrinsic::kCeil:
       case Intrinsic::kRound:
       case Intrinsic::kTrunc:
         if (const Range range = argument(0))
-          return FloatRange{std::floor(range->low), std::ceil(range->high)};
+          return FloatRange{std::floor(range->low), std::ceil(range->high), range->may_be_nan};
         return std::nullopt;
       default: return std::nullopt;
     }
   }
 
+  // Of x - y * trunc(x / y), where the quotient may be rounded to the next integer.
+  static Range OfFmod(const Range& x, const Range& y) {
+    if (!x || !y || HasZero(*y)) return std::nullopt;
+    const FloatRange top = Magnitude(*x), divisor = Magnitude(*y);
+    if (top.high >= kLargest * std::min(1.0, divisor.low)) return std::nullopt;
+    const double most = divisor.high + 16 * kRounding * top.high;
+    return FloatRange{-most, most, x->may_be_nan || y->may_be_nan};
+  }
+
   const Program& program_;
+  const std::function<Range(VarId)>& of_local_;
 };
+
+// The amount by which the step of a loop changes its variable, below 0 where it counts down.
+std::optional<double> StepOf(const Program& program, ExprId step) {
+  if (const auto* unary = As<Unary>(program, step))
+    return unary->op == UnaryOp::kPreIncrement || unary->op == UnaryOp::kPostIncrement ? 1 : -1;
+  const auto* assign = As<Assign>(program, step);
+  if (!assign || (assign->op != BinaryOp::kAdd && assign->op != BinaryOp::kSub))
+    return std::nullopt;
+  const auto bits = ConstantBits(program, assign->value);
+  if (!bits || bits->size() != 1) return std::nullopt;
+  const double by = NumberOf((*bits)[0], TypeOf(program, assign->value).scalar);
+  return assign->op == BinaryOp::kAdd ? by : -by;
+}
 
 }  // namespace
 
-std::optional<FloatRange> RangeOf(const Program& program, ExprId expr) {
-  return RangeFinder(program).Of(expr);
+Range FloatRanges::Of(ExprId expr) {
+  const std::function<Range(VarId)> of_local = [&](VarId var) -> Range {
+    if (program_.vars[var].storage != Storage::kLocal) return std::nullopt;
+    if (!has_locals_) FindLocals();
+    return var.index < locals_.size() ? locals_[var.index] : std::nullopt;
+  };
+  return RangeFinder(program_, of_local).Of(expr);
+}
+
+// Declarations are found in the order of the text, so that the variables in their values are known.
+void FloatRanges::FindLocals() {
+  has_locals_ = true;
+  locals_.resize(program_.vars.size());
+  std::vector<std::uint32_t> writes(program_.vars.size());
+  ForEachLiveExpr(program_, [&](ExprId expr) {
+    ForEachWrite(program_, expr, [&](ExprId target) {
+      if (const VarId root = RootOf(program_, target)) ++writes[root.index];
+    });
+  });
+  const auto on_declaration = [&](const Declare& declare) {
+    const bool is_settled = declare.init && writes[declare.var.index] == 0 &&
+                            program_.types[program_.vars[declare.var].type].IsNumeric();
+    if (is_settled) locals_[declare.var.index] = Of(declare.init);
+  };
+  for (const FunctionId id : program_.functions.ids()) {
+    ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) {
+      if (const auto* loop = As<For>(program_, stmt)) FindCounter(*loop, writes);
+      if (const auto* declare = As<Declare>(program_, stmt)) on_declaration(*declare);
+    });
+  }
+}
+
+// The variable of `for (int i = first; i < last; i++)` that only the step changes.
+void FloatRanges::FindCounter(const For& loop, const std::vector<std::uint32_t>& writes) {
+  if (loop.init.size != 1 || !loop.condition || !loop.step) return;
+  const auto* declare = As<Declare>(program_, program_.stmt_lists[loop.init][0]);
+  const auto* condition = As<Binary>(program_, loop.condition);
+  if (!declare || !declare->init || !condition || writes[declare->var.index] != 1) return;
+  const auto counts = [&](ExprId expr) {
+    const auto* ref = As<VarRef>(program_, expr);
+    return ref && ref->var == declare->var;
+  };
+  bool is_counted = false;
+  ForEachWrite(program_, loop.step, [&](ExprId target) { is_counted = counts(target); });
+  const auto step = is_counted ? StepOf(program_, loop.step) : std::nullopt;
+  if (!step || !counts(condition->left)) return;
+  const bool is_up = condition->op == BinaryOp::kLess || condition->op == BinaryOp::kLessEqual;
+  const bool is_down =
+      condition->op == BinaryOp::kGreater || condition->op == BinaryOp::kGreaterEqual;
+  if (!(is_up && *step > 0) && !(is_down && *step < 0)) return;
+  const Range first = Of(declare->init), last = Of(condition->right);
+  if (!first || !last || first->may_be_nan || last->may_be_nan) return;
+  // After its last step the variable is beyond the end.
+  const FloatRange range = is_up ? FloatRange{first->low, std::max(first->high, last->high + *step)}
+                                 : FloatRange{std::min(first->low, last->low + *step), first->high};
+  const Range all = AllOf(program_.types[program_.vars[declare->var].type].scalar);
+  if (all && range.low >= all->low && range.high < all->high) locals_[declare->var.index] = range;
 }
 
 }  // namespace clipc::legalize

@@ -2,18 +2,37 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "ir/program.h"
 
 namespace clipc::legalize {
 
-// What the components of a float expression lie between; none of them is NaN.
+// What the components of an expression lie between, all of which are finite.
 struct FloatRange {
   double low = 0, high = 0;
+  bool may_be_nan = false;  // a component may be NaN instead
 };
 
-// Knows the bounds of constants, of saturate and clamp, of a pixel's place on the screen, and of
-// what arithmetic and rounding make of them; std::nullopt for every other expression.
-std::optional<FloatRange> RangeOf(const ir::Program& program, ir::ExprId expr);
+// Knows the bounds of constants, of saturate, clamp and frac, of a pixel's place on the screen, of
+// integers, of local variables that only their declaration or the head of a `for` gives a value,
+// and of what arithmetic and rounding make of them.
+class FloatRanges {
+ public:
+  // The functions must keep their variables and writes while this lives. Values may be replaced by
+  // equal ones.
+  explicit FloatRanges(const ir::Program& program) : program_(program) {}
+
+  // The bounds of a number or vector of floats or integers; std::nullopt where it may be anything.
+  std::optional<FloatRange> Of(ir::ExprId expr);
+
+ private:
+  void FindLocals();
+  void FindCounter(const ir::For& loop, const std::vector<std::uint32_t>& writes);
+
+  const ir::Program& program_;
+  bool has_locals_ = false;                        // found for the first that is asked for
+  std::vector<std::optional<FloatRange>> locals_;  // by VarId
+};
 
 }  // namespace clipc::legalize

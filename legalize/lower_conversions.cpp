@@ -30,7 +30,7 @@ bool Saturates(const Profile& profile) {
 class ConversionLowering {
  public:
   explicit ConversionLowering(Legalizer& legalizer)
-      : legalizer_(legalizer), program_(legalizer.program) {
+      : legalizer_(legalizer), program_(legalizer.program), ranges_(legalizer.program) {
     for (const VarId var : program_.vars.ids()) NoteConstant(program_.vars[var]);
   }
 
@@ -65,12 +65,21 @@ class ConversionLowering {
   }
 
   // Whether the operand has a component that is not known to fit into the integer.
-  bool MayNotFit(ExprId expr) const {
-    const std::optional<FloatRange> range = RangeOf(program_, As<Convert>(program_, expr)->operand);
-    if (!range) return true;
+  bool MayNotFit(ExprId expr) {
+    const std::optional<FloatRange> range = ranges_.Of(As<Convert>(program_, expr)->operand);
+    return !range || range->may_be_nan || !Fits(*range, expr);
+  }
+
+  // Whether the operand is at least 0 and fits, or is NaN.
+  bool FitsOrIsNan(ExprId expr) {
+    const std::optional<FloatRange> range = ranges_.Of(As<Convert>(program_, expr)->operand);
+    return range && range->low >= 0 && Fits(*range, expr);
+  }
+
+  bool Fits(const FloatRange& range, ExprId expr) const {
     const bool is_int = BaseOf(legalizer_.TypeOf(expr).scalar) == Scalar::kInt;
-    return is_int ? range->low < -kTwoTo31 || range->high >= kTwoTo31
-                  : range->low < 0 || range->high >= kTwoTo32;
+    return is_int ? range.low >= -kTwoTo31 && range.high < kTwoTo31
+                  : range.low >= 0 && range.high < kTwoTo32;
   }
 
   bool IsDone(ExprId expr) const { return expr.index < done_.size() && done_[expr.index]; }
@@ -86,8 +95,9 @@ class ConversionLowering {
     // An index that does not fit into an int is out of every array. A uint index from below 0 is
     // element 0.
     if (!uses_) uses_.emplace(program_);
-    if (uses_->IsIndex(expr)) {
-      if (is_int) return;
+    const bool is_index = uses_->IsIndex(expr);
+    if (is_index && is_int) return;
+    if (is_index || FitsOrIsNan(expr)) {
       program_.exprs[expr].node = Convert{AtLeastZero(legalizer_.At(expr), operand)};
       return SetDone(expr);
     }
@@ -171,6 +181,7 @@ class ConversionLowering {
 
   Legalizer& legalizer_;
   Program& program_;
+  FloatRanges ranges_;
   std::optional<IndexUses> uses_;  // made for the first conversion that may not fit
   std::vector<bool> done_;         // by ExprId: conversions that are kept
 };
