@@ -25,17 +25,19 @@ namespace {
 
 constexpr std::uint32_t kAfterAll = std::numeric_limits<std::uint32_t>::max();
 
-// Adds the variable of a `uniform` parameter to which a technique gives the value `argument`.
-VarId AddArgument(Context& context, const ast::VarDecl& var, const Parameter& parameter,
-                  ast::ExprId argument) {
+// Gives a `uniform` parameter the value `argument` of a technique: the object itself, which
+// ResolveObjects follows, or a variable that is added.
+void AddArgument(Context& context, const ast::VarDecl& var, const Parameter& parameter,
+                 ast::ExprId argument, EntryParameter& into) {
   const ViewSwitch outside(context, context.ViewFrom(context.names.global(), kAfterAll));
   const ExprId value = CheckInit(context, argument, parameter.type);
+  into.is_uniform = true;
   if (HoldsObjects(context, parameter.type)) {
-    const auto* ref = context.IsError(value) ? nullptr : context.GetIf<VarRef>(value);
-    if (ref) return ref->var;
-    if (!context.IsError(value))
+    into.object = value;
+    if (!context.IsError(value) && !RootOf(context.program, value))
       context.Report(context[argument].span, diag::ObjectNotGlobal, context[var.name],
                      context.TypeName(parameter.type));
+    return;
   }
   const bool is_constant = !context.IsError(value) && IsConstantExpr(context, value);
   const VarId added = AddVar(context, var.name, parameter.type,
@@ -44,7 +46,7 @@ VarId AddArgument(Context& context, const ast::VarDecl& var, const Parameter& pa
   context[added].row_major = IsRowMajor(context, QualifiersOf(context, var));
   MarkConst(context, added);
   context.globals.reached.push_back({kAfterAll, added});
-  return added;
+  into.uniform_var = added;
 }
 
 // Adds the variable of a `uniform` parameter of the entry point, a member of $Params or a resource.
@@ -307,14 +309,15 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     const bool is_given = context.options.call_names_parameters && place < arguments.size() &&
                           !var.semantic.name && context[parameter.type].kind != TypeKind::kStruct;
     if (is_given) {
-      entry_parameter.is_uniform = true;
-      entry_parameter.uniform_var = AddArgument(context, var, parameter, arguments[place]);
+      AddArgument(context, var, parameter, arguments[place], entry_parameter);
     } else if ((var.qualifiers & ast::kUniform) || IsBareObject(context, var, parameter)) {
       entry_parameter.is_uniform = true;
       const std::size_t number = uniforms++;
-      entry_parameter.uniform_var = number < arguments.size()
-                                        ? AddArgument(context, var, parameter, arguments[number])
-                                        : AddUniformParameter(context, var, parameter);
+      if (number < arguments.size()) {
+        AddArgument(context, var, parameter, arguments[number], entry_parameter);
+      } else {
+        entry_parameter.uniform_var = AddUniformParameter(context, var, parameter);
+      }
     } else if (TakesObjects(context, parameter)) {
       entry_parameter.objects = AddUniformParameter(context, var, parameter);
     }

@@ -105,7 +105,8 @@ class MainBuilder {
   void PrepareParameter(VarId id, const EntryParameter& parameter) {
     const Var var = program_.vars[id];
     if (parameter.is_uniform) {
-      arguments_.push_back(builder_.Ref(parameter.uniform_var));
+      arguments_.push_back(parameter.object ? parameter.object
+                                            : builder_.Ref(parameter.uniform_var));
       return;
     }
     const bool reads = var.storage != Storage::kOut;

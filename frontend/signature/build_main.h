@@ -27,6 +27,7 @@ struct EntryParameter {
   std::optional<std::uint32_t> blend_index;  // [[vk::index(..)]]
   bool is_uniform = false;
   VarId uniform_var;       // the member of $Params that a `uniform` parameter became; a stream
+  ExprId object;           // the object that a technique gives to it instead; none: it gives none
   bool is_stream = false;  // of vertices that the shader emits; is_uniform then
   std::optional<Primitive> primitive = {};  // whose vertices the parameter has, an array
   VarId
