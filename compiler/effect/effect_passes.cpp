@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <ranges>
@@ -50,6 +52,8 @@ class ProgramFinder {
     for (const ast::EffectParameter& parameter : effect.parameters) {
       if (!parameter.shaders.empty()) variables_.emplace(parameter.name, &parameter.shaders);
     }
+    for (const ast::EffectConstant& constant : effect.constants)
+      constants_.emplace(constant.name, constant.value);
     for (const ast::EffectTable& table : effect.tables) tables_.emplace(table.name, &table.values);
   }
 
@@ -205,18 +209,23 @@ class ProgramFinder {
     return found;
   }
 
-  // Whether the index is a number, or none, which is the first element.
+  // Whether the index is a number, or none, which is the first element. A negative one is that of
+  // no element.
   static bool IsNumber(std::string_view text, std::size_t& number) {
-    if (text.ends_with('u')) text.remove_suffix(1);
     const char* const end = text.data() + text.size();
-    return text.empty() || std::from_chars(text.data(), end, number).ptr == end;
+    std::int64_t value = 0;
+    const bool is_number = text.empty() || std::from_chars(text.data(), end, value).ptr == end;
+    if (is_number)
+      number = value < 0 ? std::numeric_limits<std::size_t>::max() : static_cast<size_t>(value);
+    return is_number;
   }
 
   // The index of A[T[i]]: `i`, looked up in T. A table without known values is a part of its text.
   StageIndex IndexOf(const EffectShader& shader) const {
     StageIndex index;
-    index.text = shader.index;
-    std::string text = shader.index;
+    const auto constant = constants_.find(shader.index);
+    index.text = constant == constants_.end() ? shader.index : std::to_string(constant->second);
+    std::string text = index.text;
     for (const std::string& name : shader.tables | std::views::reverse) {
       text = fmt::format("{}[{}]", name, text);
       if (const auto table = tables_.find(name); table != tables_.end()) {
@@ -280,6 +289,7 @@ class ProgramFinder {
   Diagnostics& diagnostics_;
   Variables variables_;
   std::unordered_map<std::string_view, const std::vector<std::int64_t>*> tables_;
+  std::unordered_map<std::string_view, std::int64_t> constants_;
   std::vector<std::string_view> functions_;
   std::map<std::string, std::size_t> by_key_;
   std::size_t count_ = 0;  // of programs

@@ -44,8 +44,8 @@ struct EffectShader {
   std::string profile, function;  // of kCompiled
   std::string call;               // of kCompiled, with arguments: EffectParts::entry_call
   std::string variable;           // of kVariable
-  // Of kVariable, A[T[i]]: the index without blanks, `i`, and the arrays that it is looked up in,
-  // `T`, the outermost first.
+  // Of kVariable, A[T[i]]: the index without blanks, `i`, or the number that it is; and the arrays
+  // that it is looked up in, `T`, the outermost first.
   std::string index;
   std::vector<std::string> tables;
   Span span;
@@ -85,10 +85,17 @@ struct EffectTable {
   std::vector<std::int64_t> values;
 };
 
+// A variable that has one value always: static const int K = 2;
+struct EffectConstant {
+  std::string name;
+  std::int64_t value = 0;
+};
+
 struct Effect {
   std::vector<EffectTechnique> techniques;
   std::vector<EffectParameter> parameters;
   std::vector<EffectTable> tables;
+  std::vector<EffectConstant> constants;
 };
 
 // Reads the effect in a file that was parsed with EffectParts::keep. It is linear in the number of

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +18,9 @@ namespace {
 using enum TokenKind;
 using TokenSpan = std::span<const Token>;
 
+// Of brackets around one thing: more would be slow, and nobody writes them.
+constexpr int kMostBrackets = 16;
+
 // A statement of a pass or of a block of states.
 struct Statement {
   NamedText text;       // the name is empty for a statement of no known form
@@ -24,6 +29,13 @@ struct Statement {
   bool is_call = false;
   Span span = {};
 };
+
+// The value of an expression of literals.
+std::optional<std::int64_t> IntegerOf(TokenSpan tokens, const Names& names) {
+  const EffectValue value = ReadEffectValue(tokens, names);
+  const bool is_one = value.IsNumber() && value.is_integer && std::abs(value.number) < INT32_MAX;
+  return is_one ? std::optional(static_cast<std::int64_t>(value.number)) : std::nullopt;
+}
 
 class EffectReader {
  public:
@@ -253,8 +265,10 @@ class EffectReader {
     EffectShader shader;
     shader.text = Text(tokens);
     if (!tokens.empty()) shader.span = Cover(tokens.front().span(), tokens.back().span());
-    // (A[i]), <vs>; more brackets than one pair have no use.
-    if (IsIn(tokens, kLeftParen, kRightParen) || IsIn(tokens, kLess, kGreater))
+    // ((A[i])), <vs>
+    for (int i = 0; i < kMostBrackets &&
+                    (IsIn(tokens, kLeftParen, kRightParen) || IsIn(tokens, kLess, kGreater));
+         ++i)
       tokens = tokens.subspan(1, tokens.size() - 2);
     const std::string word = tokens.empty() ? "null" : WordOf(tokens[0]);
     const bool is_zero = tokens.size() == 1 && tokens[0].kind == kIntLiteral && !tokens[0].value;
@@ -285,8 +299,11 @@ class EffectReader {
       shader.tables.push_back(Text(index.first(1)));
       index = index.subspan(2, index.size() - 3);
     }
+    for (int i = 0; i < kMostBrackets && IsIn(index, kLeftParen, kRightParen); ++i)
+      index = index.subspan(1, index.size() - 2);
     shader.index = Text(index);
     std::erase(shader.index, ' ');
+    if (const auto number = IntegerOf(index, names_)) shader.index = std::to_string(*number);
   }
 
   // Main(true, 4)
@@ -395,11 +412,16 @@ Effect ReadEffect(const File& file) {
         ReadTable(tokens.subspan(range.begin, range.end - range.begin));
     if (!table.empty() && variable.dimensions.begin != variable.dimensions.end)
       effect.tables.push_back({std::string(file.names[variable.name]), std::move(table)});
+    const bool is_static = IsStatic(variable, tokens, file.names);
+    if (is_static && variable.dimensions.begin == variable.dimensions.end) {
+      if (const auto value =
+              IntegerOf(tokens.subspan(range.begin, range.end - range.begin), file.names))
+        effect.constants.push_back({std::string(file.names[variable.name]), *value});
+    }
     EffectParameter parameter = ReadParameter(variable, tokens, file.names);
     // A static variable is not a parameter, but may hold a shader or a block of states.
     const bool is_data = parameter.shaders.empty() && parameter.states.empty();
-    if (!is_data || !IsStatic(variable, tokens, file.names))
-      effect.parameters.push_back(std::move(parameter));
+    if (!is_data || !is_static) effect.parameters.push_back(std::move(parameter));
   }
   return effect;
 }
