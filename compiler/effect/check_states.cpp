@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "base/spelling.h"
 #include "compiler/compile/suggest.h"
+#include "compiler/effect/dialect.h"
 #include "compiler/effect/gl_words.h"
 #include "compiler/effect/state_values.h"
 
@@ -91,10 +93,16 @@ StatePlace PlaceOf(const ast::EffectParameter& parameter) {
 
 class StateChecker {
  public:
-  StateChecker(const ast::File& file, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
+  StateChecker(const ast::File& file, EffectDialect dialect, Diagnostics& diagnostics)
+      : dialect_(dialect), diagnostics_(diagnostics) {
     for (const ast::EffectVariable& variable : file.effect->variables)
       variables_.push_back(file.names[variable.name]);
     std::ranges::sort(variables_);
+    for (const ast::DeclId decl : file.top_level) {
+      if (const auto* function = std::get_if<ast::FunctionDecl>(&file.decls[decl].node))
+        functions_.push_back(file.names[function->name]);
+    }
+    std::ranges::sort(functions_);
   }
 
   void Check(ast::EffectParameter& parameter) {
@@ -128,9 +136,11 @@ class StateChecker {
 
   void ReportUnknown(StatePlace place, EffectState& state, bool names_shader) {
     state.is_wrong = true;
-    const Names names = StatesIn(place);
+    const bool has_shader = names_shader || ToLower(state.text).starts_with("compile") ||
+                            IsIn(functions_, CalledBy(state.text));
+    const Names own = has_shader ? ShaderNames(dialect_) : Names();
+    const Names names = own.empty() ? StatesIn(place) : own;
     const std::string near = Suggest(state.word, NearNames(state.word, names));
-    const bool has_shader = names_shader || ToLower(state.text).starts_with("compile");
     if (has_shader) {
       diagnostics_.Report(state.span, diag::EffectShaderName, state.word, near);
     } else {
@@ -156,18 +166,27 @@ class StateChecker {
                         Suggest(plain, near.empty() && words.size() <= kFew ? words : near));
   }
 
-  bool IsVariable(std::string_view name) const {
-    return std::ranges::binary_search(variables_, name);
+  static bool IsIn(const Names& names, std::string_view name) {
+    return std::ranges::binary_search(names, name);
+  }
+  bool IsVariable(std::string_view name) const { return IsIn(variables_, name); }
+
+  // The name before the first parenthesis.
+  static std::string_view CalledBy(std::string_view text) {
+    const std::string_view before = text.substr(0, std::min(text.find('('), text.size()));
+    return before.substr(0, before.find_last_not_of(' ') + 1);
   }
 
+  EffectDialect dialect_;
   Diagnostics& diagnostics_;
-  Names variables_;  // sorted
+  Names variables_, functions_;  // sorted
 };
 
 }  // namespace
 
-void CheckStates(const ast::File& file, ast::Effect& effect, Diagnostics& diagnostics) {
-  StateChecker checker(file, diagnostics);
+void CheckStates(const ast::File& file, EffectDialect dialect, ast::Effect& effect,
+                 Diagnostics& diagnostics) {
+  StateChecker checker(file, dialect, diagnostics);
   for (ast::EffectParameter& parameter : effect.parameters) checker.Check(parameter);
   for (ast::EffectTechnique& technique : effect.techniques) {
     for (ast::EffectPass& pass : technique.passes) checker.Check(pass);

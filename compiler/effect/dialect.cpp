@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -122,6 +123,13 @@ EffectDialect DialectOf(const ast::Effect& effect) {
     }
   }
   return is_late ? EffectDialect::kMonoGame : EffectDialect::kDirect3D;
+}
+
+std::vector<std::string_view> ShaderNames(EffectDialect dialect) {
+  if (dialect != EffectDialect::kObs) return {};
+  std::vector<std::string_view> names;
+  for (const ObsName& row : kObsNames) names.push_back(row.name);
+  return names;
 }
 
 void UseDialect(EffectDialect dialect, CommandLine& command) {

@@ -150,7 +150,7 @@ LoadedEffect LoadEffect(const CommandLine& given) {
   if (dialect == EffectDialect::kObs) ReadObs(loaded.effect);
   loaded.is_read = !diagnostics.has_errors();
   if (loaded.is_read) loaded.names = CheckNames(loaded.effect, command);
-  if (loaded.is_read) CheckStates(loaded.file, loaded.effect, diagnostics);
+  if (loaded.is_read) CheckStates(loaded.file, dialect, loaded.effect, diagnostics);
   if (loaded.names)
     loaded.programs = FindPrograms(loaded.file, loaded.effect, command, diagnostics);
   loaded.messages = MessagesOf(diagnostics, *loaded.source, command);
