@@ -67,7 +67,6 @@ Result<CompiledEffect> CompileEffect(CommandLine command, Compiler& compiler) {
   }
   made.facts = MakeEffectFacts(loaded.effect, loaded.programs, command, entries, code);
   made.facts->has_files = false;
-  if (command.header.empty()) return made;
   EffectHeader header = MakeEffectHeader(*made.facts, *loaded.source, command);
   AddMessages(header.messages, seen, made.messages);
   made.header = std::move(header.text);

@@ -21,6 +21,7 @@
 #include "compiler/effect/gl_effect.h"
 #include "compiler/effect/gl_effect_header.h"
 #include "compiler/effect/make_effect_facts.h"
+#include "compiler/effect/vulkan_states.h"
 #include "frontend/parse/parse.h"
 
 namespace clipc {
@@ -100,6 +101,8 @@ EffectHeader MakeEffectHeader(const EffectFacts& facts, const Source& source,
                               const CommandLine& command) {
   const std::string& path = command.inputs[0];
   Diagnostics diagnostics(command.request.warnings);
+  if (facts.is_for_vulkan) CheckVulkanStates(facts, diagnostics);
+  if (command.header.empty()) return {{}, MessagesOf(diagnostics, source, command)};
   const GlEffect effect = MakeGlEffect(facts, command.request.style.clip_space.flip_y, diagnostics);
   EffectHeader header{{}, MessagesOf(diagnostics, source, command)};
   if (diagnostics.has_errors()) return header;
@@ -195,7 +198,6 @@ RunResult RunEffect(CommandLine command) {
     const EffectFacts facts =
         MakeEffectFacts(loaded.effect, loaded.programs, options, entries, code);
     BatchEnd end{EffectJson(facts)};
-    if (!wants_header) return end;
     EffectHeader header = MakeEffectHeader(facts, *loaded.source, options);
     end.messages = std::move(header.messages);
     if (!header.text.empty())

@@ -34,7 +34,8 @@ LoadedEffect LoadEffect(const CommandLine& command);
 // The first mistake of the options, of those that a library has too.
 Result<> CheckEffectRequest(const CommandLine& command);
 
-// The header for OpenGL. Its text is empty where a warning about it is an error.
+// The header for OpenGL, where the command asks for it; and what it, or the JSON for Vulkan, leaves
+// out of the effect's states. The text is empty where a warning about that is an error.
 struct EffectHeader {
   std::string text;
   CompileResult messages;

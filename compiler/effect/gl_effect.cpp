@@ -40,7 +40,7 @@ std::vector<std::uint32_t> WordsOf(const std::vector<std::uint8_t>& bytes) {
 class GlEffectMaker {
  public:
   GlEffectMaker(const EffectFacts& effect, bool flips, Diagnostics& diagnostics)
-      : effect_(effect), flips_(flips), diagnostics_(diagnostics) {}
+      : effect_(effect), flips_(flips), diagnostics_(diagnostics), states_({}, diagnostics) {}
 
   GlEffect Make() && {
     for (const EffectTechniqueFact& technique : effect_.techniques) {
@@ -127,7 +127,7 @@ class GlEffectMaker {
   }
 
   GlRange AddStates(const ast::EffectPass& pass) {
-    const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, diagnostics_);
+    const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, states_);
     const std::size_t first = made_.states.size();
     made_.states.insert(made_.states.end(), states.begin(), states.end());
     return {first, states.size()};
@@ -232,8 +232,7 @@ class GlEffectMaker {
     const std::vector<ast::EffectState> states =
         said ? said->text.states : std::vector<ast::EffectState>();
     const std::string named = is_old ? TextureOf(states) : "";
-    const std::size_t sampling =
-        NumberOf(ReadGlSampling(states, is_old, diagnostics_), made_.samplings);
+    const std::size_t sampling = NumberOf(ReadGlSampling(states, is_old, states_), made_.samplings);
     const std::size_t number =
         NumberOf(GlEffect::Texture{named.empty() ? texture->name : named, *target}, made_.textures);
     made_.samplers.push_back({glsl, number, sampling});
@@ -242,6 +241,7 @@ class GlEffectMaker {
   const EffectFacts& effect_;
   const bool flips_;
   Diagnostics& diagnostics_;
+  StateReport states_;
   GlEffect made_;
   std::vector<Block> blocks_;  // beside block_sizes
 };

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "base/spelling.h"
-#include "compiler/effect/gl_states.h"
 #include "compiler/effect/gl_words.h"
 
 namespace clipc {
@@ -144,15 +143,13 @@ bool NamesTexture(const EffectState& state) { return PlainName(state) == "TEXTUR
 }  // namespace
 
 GlSampling ReadGlSampling(const std::vector<EffectState>& states, bool is_old,
-                          Diagnostics& diagnostics) {
+                          StateReport& report) {
   SamplingReader reader(is_old);
   for (const EffectState& state : states) {
     if (NamesTexture(state) || state.is_wrong) continue;
     const Answer answer = reader.Add(state);
-    if (answer == Answer::kUnknownState)
-      diagnostics.Report(state.span, diag::EffectStateUnknown, state.name);
-    if (answer == Answer::kNotConstant)
-      diagnostics.Report(state.span, diag::EffectStateValue, state.text, state.name);
+    if (answer == Answer::kUnknownState) report.Unknown(state);
+    if (answer == Answer::kNotConstant) report.NotConstant(state);
   }
   return std::move(reader).Finish();
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "compiler/effect/gl_states.h"
 #include "frontend/parse/effect.h"
 
 namespace clipc {
@@ -24,7 +24,7 @@ struct GlSampling {
 // What the states of a sampler mean. Those that are not given have the defaults of Direct3D 9, if
 // the sampler `is_old`, or of Direct3D 10. Reports what OpenGL does not have.
 GlSampling ReadGlSampling(const std::vector<ast::EffectState>& states, bool is_old,
-                          Diagnostics& diagnostics);
+                          StateReport& report);
 
 // The texture that the states name; empty: they name none.
 std::string TextureOf(const std::vector<ast::EffectState>& states);

@@ -57,8 +57,7 @@ const ObjectCall* FindCall(std::string_view name) {
 
 class StateReader {
  public:
-  StateReader(const EffectFacts& effect, Diagnostics& diagnostics)
-      : effect_(effect), diagnostics_(diagnostics) {}
+  StateReader(const EffectFacts& effect, StateReport& report) : effect_(effect), report_(report) {}
 
   void AddPass(const ast::EffectPass& pass) {
     for (const EffectState& state : pass.states) {
@@ -91,37 +90,26 @@ class StateReader {
     return found_[static_cast<std::size_t>(kind)];
   }
 
-  void NotConstant(const EffectState& state) {
-    if (state.is_wrong) return;
-    diagnostics_.Report(state.span, diag::EffectStateValue, state.text, state.name);
-  }
-
   void Add(StatePlace place, const EffectState& state) {
     const Rule* rule = FindRule(place, state.word);
-    // RenderTargetWriteMask[1] is a state of its own; BlendEnable[1] is that of another render
-    // target, and OpenGL 3.3 has one for all.
-    if (state.index > 0) {
-      const Rule* const numbered = FindRule(place, state.word + std::to_string(state.index));
-      if (!numbered && rule) return;
-      rule = numbered;
-    }
+    // RenderTargetWriteMask[1] is a state of its own; of BlendEnable, the first render target has
+    // that of all.
+    const bool is_numbered = state.index > 0 && rule;
+    if (state.index > 0) rule = FindRule(place, state.word + std::to_string(state.index));
     if (place == StatePlace::kPass && IsSameState(state.word, "BlendFactor") && state.index == 0)
       return AddBlendFactor(state);
-    if (!rule) {
-      if (!state.is_wrong) diagnostics_.Report(state.span, diag::EffectStateUnknown, state.name);
-      return;
-    }
+    if (!rule || !report_.Has(rule->state)) return report_.Unknown(state, is_numbered);
     if (const auto value = rule->read(state.value)) {
       At(rule->state) = value;
     } else {
-      NotConstant(state);
+      report_.NotConstant(state);
     }
   }
 
   // BlendFactor = 0xAARRGGBB
   void AddBlendFactor(const EffectState& state) {
     const auto color = ReadUnsigned(state.value);
-    if (!color) return NotConstant(state);
+    if (!color) return report_.NotConstant(state);
     const auto channel = [&](int shift) { return FloatBits((*color >> shift & 255) / 255.0); };
     At(kBlendRed) = channel(16);
     At(kBlendGreen) = channel(8);
@@ -138,7 +126,7 @@ class StateReader {
       const EffectParameterFact* const block = effect_.FindParameter(name);
       if (state.is_wrong) return;
       if (!block || block->text.states.empty()) {
-        diagnostics_.Report(state.span, diag::EffectStateBlock, state.name, state.text);
+        report_.NotBlock(state);
       } else {
         for (const EffectState& inner : block->text.states) Add(call.place, inner);
       }
@@ -147,7 +135,7 @@ class StateReader {
                          : call.place == StatePlace::kDepthStencilState && arguments.size() > 1
                              ? AddUnsigned(kStencilReference, arguments[1])
                              : true;
-    if (!is_read) NotConstant(state);
+    if (!is_read) report_.NotConstant(state);
   }
 
   bool AddBlendArguments(const std::vector<EffectValue>& arguments) {
@@ -168,7 +156,7 @@ class StateReader {
   }
 
   const EffectFacts& effect_;
-  Diagnostics& diagnostics_;
+  StateReport& report_;
   std::array<std::optional<std::uint32_t>, static_cast<std::size_t>(kCount)> found_;
 };
 
@@ -182,9 +170,27 @@ std::string_view NameOf(GlStateKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+void StateReport::Unknown(const EffectState& state, bool is_numbered) {
+  if (IsNew(state))
+    diagnostics_.Report(state.span, diag::EffectStateUnknown, host_.name, state.name,
+                        is_numbered ? host_.reader : host_.api, host_.member, host_.cure);
+}
+
+void StateReport::NotConstant(const EffectState& state) {
+  if (IsNew(state))
+    diagnostics_.Report(state.span, diag::EffectStateValue, host_.name, state.text, state.name,
+                        host_.api, host_.cure);
+}
+
+void StateReport::NotBlock(const EffectState& state) {
+  if (IsNew(state))
+    diagnostics_.Report(state.span, diag::EffectStateBlock, host_.name, state.name, state.text,
+                        host_.cure);
+}
+
 std::vector<GlState> ReadGlStates(const EffectFacts& effect, const ast::EffectPass& pass,
-                                  bool flips, Diagnostics& diagnostics) {
-  StateReader reader(effect, diagnostics);
+                                  bool flips, StateReport& report) {
+  StateReader reader(effect, report);
   reader.AddPass(pass);
   if (flips) reader.Flip();
   return reader.Finish();

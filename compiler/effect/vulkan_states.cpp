@@ -55,15 +55,28 @@ constexpr Row kRows[] = {
 #include "compiler/effect/vulkan_states.def"
 };
 
+constexpr StateHost kVulkan = {.name = "`vulkan` in the JSON",
+                               .api = "a pipeline of Vulkan",
+                               .reader = "it",
+                               .member = "member",
+                               .cure = "where you make the pipeline",
+                               .has = [](GlStateKind state) {
+                                 return std::ranges::any_of(kRows, [=](const Row& row) {
+                                   return row.state == state || row.decides == state ||
+                                          row.otherwise == state;
+                                 });
+                               }};
+
 }  // namespace
 
 std::vector<VulkanState> ReadVulkanStates(const EffectFacts& effect, const ast::EffectPass& pass) {
-  Diagnostics unused;  // what is not constant is in the JSON as text
+  Diagnostics unused;  // CheckVulkanStates reports
+  StateReport report(kVulkan, unused);
   std::array<std::optional<std::uint32_t>, static_cast<std::size_t>(GlStateKind::kCount)> found;
   const auto at = [&](GlStateKind kind) -> std::optional<std::uint32_t>& {
     return found[static_cast<std::size_t>(kind)];
   };
-  for (const auto& [kind, value] : ReadGlStates(effect, pass, false, unused)) at(kind) = value;
+  for (const auto& [kind, value] : ReadGlStates(effect, pass, false, report)) at(kind) = value;
   std::vector<VulkanState> states;
   for (const Row& row : kRows) {
     const bool is_itself = row.decides == row.state || at(row.decides).value_or(0) != 0;
@@ -71,6 +84,14 @@ std::vector<VulkanState> ReadVulkanStates(const EffectFacts& effect, const ast::
       states.push_back({row.member, row.read(*value)});
   }
   return states;
+}
+
+void CheckVulkanStates(const EffectFacts& effect, Diagnostics& diagnostics) {
+  StateReport report(kVulkan, diagnostics);
+  for (const EffectTechniqueFact& technique : effect.techniques) {
+    for (const EffectPassFact& pass : technique.passes)
+      (void)ReadGlStates(effect, pass.text, false, report);
+  }
 }
 
 }  // namespace clipc

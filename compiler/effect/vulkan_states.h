@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "compiler/effect/effect_facts.h"
 
 namespace clipc {
@@ -20,5 +21,8 @@ struct VulkanState {
 // The states that a pass sets to constants, in the order of vulkan_states.def. The front faces are
 // those of Direct3D's image, whose first row is the upper one.
 std::vector<VulkanState> ReadVulkanStates(const EffectFacts& effect, const ast::EffectPass& pass);
+
+// Warns of the states of the effect's passes that ReadVulkanStates leaves out.
+void CheckVulkanStates(const EffectFacts& effect, Diagnostics& diagnostics);
 
 }  // namespace clipc
