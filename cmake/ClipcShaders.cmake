@@ -18,7 +18,8 @@
 #
 # compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
 # NAME.shader.h (const char NAME_vert[], with VARIANTS const char* const NAME_vert[n + 1], and likewise NAME_frag with FRAGMENT and of a
-# pair; with SPIRV uint32_t NAME_spv[], of a pair also NAME_spv_pixel[]) and NAME.clip.h (constexpr clipc::StaticClipTable
+# pair; with SPIRV uint32_t NAME_spv[], of a pair also NAME_spv_pixel[]; with VARIANTS too these are arrays of pointers, beside which
+# NAME_spv_sizes[] has the bytes of each) and NAME.clip.h (constexpr clipc::StaticClipTable
 # NAME_clip_table, or in C the same table as JSON, const char NAME_clip_table[], for clipc_table_read). Both are C99 and C++17. The target
 # property CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
 #
@@ -92,9 +93,6 @@ function(clipc_add_shader target)
   set_property(TARGET ${target} APPEND PROPERTY CLIPC_SHADER_NAMES ${shader_NAME})
   if(shader_VARIANTS AND NOT shader_VARIANTS MATCHES "^[0-6]$")
     message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): VARIANTS ${shader_VARIANTS} is not a number of planes, 0 to 6")
-  endif()
-  if(shader_SPIRV AND DEFINED shader_VARIANTS)
-    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): SPIRV is of one shader, and VARIANTS makes several")
   endif()
   if(shader_SPIRV AND NOT shader_TARGET)
     set(shader_TARGET vulkan)
@@ -189,15 +187,24 @@ function(clipc_add_shader target)
     -MD -MF ${header}.d -MT ${header})
   set(spirv)
   if(shader_SPIRV)
-    set(spirv ${folder}/${shader_NAME}.spv.h ${folder}/${shader_NAME}.spv)
+    set(words ${folder}/${shader_NAME}.spv)
+    set(spirv ${words})
     if(shader_PAIR)
       list(APPEND spirv ${folder}/${shader_NAME}.frag.spv)
     endif()
+    if(DEFINED shader_VARIANTS)
+      set(modules ${spirv})
+      set(spirv)
+      foreach(count RANGE ${shader_VARIANTS})
+        list(TRANSFORM modules REPLACE "[.]spv$" ".${count}.spv" OUTPUT_VARIABLE variant)
+        list(APPEND spirv ${variant})
+      endforeach()
+    endif()
+    list(APPEND spirv ${words}.h)
     set(kind -spirv)
     if(NOT shader_TARGET STREQUAL "vulkan")
       set(kind -G)
     endif()
-    list(GET spirv 1 words)
     set(option)
     if(tables)
       list(GET table_options 0 option)  # a table of the same contents; under level9 clipc wants one

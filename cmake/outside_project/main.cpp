@@ -21,6 +21,8 @@
 #include "shader.h"
 #include "variants.shader.h"
 #include "vulkan.shader.h"
+#include "vulkan_pairs.shader.h"
+#include "vulkan_variants.spv.h"
 
 int main() {
   namespace runtime = clipc::runtime;
@@ -44,6 +46,17 @@ int main() {
       !std::ifstream(SHADER_FOLDER "/cut.reflect.json"))
     return 1;
   if (vulkan_spv[0] != 0x07230203 || !std::ifstream(SHADER_FOLDER "/vulkan.spv")) return 1;
+  for (int count = 0; count <= 2; ++count) {
+    const std::uint32_t* const words = vulkan_variants_spv[count];
+    if (words[0] != 0x07230203 || vulkan_variants_spv_sizes[count] < 20) return 1;
+    if (count > 0 && vulkan_variants_spv_sizes[count] <= vulkan_variants_spv_sizes[count - 1])
+      return 1;
+    if (!std::ifstream(SHADER_FOLDER "/vulkan_variants." + std::to_string(count) + ".spv"))
+      return 1;
+  }
+  if (vulkan_pairs_spv_pixel[1][0] != 0x07230203 || vulkan_pairs_spv_pixel_sizes[1] < 20 ||
+      !std::ifstream(SHADER_FOLDER "/vulkan_pairs.frag.1.spv"))
+    return 1;
   if (!std::strstr(pair_vert[1], "void main") || !std::strstr(pair_frag[1], "SV_Target0") ||
       !std::strstr(pair_of_two_frag, "SV_Target0") || pair_of_two_spv_pixel[0] != 0x07230203)
     return 1;

@@ -36,6 +36,13 @@ std::string ContentsOf(const std::vector<std::uint32_t>& words, CommandLine::Spi
   return form == kInBraces ? "{" + numbers + "\n}\n" : numbers.substr(1) + "\n";
 }
 
+// The piece of a shader as SPIR-V if it was compiled to that, else as text.
+OutputPiece PieceOf(const CommandLine& command, std::string text_kind, std::string spirv_kind,
+                    std::string path, ShaderOutput& shader) {
+  if (shader.spirv.empty()) return {std::move(text_kind), std::move(path), std::move(shader.text)};
+  return {std::move(spirv_kind), std::move(path), ContentsOf(shader.spirv, command.spirv_form)};
+}
+
 // Adds the shaders of a program, each if it has a path. `kinds` are those of their texts.
 void AddShaders(const CommandLine& command, const OutputPaths& paths, const char* const (&kinds)[2],
                 std::vector<ShaderOutput>& shaders, std::vector<OutputPiece>& pieces) {
@@ -49,13 +56,8 @@ void AddShaders(const CommandLine& command, const OutputPaths& paths, const char
   files.push_back({kinds[1], "fragment.spirv", paths.fragment});
   for (std::size_t i = 0; i < std::min(shaders.size(), files.size()); ++i) {
     const File& file = files[i];
-    ShaderOutput& shader = shaders[i];
-    if (file.path.empty()) continue;
-    if (shader.spirv.empty()) {
-      pieces.push_back({file.text, file.path, std::move(shader.text)});
-    } else {
-      pieces.push_back({file.spirv, file.path, ContentsOf(shader.spirv, command.spirv_form)});
-    }
+    if (!file.path.empty())
+      pieces.push_back(PieceOf(command, file.text, file.spirv, file.path, shaders[i]));
   }
 }
 
@@ -65,29 +67,50 @@ void AddVariants(const CommandLine& command, const OutputPaths& paths,
   for (std::size_t planes = 0; planes < variants.size(); ++planes) {
     std::vector<ShaderOutput>& shaders = variants[planes];
     const std::string path = VariantName(paths.glsl, planes);
-    pieces.push_back({fmt::format("glsl.{}", planes), path, std::move(shaders.front().text)});
+    pieces.push_back(PieceOf(command, fmt::format("glsl.{}", planes),
+                             fmt::format("spirv.{}", planes), path, shaders.front()));
     if (paths.fragment.empty()) continue;
     const std::string stem = WithoutExtension(paths.glsl);
     const std::string fragment = command.request.shaders.size() > 1
                                      ? VariantName(paths.fragment, planes)
                                      : WithoutExtension(path) + paths.fragment.substr(stem.size());
-    pieces.push_back({fmt::format("fragment.{}", planes), fragment, std::move(shaders[1].text)});
+    pieces.push_back(PieceOf(command, fmt::format("fragment.{}", planes),
+                             fmt::format("fragment.spirv.{}", planes), fragment, shaders[1]));
   }
 }
 
-// The header of -Fh: an array or a string for each shader that was compiled.
+// An array or a string with the shader of that number.
+std::string HeaderOf(const Outputs& outputs, std::size_t shader, const std::string& variable) {
+  const auto header_of = [](const ShaderOutput& output, const std::string& name) {
+    return output.spirv.empty() ? HeaderWith(output.text, name) : HeaderWith(output.spirv, name);
+  };
+  if (outputs.variants.empty()) return header_of(outputs.shaders[shader], variable);
+  std::string header, names, sizes;
+  for (std::size_t planes = 0; planes < outputs.variants.size(); ++planes) {
+    const std::string name = fmt::format("{}_{}", variable, planes);
+    header += header_of(outputs.variants[planes][shader], name);
+    names += (planes == 0 ? "" : ", ") + name;
+    sizes += fmt::format("{}sizeof {}", planes == 0 ? "" : ", ", name);
+  }
+  const bool is_text = outputs.shaders[shader].spirv.empty();
+  header += fmt::format("static const {}* const {}[] = {{{}}};  // by number of clip planes\n",
+                        is_text ? "char" : "uint32_t", variable, names);
+  if (!is_text)
+    header +=
+        fmt::format("static const unsigned {}_sizes[] = {{{}}};  // in bytes\n", variable, sizes);
+  return header;
+}
+
+// The header of -Fh: an array or a string for each shader that was compiled, with variants for each
+// of them and an array of these.
 std::string HeaderOf(const CommandLine& command, const Outputs& outputs) {
   const std::string variable = VariableOf(command);
-  const auto header_of = [](const ShaderOutput& shader, const std::string& name) {
-    return shader.spirv.empty() ? HeaderWith(shader.text, name) : HeaderWith(shader.spirv, name);
-  };
-  std::string header = header_of(outputs.shaders.front(), variable);
+  std::string header = HeaderOf(outputs, 0, variable);
   const std::vector<ShaderSource>& shaders = command.request.shaders;
   for (std::size_t i = 1; i < shaders.size(); ++i) {
     const auto profile = ir::ParseProfile(shaders[i].profile);
     if (profile && profile->stage)
-      header += header_of(outputs.shaders[i],
-                          fmt::format("{}_{}", variable, InfoOf(*profile->stage).name));
+      header += HeaderOf(outputs, i, fmt::format("{}_{}", variable, InfoOf(*profile->stage).name));
   }
   return header;
 }

@@ -101,8 +101,6 @@ Result<> CheckCommand(const CommandLine& command) {
     if (!clip_table::FormatOf(table))
       return Problem{fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", table)};
   }
-  if (request.planes.variants && (!command.header.empty() || request.outputs.spirv))
-    return Problem{"-Fh and -spirv write one shader; with --variants there are several"};
   if (Result<> done = CheckPair(command); !done) return done;
   if (!command.variable.empty() && command.header.empty())
     return Problem{"-Vn names what -Fh writes; give that option too"};
