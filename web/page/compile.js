@@ -20,9 +20,9 @@ export class Compiles {
   }
 
   /** Resolves to {results, milliseconds}, to {stopped: true}, or never if a newer request came first. */
-  compile(text, requests) {
+  compile(text, requests, includes) {
     return new Promise((resolve) => {
-      this.#waiting = { text, requests, resolve };
+      this.#waiting = { text, requests, includes, resolve };
       this.#next();
     });
   }
@@ -59,8 +59,8 @@ export class Compiles {
     if (this.#running || !this.#waiting || !this.#isReady) return;
     this.#running = this.#waiting;
     this.#waiting = null;
-    const { text, requests } = this.#running;
-    this.#worker.postMessage({ number: ++this.#number, text, requests });
+    const { text, requests, includes } = this.#running;
+    this.#worker.postMessage({ number: ++this.#number, text, requests, includes });
     this.#timer = setTimeout(() => {
       this.#worker.terminate();
       this.#start();

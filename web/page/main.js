@@ -4,6 +4,7 @@ import { Chart } from './chart.js';
 import { Compiles } from './compile.js';
 import { planesOf } from './constants.js';
 import { Editor } from './editor.js';
+import { Files, MAIN } from './files.js';
 import { readGltf } from './gltf.js';
 import { Handle } from './handle.js';
 import { Lens } from './lens.js';
@@ -37,6 +38,7 @@ const TARGETS = [
   'glsl450',
   'glsl460',
   'vulkan',
+  'hlsl',
 ];
 const LOWERINGS = ['clip-distance', 'discard', 'near-plane', 'level9', 'none'];
 const DRAGS = { camera: 'turns the camera', plane: 'moves the plane', turn: 'turns the plane' };
@@ -45,8 +47,8 @@ const START = 'A cut model';
 const WAIT = 120; // milliseconds after the last key
 const MOST_FILE = 64 << 20;
 
-const files = import.meta.webpackContext('./gallery', { regExp: /\.(hlsl|fx)$/ });
-const gallery = Object.fromEntries(files.keys().map((path) => [path.slice(2), files(path)]));
+const shaders = import.meta.webpackContext('./gallery', { regExp: /\.(hlsl|fx)$/ });
+const gallery = Object.fromEntries(shaders.keys().map((path) => [path.slice(2), shaders(path)]));
 
 const { dataset } = document.documentElement;
 const element = (id) => document.getElementById(id);
@@ -87,7 +89,12 @@ const chart = new Chart(element('chart'), ({ space, lower }) => {
 });
 const tabs = new Tabs(element('tabs'), element('text'), () => tabs.needsSpirv && compileSoon());
 const compiles = new Compiles((version) => (dataset.version = version));
-const editor = new Editor(element('source'), () => compileSoon());
+const editor = new Editor(element('source'), MAIN, () => compileSoon());
+const files = new Files(
+  { list: element('files'), name: element('name'), remove: element('remove') },
+  editor,
+  () => compileSoon(),
+);
 
 // ---- what is shown
 
@@ -212,12 +219,12 @@ function compileSoon() {
 
 async function compileNow() {
   const source = editor.text;
-  const answer = await compiles.compile(source, requests());
+  const answer = await compiles.compile(source, requests(), files.includes);
   count('compiled');
   if (answer.stopped) return say('The shader took too long; the compile was stopped.', true);
   if (answer.failed) return say(answer.failed, true);
   const [shown, left, right, spirv] = answer.results;
-  editor.show(shown.diagnostics);
+  files.mark(shown.diagnostics);
   if (shown.status === 'bad-request' || shown.status === 'no-memory') say(shown.messages, true);
   else
     say(
@@ -310,6 +317,7 @@ const meshNamed = () => MESHES[element('mesh').value]?.() ?? meshChosen;
 function choose(name) {
   const text = gallery[name] ?? startOf(scene.chain);
   element('options').value = text.match(/^\/\/ clipc (.*)$/m)?.[1] ?? '-T vs_5_0';
+  files.includes = {};
   editor.text = text;
 }
 
@@ -399,7 +407,7 @@ function start() {
   element('link').addEventListener('click', async () => {
     const state = Object.fromEntries(SAVED.map((id) => [id, element(id).value]));
     Object.assign(state, { view: viewChosen(), scene: scene.saved });
-    location.hash = await writeLink({ ...state, text: editor.text });
+    location.hash = await writeLink({ ...state, text: editor.text, includes: files.includes });
     await navigator.clipboard?.writeText(location.href).catch(() => {});
     say('The address of this page now carries the shader');
   });
@@ -429,6 +437,7 @@ async function openLink() {
   placeMesh(meshNamed());
   showView();
   showPreset();
+  files.includes = state.includes ?? {};
   editor.text = state.text;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The texts that clipc makes of a shader, one tab each.
 const TEXTS = {
-  GLSL: ({ shown }) => shown.glsl,
+  GLSL: ({ shown }) => shown.glsl || shown.hlsl || (shown.ok ? '' : shown.messages),
   Messages: ({ shown }) => shown.messages,
   'Clip table': ({ shown }) => (shown.table ? JSON.stringify(shown.table, null, 2) : ''),
   Reflection: ({ shown }) => (shown.reflection ? JSON.stringify(shown.reflection, null, 2) : ''),
@@ -28,6 +28,7 @@ export class Tabs {
       const button = document.createElement('button');
       button.type = 'button';
       button.textContent = name;
+      button.dataset.name = name;
       button.setAttribute('role', 'tab');
       button.setAttribute('aria-controls', panel.id);
       button.addEventListener('click', () => choose(name));
@@ -51,13 +52,15 @@ export class Tabs {
   /** `answer`: {shown, spirv}, results of compiles. */
   show(answer) {
     this.#answer = answer;
+    this.#list.firstElementChild.textContent = answer.shown.hlsl ? 'HLSL' : 'GLSL';
+    this.#panel.classList.toggle('bad', this.name === 'GLSL' && !answer.shown.ok);
     this.#panel.textContent = TEXTS[this.name](answer) || 'Nothing.';
   }
 
   #select(name) {
     this.name = name;
     for (const button of this.#list.children) {
-      const isSelected = button.textContent === name;
+      const isSelected = button.dataset.name === name;
       button.setAttribute('aria-selected', String(isSelected));
       button.tabIndex = isSelected ? 0 : -1;
     }

@@ -243,7 +243,49 @@ await test('a wrong shader shows its message and keeps the last image', async ()
   await type('float4 main() : SV_Position { return nothing; }');
   await page.until('document.querySelector(".cm-lintRange-error")?.textContent === "nothing"');
   assert.match(await page.evaluate('document.getElementById("status").textContent'), /errors/);
+  // The message is where the GLSL was, and the line has a mark.
+  assert.match(
+    await page.evaluate('document.getElementById("text").textContent'),
+    /shader.hlsl:1:38: error: `nothing` is not declared/,
+  );
+  await page.until('document.querySelectorAll(".cm-lint-marker-error").length === 1');
   assert.deepEqual(await pixels(), before);
+});
+
+await test('an include is a tab of its own', async () => {
+  const press = (text) =>
+    page.evaluate(
+      `[...document.querySelectorAll('#files button')].find((button) => button.textContent.startsWith('${text}')).click()`,
+    );
+  await type(
+    '#include "lib/color.hlsli"\nfloat4 main(float4 p : POSITION) : SV_Position { return p * Scale(); }',
+  );
+  await compiled(() => press('Add an include'));
+  await compiled(() =>
+    page.evaluate(`(({ name }) => {
+      name.value = 'lib/color.hlsli';
+      name.dispatchEvent(new Event('change'));
+    })({ name: document.getElementById('name') })`),
+  );
+  await type('float Scale() { return hundred; }');
+  await page.until('document.querySelector(".cm-lintRange-error")?.textContent === "hundred"');
+  await page.until(
+    'document.querySelector("#files [aria-pressed=true]").textContent === "lib/color.hlsli (1)"',
+  );
+  await type('float Scale() { return 100; }');
+  await page.until('/100\\.0/.test(document.getElementById("text").textContent)');
+  await press('shader.hlsl');
+  assert.match(
+    await page.evaluate('document.querySelector(".cm-content").textContent'),
+    /#include/,
+  );
+  assert.ok(await page.evaluate('document.getElementById("remove").hidden'));
+  await press('lib/color.hlsli');
+  await compiled(() => page.evaluate('document.getElementById("remove").click()'));
+  assert.match(
+    await page.evaluate('document.getElementById("text").textContent'),
+    /cannot open file|cannot find include file/,
+  );
 });
 
 await test('a shader bomb ends in a message', async () => {
@@ -271,9 +313,9 @@ await test('every target and lowering can be chosen, and says its GLSL or why no
   const { compile } = await import(pathToFileURL(resolve(packed, 'node.js')));
   for (const id of ['target', 'lower']) {
     const { messages } = await compile('', { profile: 'vs_5_0', [id]: 'none such' });
-    const all = [...messages.slice(messages.indexOf('there is')).matchAll(/`([\w-]+)`/g)]
-      .map(([, name]) => name)
-      .filter((name) => name !== 'hlsl'); // the page draws what it shows
+    const all = [...messages.slice(messages.indexOf('there is')).matchAll(/`([\w-]+)`/g)].map(
+      ([, name]) => name,
+    );
     const offered = await page.evaluate(
       `[...document.getElementById('${id}').options].map((option) => option.value)`,
     );
@@ -286,8 +328,8 @@ await test('every target and lowering can be chosen, and says its GLSL or why no
       const text = await page.evaluate('document.getElementById("text").textContent');
       assert.ok(
         /^Compiled/.test(status)
-          ? /^#version \d/.test(text)
-          : /errors/.test(status) && text === 'Nothing.',
+          ? (name === 'hlsl' ? /SV_ClipDistance|clipplanes/ : /^#version \d/).test(text)
+          : /errors/.test(status) && /error: /.test(text),
         `${name}: ${status}: ${text}`,
       );
     }
