@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile/suggest.h"
 
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "base/spelling.h"
@@ -24,6 +26,12 @@ std::string Suggest(std::string_view name, std::span<const std::string_view> nam
   constexpr std::size_t kFew = 32;
   if (const auto near = NearNames(name, names); !near.empty())
     return fmt::format("; did you mean {}?", Choices(near));
+  std::vector<std::string_view> longer;
+  for (const std::string_view one : names) {
+    if (name.size() > 2 && one.starts_with(name)) longer.push_back(one);
+  }
+  if (longer.size() == 1 || longer.size() == 2)
+    return fmt::format("; did you mean {}?", Choices(longer));
   return names.empty() || names.size() > kFew ? std::string()
                                               : fmt::format("; there is {}", Choices(names));
 }

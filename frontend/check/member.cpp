@@ -10,6 +10,7 @@
 #include "frontend/check/element.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
+#include "frontend/check/text.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
 #include "frontend/typing/objects.h"
@@ -119,6 +120,22 @@ ExprId StaticMember(Context& context, TypeId owner, const ast::MemberExpr& expr,
   return UseSymbol(context, member, span);
 }
 
+// "; each element has it, `lights[i].color`" for an array whose elements have the member.
+std::string ElementAdvice(Context& context, TypeId type, Name name, ast::ExprId base) {
+  std::string indices;
+  while (context[type].kind == TypeKind::kArray) {
+    indices += fmt::format("[{}]", "ijk"[std::min<std::size_t>(indices.size() / 3, 2)]);
+    type = context[type].element;
+  }
+  const bool is_swizzle = context[type].kind == TypeKind::kVector &&
+                          context[name].find_first_not_of("xyzwrgba") == std::string_view::npos;
+  const bool has_member = is_swizzle || FindMember(context, type, name);
+  return base && !indices.empty() && has_member
+             ? fmt::format("; each element has it, `{}{}.{}`", TextOf(context, base), indices,
+                           context[name])
+             : "";
+}
+
 }  // namespace
 
 ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
@@ -146,13 +163,13 @@ ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
   if (const ExprId field = FieldNamed(context, base, expr.name, span)) return field;
   const SymbolId member = FindMember(context, type, expr.name);
   if (!member) {
-    ReportNoMember(context, type, expr.name, expr.name_span);
+    ReportNoMember(context, type, expr.name, expr.name_span, expr.base);
     return context.ErrorExpr(span);
   }
   return UseSymbol(context, member, span);
 }
 
-void ReportNoMember(Context& context, TypeId type, Name name, Span span) {
+void ReportNoMember(Context& context, TypeId type, Name name, Span span, ast::ExprId base) {
   std::vector<std::string_view> candidates;
   if (const StructInfo* info = InfoOf(context, type)) {
     for (SymbolId id : context.names.symbol_ids()) {
@@ -160,7 +177,8 @@ void ReportNoMember(Context& context, TypeId type, Name name, Span span) {
     }
   }
   const std::vector<std::string_view> near = NearNames(context[name], candidates);
-  const std::string tail = near.empty() ? "" : fmt::format("; did you mean `{}`?", near.front());
+  const std::string tail = near.empty() ? ElementAdvice(context, type, name, base)
+                                        : fmt::format("; did you mean `{}`?", near.front());
   Diagnostic& report =
       context.Report(span, diag::NoSuchMember, context.TypeName(type), context[name], tail);
   if (!near.empty()) report.Fix(span, std::string(near.front()));

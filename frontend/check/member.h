@@ -7,7 +7,8 @@
 namespace clipc::check {
 
 ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span);
-// Reports that the type does not have the member `name`.
-void ReportNoMember(Context& context, TypeId type, Name name, Span span);
+// Reports that the type does not have the member `name`. `base` is the expression of that type;
+// none: it has no text.
+void ReportNoMember(Context& context, TypeId type, Name name, Span span, ast::ExprId base = {});
 
 }  // namespace clipc::check

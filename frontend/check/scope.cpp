@@ -8,6 +8,7 @@
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
 #include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
 #include "frontend/typing/intrinsics.h"
 
 namespace clipc::check {
@@ -57,6 +58,9 @@ std::string NearText(const Context& context, Name name, NameUse use) {
       continue;
     candidates.push_back(context[symbol.name]);
   }
+  std::vector<std::string> types;
+  if (use == NameUse::kType) types = NearTypes(context[name]);
+  candidates.insert(candidates.end(), types.begin(), types.end());
   std::vector<std::string_view> near = NearNames(context[name], candidates);
   if (use == NameUse::kFunction) {
     for (std::string_view intrinsic : NearIntrinsics(context[name])) {
@@ -88,16 +92,22 @@ bool HasField(const Context& context, Name structure, Name field) {
   return false;
 }
 
-// "`frame.plane`": the global variables that have a field of that name.
+// "`frame.plane`", "`lights[i].color`": the variables that have a field of that name.
 std::string OwnersOf(const Context& context, Name field) {
+  constexpr std::size_t kMost = 3;
   std::vector<std::string> owners;
   for (const SymbolId id : context.names.symbol_ids()) {
     const Symbol& symbol = context[id];
-    if (symbol.kind != SymbolKind::kVariable || !symbol.scope || !symbol.decl) continue;
+    if (symbol.kind != SymbolKind::kVariable || !symbol.decl || owners.size() == kMost) continue;
+    const bool is_visible = symbol.scope ? context.names.IsVisible(id)
+                                         : context.names.InnermostLocal(symbol.name) == id;
     const auto* variable = context.GetIf<ast::VarDecl>(symbol.decl);
-    if (variable && context.names.IsVisible(id) &&
-        HasField(context, context[variable->type].name.name, field))
-      owners.push_back(fmt::format("{}.{}", context[symbol.name], context[field]));
+    if (!variable || !is_visible || !HasField(context, context[variable->type].name.name, field))
+      continue;
+    std::string owner(context[symbol.name]);
+    for (std::size_t i = 0; i < variable->dimensions.size; ++i)
+      owner += fmt::format("[{}]", "ijk"[std::min<std::size_t>(i, 2)]);
+    owners.push_back(fmt::format("{}.{}", owner, context[field]));
   }
   return QuotedList(std::vector<std::string_view>(owners.begin(), owners.end()));
 }

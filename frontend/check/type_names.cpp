@@ -102,6 +102,20 @@ std::optional<TypeId> NumericType(Context& context, Name name) {
   return std::nullopt;
 }
 
+std::vector<std::string> NearTypes(std::string_view text) {
+  std::vector<std::string_view> scalars, objects;
+  for (const auto& scalar : kScalarNames) scalars.push_back(scalar.text);
+  for (const auto& object : kObjectNames) {
+    if (object.kind != ObjectKind::kOther) objects.push_back(object.text);
+  }
+  const std::string_view stem = text.substr(0, text.find_last_not_of("1234x") + 1);
+  std::vector<std::string> near;
+  for (const std::string_view scalar : NearNames(stem, scalars))
+    near.push_back(std::string(scalar) + std::string(text.substr(stem.size())));
+  for (const std::string_view object : NearNames(text, objects)) near.emplace_back(object);
+  return near;
+}
+
 TypeId TypeArgument(Context& context, ast::ExprId id) {
   const ast::Expr& expr = context[id];
   if (const auto* type = std::get_if<ast::TypeExpr>(&expr.node))

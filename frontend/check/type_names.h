@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "frontend/check/context.h"
 
@@ -12,6 +14,9 @@ namespace clipc::check {
 // The type that is named void, string, float, float3 or float3x4, with any scalar type for float;
 // nullopt for other names.
 std::optional<TypeId> NumericType(Context& context, Name name);
+// The built-in types that are spelt nearly like the text: float4 for flaot4, Texture2D for
+// Texure2D.
+std::vector<std::string> NearTypes(std::string_view text);
 // The type that a template argument is. Names are expressions in the syntax tree.
 TypeId TypeArgument(Context& context, ast::ExprId id);
 // The type that is written vector, vector<float, 3>, matrix or matrix<float, 3, 4>; nullopt for

@@ -34,6 +34,24 @@ ExprId MulSingle(const IntrinsicCheck& call, bool vector_first, Scalar kind) {
   return call.Make().BinaryOf(BinaryOp::kMul, left, convert(1, vector_first));
 }
 
+// The argument as a tensor of that type. A matrix that loses a row or column to a shorter vector,
+// as in mul(float3, float4x4), gets a note that says what that may be.
+ExprId MulTensor(const IntrinsicCheck& call, std::size_t i, TypeId to) {
+  const Type& type = call.ArgumentType(i);
+  const Type& other = call.ArgumentType(1 - i);
+  const bool loses = type.kind == TypeKind::kMatrix && other.kind == TypeKind::kVector &&
+                     other.columns == 3 && (i == 1 ? type.rows : type.columns) == 4;
+  if (!loses) return call.ConvertArgument(i, to);
+  const ExprId argument = call.arguments[i];
+  const TypeTable& types = call.program.types;
+  call.diagnostics
+      .Report(call.SpanOf(argument), diag::ImplicitTruncation, types.Name(call.ArgumentTypeId(i)),
+              types.Name(to))
+      .Note(call.SpanOf(call.arguments[1 - i]), diag::MulLosesTranslation,
+            i == 1 ? "row" : "column");
+  return ConvertExplicit(call.program, argument, to, call.temporaries);
+}
+
 ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
   TypeTable& types = call.program.types;
   const Type a = call.ArgumentType(0);
@@ -59,8 +77,8 @@ ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
   const TypeId result = a_is_vector   ? types.Vector(kind, b.columns)
                         : b_is_vector ? types.Vector(kind, a.rows)
                                       : types.Matrix(kind, a.rows, b.columns);
-  const ExprId left = call.ConvertArgument(0, left_type);
-  const ExprId right = call.ConvertArgument(1, right_type);
+  const ExprId left = MulTensor(call, 0, left_type);
+  const ExprId right = MulTensor(call, 1, right_type);
   return call.Make().IntrinsicOf(Intrinsic::kMul, result, {left, right});
 }
 
