@@ -2,50 +2,29 @@
 // A lake on OpenGL 4.5, as docs/lake.md explains it: a shadow map, the image in the water, and the
 // screen.
 //   lake [FILE.png]
-#include <array>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include <clipc/runtime/clip_plane.h>
 #include <clipc/runtime/gl/clip_switches.h>
-#include <clipc/runtime/mirror.h>
 #include <clipc/runtime/table.h>
 
 #include "depth_to_texture.shader.h"
+#include "examples/lake/scene.h"
 #include "land.clip.h"
 #include "land.shader.h"
 #include "land_to_texture.shader.h"
 #include "surface.clip.h"
 #include "surface.shader.h"
-#include "tools/harness/camera.h"
-#include "tools/harness/check.h"
 #include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
 #include "tools/harness/offscreen.h"
 
 namespace {
 
-using namespace clipc::harness;
-namespace runtime = clipc::runtime;
-
-constexpr int kWidth = 960, kHeight = 600, kShadow = 2048;
-constexpr runtime::Plane kWater{0, 1, 0, 0};  // keeps y >= 0
-
-// The constant buffers of lake.hlsl, as Direct3D lays them out.
-struct ViewConstants {
-  std::array<float, 16> view_projection, to_light;
-  runtime::Float4 water;
-};
-struct ObjectConstants {
-  std::array<float, 16> world;
-  float color[4];
-};
-struct Object {
-  const MeshBuffers* mesh;
-  ObjectConstants constants;
-};
+using namespace lake;
 
 // Fills the buffer of the register b0 or b1: the block's binding has the register's number.
 void SetBuffer(GLuint binding, const void* bytes, GLsizeiptr size) {
@@ -56,13 +35,13 @@ void SetBuffer(GLuint binding, const void* bytes, GLsizeiptr size) {
 }
 
 void Draw(const char* vertex, const char* fragment, const ViewConstants& view,
-          const std::vector<Object>& objects) {
+          const std::vector<Object>& objects, const std::deque<MeshBuffers>& meshes) {
   const GLuint program = LinkProgram(vertex, fragment);
   glUseProgram(program);
   SetBuffer(0, &view, sizeof view);
   for (const Object& object : objects) {
     SetBuffer(1, &object.constants, sizeof object.constants);
-    object.mesh->Draw();
+    meshes[object.mesh].Draw();
   }
   glDeleteProgram(program);
 }
@@ -92,47 +71,32 @@ void BeginPass(GLuint color, GLuint depth, int width, int height) {
 Image DrawLake() {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // depth as Direct3D has it
   glEnable(GL_DEPTH_TEST);
-  glClearColor(0.62F, 0.78F, 0.92F, 1);
-  const MeshBuffers teapot(Teapot(24)), torus(Torus(32, 1.3, 0.3)), shore(Ground(9, 1)),
-      lake(Ground(60, 1));
-  const auto at = [](double x, double y, double z, double size, double angle) {
-    return Floats(Multiply(Multiply(Scaling(size), Rotation(angle)), Translation(x, y, z)));
-  };
-  const std::vector<Object> land = {{&teapot, {at(-1.2, 0.5, 5, 1, 0.5), {0.9F, 0.5F, 0.3F, 1}}},
-                                    {&torus, {at(1.8, 0.1, 5.5, 0.8, 0), {0.9F, 0.8F, 0.3F, 1}}},
-                                    {&teapot, {at(2.5, 1.3, 9.5, 1.4, 2.5), {0.4F, 0.6F, 0.9F, 1}}},
-                                    {&shore, {at(0, 0.2, 16, 1, 0), {0.55F, 0.62F, 0.35F, 1}}}};
-  const Matrix view = LookAt({0, 2, -1}, {0, 0.3, 6});
-  const Matrix projection = Perspective(0.75, double{kWidth} / kHeight, 0.5, 200);
-  Camera sun;
-  sun.orthographic = true, sun.half_height = 18, sun.aspect = 1, sun.near = 1, sun.far = 60;
-  const Matrix light = Multiply(LookAt({10, 16, 2}, {0, 0, 10}), sun.Projection());
+  glClearColor(kSky[0], kSky[1], kSky[2], kSky[3]);
+  const Scene scene = MakeScene();
+  std::deque<MeshBuffers> meshes;
+  for (const Mesh& mesh : scene.meshes) meshes.emplace_back(mesh);
 
   // The shadow map, the texture of t0. SampleCmp compares: the texture says so on OpenGL.
   const GLuint shadow = NewTexture(0, GL_DEPTH_COMPONENT24, kShadow, kShadow);
   glTextureParameteri(shadow, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   BeginPass(0, shadow, kShadow, kShadow);
-  Draw(depth_to_texture_vert, "#version 450\nvoid main() {}\n", {Floats(light), {}, {}}, land);
+  Draw(depth_to_texture_vert, "#version 450\nvoid main() {}\n", scene.sunlight, scene.land, meshes);
 
-  // The image in the water, the texture of t1: the mirrored view of what is above it.
+  // The image in the water, the texture of t1.
   const GLuint mirror = NewTexture(1, GL_RGBA8, kWidth, kHeight);
   const GLuint mirror_depth = NewTexture(2, GL_DEPTH_COMPONENT24, kWidth, kHeight);
-  const Matrix mirrored = Multiply(Check(runtime::MirrorMatrix(kWater)), view);
-  const auto water = Check(runtime::ClipPlaneFromWorld(kWater, mirrored, projection));
   const auto table = Check(runtime::ReadTable(land_clip_table));
   runtime::gl::ClipSwitches switches(Check(runtime::gl::LoadFunctions(OpenGl::Load)));
   BeginPass(mirror, mirror_depth, kWidth, kHeight);
   Check(switches.Bind(table));  // enables the distances that the shader writes
-  Draw(land_to_texture_vert, land_to_texture_frag,
-       {Floats(Multiply(mirrored, projection)), Floats(light), water.constant}, land);
+  Draw(land_to_texture_vert, land_to_texture_frag, scene.mirrored, scene.land, meshes);
 
-  // The screen. A plane of zeros clips nothing.
-  const ViewConstants seen = {Floats(Multiply(view, projection)), Floats(light), {}};
+  // The screen.
   const Canvas screen(kWidth, kHeight);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  Draw(land_vert, land_frag, seen, land);
+  Draw(land_vert, land_frag, scene.seen, scene.land, meshes);
   Check(switches.Bind(Check(runtime::ReadTable(surface_clip_table))));  // it writes none
-  Draw(surface_vert, surface_frag, seen, {{&lake, {at(0, 0, 0, 1, 0), {0.05F, 0.2F, 0.25F, 1}}}});
+  Draw(surface_vert, surface_frag, scene.seen, scene.surface, meshes);
   return screen.Read();
 }
 

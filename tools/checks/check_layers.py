@@ -166,13 +166,13 @@ LIBRARIES = {
     r"epoxy/": r"tools/(harness|draw|values|study/program|scenes|effects)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/image\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|reference-compiler)/.*|tools/bench/reference_compilers\.cpp",
-    r"vulkan/": r"tools/draw/vulkan/device\.h",
+    r"vulkan/": r"(tools/draw/vulkan|examples/lake-vulkan)/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|link|rewrite|legalize|backend-glsl|compiler|tools/bench)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/values|study)/.*\.cpp",
 }
 
 # The files that clipc_add_shader() and study/program/CMakeLists.txt write into a build folder.
-GENERATED = re.compile(r"[\w-]+\.(shader|clip|text|effect)\.h")
+GENERATED = re.compile(r"[\w-]+\.(shader|clip|spv|text|effect)\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 # A raw string, in which an include is that of a shader.
