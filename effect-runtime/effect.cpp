@@ -376,6 +376,15 @@ const clipc_gl_effect_annotation* clipc_gl_effect_annotation_of(const clipc_gl_e
   return effect && i < effect->table.annotation_count ? &effect->table.annotations[i] : nullptr;
 }
 
+const clipc_vk_effect_state* clipc_vk_effect_states(const clipc_gl_effect_table* table,
+                                                    uint32_t pass, uint32_t* count) {
+  const bool is_there = table && pass < table->vulkan_pass_count;
+  const clipc_vk_effect_pass range =
+      is_there ? table->vulkan_passes[pass] : clipc_vk_effect_pass{0, 0};
+  if (count) *count = range.state_count;
+  return range.state_count > 0 ? table->vulkan_states + range.first_state : nullptr;
+}
+
 unsigned clipc_gl_effect_program_of(const clipc_gl_effect* effect, uint32_t pass) {
   return ProgramOf(effect, pass) ? effect->programs[effect->table.passes[pass].program] : 0;
 }

@@ -3,6 +3,7 @@
 #define CLIPC_EFFECT_RUNTIME_EFFECT_H 1
 
 #include "../runtime/gl/clipc_runtime_gl.h"
+#include "vulkan_states.h"
 
 /** Effects on OpenGL 3.3 and OpenGL ES 3.0, for C99 and C++17: the programs, states, samplers and
  * parameters of an effect. It is a table of constants in the header that `clipc --effect -Fh FILE`
@@ -145,7 +146,16 @@ typedef struct clipc_gl_effect_table {
       block_count;
   const clipc_gl_effect_annotation* annotations;
   uint32_t annotation_count;
+  const clipc_vk_effect_state* vulkan_states;
+  const clipc_vk_effect_pass* vulkan_passes; /**< by the number of the pass */
+  uint32_t vulkan_pass_count;
 } clipc_gl_effect_table;
+
+/** The states of a pass for a Vulkan pipeline, `count` of them: those that the pass sets. Others
+ * have Direct3D's defaults. It needs no OpenGL and no effect. NULL where the pass sets none, and
+ * where the table has no such pass. */
+const clipc_vk_effect_state* clipc_vk_effect_states(const clipc_gl_effect_table* table,
+                                                    uint32_t pass, uint32_t* count);
 
 /** An effect in a context. The table must outlive it. */
 typedef struct clipc_gl_effect clipc_gl_effect;

@@ -100,14 +100,18 @@ class GlEffectMaker {
       leave_out(has(program, Stage::kVertex) ? "program of a vertex and a pixel shader alone"
                                              : "vertex shader");
     }
-    std::optional<GlRange> states, annotations;  // the same for all programs
+    std::optional<GlRange> states, annotations, vulkan;  // the same for all programs
     for (std::size_t i = 0; i < programs.size(); ++i) {
       const EffectProgramFact* const program = programs[i];
       if (!program || !program->is_compiled || !program->code || !draws(*program)) continue;
       const std::size_t made = ProgramOf(program->code, pass);
-      if (!states) states = AddStates(pass), annotations = AddAnnotations(pass.annotations);
+      if (!states) {
+        states = AddStates(pass);
+        annotations = AddAnnotations(pass.annotations);
+        vulkan = AddVulkanStates(pass);
+      }
       const std::string suffix = programs.size() == 1 ? "" : fmt::format(".{}", i);
-      made_.passes.push_back({pass.name + suffix, made, *states, *annotations});
+      made_.passes.push_back({pass.name + suffix, made, *states, *annotations, *vulkan});
     }
   }
 
@@ -130,6 +134,13 @@ class GlEffectMaker {
     const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, states_);
     const std::size_t first = made_.states.size();
     made_.states.insert(made_.states.end(), states.begin(), states.end());
+    return {first, states.size()};
+  }
+
+  GlRange AddVulkanStates(const ast::EffectPass& pass) {
+    const std::vector<VulkanState> states = ReadVulkanStates(effect_, pass);
+    const std::size_t first = made_.vulkan_states.size();
+    made_.vulkan_states.insert(made_.vulkan_states.end(), states.begin(), states.end());
     return {first, states.size()};
   }
 

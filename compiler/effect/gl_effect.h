@@ -12,6 +12,7 @@
 #include "compiler/effect/effect_facts.h"
 #include "compiler/effect/gl_sampling.h"
 #include "compiler/effect/gl_states.h"
+#include "compiler/effect/vulkan_states.h"
 
 // An effect for OpenGL: the clipc_gl_effect_table of effect-runtime/effect.h as a value. Numbers
 // count in the lists of GlEffect.
@@ -29,7 +30,7 @@ struct GlEffect {
   struct Pass {
     std::string name;
     std::size_t program = 0;
-    GlRange states, annotations;
+    GlRange states, annotations, vulkan;
   };
   struct Program {
     std::shared_ptr<const EffectCode> code;
@@ -71,6 +72,7 @@ struct GlEffect {
   std::vector<Technique> techniques;
   std::vector<Pass> passes;
   std::vector<GlState> states;
+  std::vector<VulkanState> vulkan_states;
   std::vector<Program> programs;
   std::vector<Use> uses;
   std::vector<Sampler> samplers;

@@ -2,6 +2,7 @@
 #include "compiler/effect/gl_effect_header.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <iterator>
 #include <utility>
@@ -55,6 +56,19 @@ std::string RowOf(const GlEffect::Pass& row) {
 }
 std::string RowOf(const GlState& row) {
   return fmt::format("CLIPC_GL_{}, 0x{:X}u", NameOf(row.kind), row.value);
+}
+// "front.compareOp" is CLIPC_VK_FRONT_COMPARE_OP, and "colorWriteMask[0]" is
+// CLIPC_VK_COLOR_WRITE_MASK_0.
+std::string RowOf(const VulkanState& row) {
+  std::string name;
+  for (const char c : row.member) {
+    if (std::isupper(static_cast<unsigned char>(c)) != 0) name += '_';
+    if (c != ']') name += c == '.' || c == '[' ? '_' : c;
+  }
+  const auto* const number = std::get_if<float>(&row.value);
+  return fmt::format(
+      "CLIPC_VK_{}, 0x{:X}u", ToUpper(name),
+      number ? std::bit_cast<std::uint32_t>(*number) : std::get<std::uint32_t>(row.value));
 }
 std::string RowOf(const GlEffect::Program& row) {
   const auto& shaders = row.code->shaders;
@@ -115,11 +129,13 @@ class HeaderPrinter {
     AddBlockSizes(effect.block_sizes);
     const std::string lists = std::exchange(lists_, {});
     AddList("annotation", effect.annotations);
+    const std::string annotations = std::exchange(lists_, {});
+    AddVulkanStates(effect);
     Add("static const clipc_gl_effect_table {} = {{\n    {}\n    {}, {}, {}, {}, {}, "
-        "{},\n    {} {}}};\n\n#endif\n",
+        "{},\n    {} {},\n    {} {}}};\n\n#endif\n",
         name_, lists, effect.techniques.size(), effect.programs.size(), effect.textures.size(),
-        effect.samplings.size(), effect.parameters.size(), effect.block_sizes.size(), lists_,
-        effect.annotations.size());
+        effect.samplings.size(), effect.parameters.size(), effect.block_sizes.size(), annotations,
+        effect.annotations.size(), lists_, effect.vulkan_states.empty() ? 0 : effect.passes.size());
     return std::move(text_);
   }
 
@@ -136,19 +152,32 @@ class HeaderPrinter {
   }
 
   template <typename Row>
-  void AddList(std::string_view kind, const std::vector<Row>& rows) {
+  static std::vector<std::string> RowsOf(const std::vector<Row>& rows) {
     std::vector<std::string> texts;
     for (const Row& row : rows) texts.push_back(RowOf(row));
-    AddRows(kind, texts);
+    return texts;
+  }
+  template <typename Row>
+  void AddList(std::string_view kind, const std::vector<Row>& rows) {
+    AddRows(fmt::format("clipc_gl_effect_{}", kind), kind, RowsOf(rows));
   }
 
-  void AddRows(std::string_view kind, const std::vector<std::string>& rows) {
+  void AddRows(std::string_view type, std::string_view kind, const std::vector<std::string>& rows) {
     const std::string plural = fmt::format("{}{}", kind, kind.ends_with('s') ? "es" : "s");
     Name(!rows.empty(), plural);
     if (rows.empty()) return;
-    Add("static const clipc_gl_effect_{} {}_{}[] = {{\n", kind, name_, plural);
+    Add("static const {} {}_{}[] = {{\n", type, name_, plural);
     for (std::size_t i = 0; i < rows.size(); ++i)
       Add("    {{{}}}{}", rows[i], i + 1 < rows.size() ? ",\n" : "};\n");
+  }
+
+  // The states for Vulkan, and the range of each pass.
+  void AddVulkanStates(const GlEffect& effect) {
+    AddRows("clipc_vk_effect_state", "vulkan_state", RowsOf(effect.vulkan_states));
+    std::vector<std::string> ranges;
+    for (const GlEffect::Pass& pass : effect.passes) ranges.push_back(RangeText(pass.vulkan));
+    if (effect.vulkan_states.empty()) ranges.clear();
+    AddRows("clipc_vk_effect_pass", "vulkan_pass", ranges);
   }
 
   void AddValue(std::size_t number, const std::vector<std::uint32_t>& words) {
@@ -170,7 +199,7 @@ class HeaderPrinter {
                                  parameter.value.size(), RangeText(parameter.annotations)));
       places.insert(places.end(), parameter.places.begin(), parameter.places.end());
     }
-    AddRows("parameter", rows);
+    AddRows("clipc_gl_effect_parameter", "parameter", rows);
     AddList("place", places);
   }
 

@@ -7,6 +7,7 @@
 //   // CLEAR                   clears color, depth and stencil
 //   // WALK = T P Tint<float Max=1>    techniques with passes, parameters and textures
 //   // PLANES Technique Pass = 0:Water    the planes that the pass clips with
+//   // VULKAN Technique Pass = 3:1 4:0    its states for Vulkan, clipc_vk_state:value
 // The quad covers the target: position, normal (0, 0, -1), color (1, 0.5, 0.25, 1), and texture
 // coordinates from 0 at the upper left. Textures of two dimensions have the texels red, green,
 // blue and white; faces of cube maps are red, cyan, green, magenta, blue and yellow.
@@ -139,6 +140,19 @@ class EffectDrawing {
     return text;
   }
 
+  std::string Vulkan(const clipc_gl_effect_table& table, const std::string& technique,
+                     const std::string& pass) {
+    std::uint32_t count = 0;
+    const clipc_vk_effect_state* states =
+        clipc_vk_effect_states(&table, Find(technique, pass), &count);
+    std::string text;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      text += (text.empty() ? "" : " ") + std::to_string(states[i].state) + ":" +
+              std::to_string(states[i].value);
+    }
+    return text;
+  }
+
   static std::string Pixel(int x, int y) {
     unsigned char color[4] = {};
     glReadPixels(x, kSize - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color);
@@ -246,6 +260,12 @@ TEST_P(Effects, DrawsWhatItsCommentsSay) {
       std::getline(words, expected);
       EXPECT_EQ(drawing.Planes(first, second), expected) << name;
       ++expectations;
+    } else if (what == "VULKAN") {
+      words >> first >> second >> equal >> std::ws;
+      std::string expected;
+      std::getline(words, expected);
+      EXPECT_EQ(drawing.Vulkan(*table, first, second), expected) << name;
+      ++expectations;
     } else if (what == "WALK") {
       words >> equal >> std::ws;
       std::string expected;
@@ -255,6 +275,19 @@ TEST_P(Effects, DrawsWhatItsCommentsSay) {
     }
   }
   EXPECT_GT(expectations, 0);
+}
+
+TEST(EffectTable, HasStatesForVulkanWithoutAContext) {
+  std::uint32_t count = 0;
+  const clipc_vk_effect_state* states = clipc_vk_effect_states(&stencil_effect, 1, &count);
+  ASSERT_EQ(count, 5U);
+  EXPECT_EQ(states[0].state, CLIPC_VK_STENCIL_TEST_ENABLE);
+  EXPECT_EQ(states[0].value, 1U);
+  EXPECT_EQ(states[3].state, CLIPC_VK_FRONT_COMPARE_OP);
+  EXPECT_EQ(states[3].value, 2U);  // VK_COMPARE_OP_EQUAL
+  EXPECT_EQ(clipc_vk_effect_states(&stencil_effect, 2, &count), nullptr);
+  EXPECT_EQ(count, 0U);
+  EXPECT_EQ(clipc_vk_effect_states(nullptr, 0, nullptr), nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Effects, ::testing::Range<std::size_t>(0, std::size(kEffects)),
