@@ -46,5 +46,7 @@ done
 install_node_packages
 cd build/web/page
 quietly npm run build
+rm -rf ../../page/docs
+node documents.js ../../../docs ../../page/docs
 node compress.js ../../page
 mv ../starts ../made

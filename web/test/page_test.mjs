@@ -416,8 +416,48 @@ for (const scheme of ['light', 'dark']) {
   });
 }
 
+await test('the documents have no broken link, and axe-core finds nothing', async () => {
+  const links = () =>
+    page.evaluate(
+      `[...document.querySelectorAll('a[href], img')].map((link) => link.href || link.src)`,
+    );
+  const seen = new Map();
+  const texts = new Map();
+  const waiting = [await page.evaluate('document.querySelector("header a").href')];
+  while (waiting.length) {
+    const address = waiting.pop();
+    if (seen.has(address)) continue;
+    seen.set(address, true);
+    await page.send('Page.navigate', { url: address });
+    await page.until(`location.href === '${address}' && document.readyState === 'complete'`);
+    texts.set(address, await page.evaluate('document.documentElement.outerHTML'));
+    if (/\/docs\/(index|language|effects)/.test(address)) {
+      await page.evaluate(readFileSync(axe, 'utf8') + '; 0');
+      const { violations } = await page.evaluate('axe.run()');
+      assert.deepEqual(
+        violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`),
+        [],
+        address,
+      );
+    }
+    for (const link of await links()) {
+      const [file, anchor] = link.split('#');
+      if (!file.includes('/docs/')) continue;
+      if (file.endsWith('.html') && !seen.has(file)) waiting.push(file);
+      if (!file.endsWith('.html'))
+        assert.ok(statSync(join(folder, new URL(file).pathname)).size > 0, link);
+      if (anchor) seen.set(link, true);
+    }
+  }
+  for (const link of seen.keys()) {
+    const [file, anchor] = link.split('#');
+    assert.ok(!anchor || texts.get(file).includes(`id="${anchor}"`), link);
+  }
+  assert.ok(texts.size > 30, `${texts.size} documents`);
+});
+
 await test('the download is under 2 MB', async () => {
-  const isFirst = (name) => !name.endsWith('.br') && name !== 'clipc.wasm'; // that one is loaded when it is needed
+  const isFirst = (name) => !name.endsWith('.br') && name !== 'clipc.wasm' && name !== 'docs'; // loaded when they are needed
   const names = readdirSync(folder).filter(isFirst);
   const sizes = names.map((name) => statSync(join(folder, `${name}.br`)).size);
   const size = sizes.reduce((sum, x) => sum + x, 0);
