@@ -39,6 +39,9 @@ if(TARGET clipc)
   endif()
   add_test(NAME packaging COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/check_packaging.py $<TARGET_FILE:clipc>
     ${CMAKE_CURRENT_BINARY_DIR}/packaging)
+  add_test(NAME packaging.recipes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/follow_recipes.py ${clipc_BINARY_DIR}
+    ${CMAKE_CURRENT_BINARY_DIR}/recipes)
+  set_tests_properties(packaging.recipes PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77)
   add_test(NAME snippets COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_snippets.py ${clipc_BINARY_DIR}
     ${CMAKE_CURRENT_BINARY_DIR}/snippets ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
   add_test(NAME examples.builds COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/examples/builds/check_builds.py ${clipc_BINARY_DIR}
