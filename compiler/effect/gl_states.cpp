@@ -90,15 +90,21 @@ class StateReader {
     return found_[static_cast<std::size_t>(kind)];
   }
 
+  // Whether the state of another render target says what that of the first does, which holds for
+  // all of them: BlendEnable[1]. RenderTargetWriteMask[1] is a state of its own.
+  bool SaysFirst(StatePlace place, const Rule& first, const EffectState& state) {
+    const auto value = first.read(state.value);
+    return !FindRule(place, state.word + "1") && value && *value == At(first.state).value_or(0);
+  }
+
   void Add(StatePlace place, const EffectState& state) {
-    const Rule* rule = FindRule(place, state.word);
-    // RenderTargetWriteMask[1] is a state of its own; of BlendEnable, the first render target has
-    // that of all.
-    const bool is_numbered = state.index > 0 && rule;
-    if (state.index > 0) rule = FindRule(place, state.word + std::to_string(state.index));
+    const Rule* const first = FindRule(place, state.word);
+    const Rule* const rule =
+        state.index == 0 ? first : FindRule(place, state.word + std::to_string(state.index));
+    if (!rule && first && SaysFirst(place, *first, state)) return;
     if (place == StatePlace::kPass && IsSameState(state.word, "BlendFactor") && state.index == 0)
       return AddBlendFactor(state);
-    if (!rule || !report_.Has(rule->state)) return report_.Unknown(state, is_numbered);
+    if (!rule || !report_.Has(rule->state)) return report_.Unknown(state, !rule && first);
     if (const auto value = rule->read(state.value)) {
       At(rule->state) = value;
     } else {
