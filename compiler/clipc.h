@@ -61,8 +61,8 @@ typedef struct clipc_request {
   const char* text;
   size_t text_size;
   /** The options, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options that name
-   * outputs or inputs are errors, but for --pixel-shader=NAME, and --pixel-output=.frag, which asks
-   * for the pixel shader too. */
+   * outputs or inputs are errors, but for --pixel-shader=NAME, and --pixel-output=.frag and
+   * --geometry-output=.geom, which request these shaders too. */
   const char* const* options;
   size_t option_count;
   /** If not NULL, includes come from this function, and no file is read for them. */
@@ -229,6 +229,16 @@ struct clipc_reflection {
 };
 /** NULL where the result has no reflection, or if there is no memory. */
 CLIPC_API const clipc_reflection* clipc_result_reflection(const clipc_result* result);
+
+/** A shader of a result. */
+typedef struct clipc_shader {
+  const char* stage;                  /**< "vertex", "geometry", "pixel" or "compute" */
+  clipc_bytes text;                   /**< GLSL, or with --target=hlsl HLSL */
+  clipc_bytes spirv;                  /**< as CLIPC_PART_SPIRV */
+  const clipc_reflection* reflection; /**< its own; NULL where the result has none */
+} clipc_shader;
+/** The shaders in the order of the pipeline; NULL past the last, or if there is no memory. */
+CLIPC_API const clipc_shader* clipc_result_shader(const clipc_result* result, size_t index);
 
 #ifdef __cplusplus
 }

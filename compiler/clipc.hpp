@@ -59,6 +59,10 @@ class Result {
   const clipc_reflection* reflection() const {
     return result_ ? clipc_result_reflection(result_.get()) : nullptr;
   }
+  /// The shader of this number, in the order of the pipeline; null past the last.
+  const clipc_shader* shader(std::size_t index) const {
+    return result_ ? clipc_result_shader(result_.get(), index) : nullptr;
+  }
   /// The message of this number, each before its notes; null past the last.
   const clipc_diagnostic* diagnostic(std::size_t index) const {
     return result_ ? clipc_result_diagnostic(result_.get(), index) : nullptr;

@@ -33,7 +33,7 @@ typedef struct clipc_effect_state {
 } clipc_effect_state;
 
 typedef struct clipc_effect_shader {
-  const char* stage; /**< "vertex", "pixel" or "compute" */
+  const char* stage; /**< "vertex", "geometry", "pixel" or "compute" */
   const char* entry;
   const char* profile; /**< "vs_3_0" */
   const char* call;    /**< with arguments, "Main(true, 4)"; empty: it has none */
@@ -43,8 +43,8 @@ typedef struct clipc_effect_shader {
 typedef struct clipc_effect_program {
   const clipc_effect_shader* const* shaders; /**< by stage, at least one */
   size_t shader_count;
-  /** CLIPC_PART_GLSL is its first shader, CLIPC_PART_PIXEL the second. Programs that are alike
-   * share one. NULL: it has errors. */
+  /** CLIPC_PART_GLSL is its first shader, CLIPC_PART_PIXEL the pixel shader after it;
+   * clipc_result_shader gives all. Programs that are alike share one. NULL: it has errors. */
   const clipc_result* result;
   size_t number; /**< the same for programs that are alike */
 } clipc_effect_program;

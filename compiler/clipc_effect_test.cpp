@@ -190,6 +190,25 @@ TEST_F(EffectInterface, IsCancelled) {
   EXPECT_EQ(Compile({}, kEffect), CLIPC_CANCELLED);
 }
 
+TEST_F(EffectInterface, GivesTheGeometryShaderOfAPass) {
+  ASSERT_EQ(Compile({"--target=glsl330"},
+                    "struct V { float4 p : SV_Position; };\n"
+                    "V vs(float4 p : POSITION) { V v = {p}; return v; }\n"
+                    "[maxvertexcount(1)] void gs(point V v[1], inout PointStream<V> s) {\n"
+                    "  s.Append(v[0]); }\n"
+                    "float4 ps() : SV_Target { return 0.5; }\n"
+                    "technique11 T { pass P { SetVertexShader(CompileShader(vs_5_0, vs()));\n"
+                    "  SetGeometryShader(CompileShader(gs_5_0, gs()));\n"
+                    "  SetPixelShader(CompileShader(ps_5_0, ps())); } }"),
+            CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  const clipc_result* const program = effect_->techniques[0]->passes[0]->programs[0]->result;
+  EXPECT_THAT(PartOf(program, CLIPC_PART_PIXEL), HasSubstr("vec4(0.5)"));
+  ASSERT_NE(clipc_result_shader(program, 1), nullptr);
+  EXPECT_STREQ(clipc_result_shader(program, 1)->stage, "geometry");
+  EXPECT_THAT(clipc_result_shader(program, 1)->text.data, HasSubstr("EmitVertex()"));
+}
+
 TEST_F(EffectInterface, CompilesAsAProgramWould) {
   ASSERT_EQ(Compile({"-D", "FOG=1", "--reflect=.h"},
                     "float4 V(float4 p : POSITION) : POSITION { return p * FOG; }\n"

@@ -171,6 +171,44 @@ TEST_F(CInterface, CompilesThePairOfOneText) {
   EXPECT_THAT(Get(CLIPC_PART_REFLECTION), HasSubstr("\"pixelShader\""));
 }
 
+TEST_F(CInterface, GivesEveryShaderOfAProgram) {
+  const std::string text = std::string(kHalves) +
+                           "struct V { float4 p : SV_Position; float2 uv : UV; };\n"
+                           "[maxvertexcount(1)] void gs(point V v[1], inout PointStream<V> s) {\n"
+                           "  s.Append(v[0]); }\n";
+  ASSERT_EQ(Compile({"-E", "vs", "--geometry-entry=gs", "--geometry-output=.geom",
+                     "--pixel-entry=ps", "--pixel-output=.frag", "-spirv"},
+                    text),
+            CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  std::vector<std::string_view> stages;
+  while (const clipc_shader* shader = clipc_result_shader(result_.get(), stages.size())) {
+    stages.emplace_back(shader->stage);
+    EXPECT_THAT(std::string_view(shader->spirv.data, shader->spirv.size),
+                StartsWith("\x03\x02\x23\x07"));
+    EXPECT_THAT(shader->reflection->profile, ::testing::EndsWith("s_5_0"));
+  }
+  EXPECT_THAT(stages, ::testing::ElementsAre("vertex", "geometry", "pixel"));
+  const clipc_shader* const geometry = clipc_result_shader(result_.get(), 1);
+  EXPECT_THAT(geometry->text.data, HasSubstr("EmitVertex()"));
+  EXPECT_STREQ(geometry->reflection->input_primitive, "point");
+  EXPECT_EQ(clipc_result_shader(result_.get(), 0)->text.data, Get(CLIPC_PART_GLSL).data());
+  EXPECT_EQ(clipc_result_shader(result_.get(), 2)->text.data, Get(CLIPC_PART_PIXEL).data());
+
+  // Without a pixel shader there is none, and what discards is not a shader of it.
+  ASSERT_EQ(Compile({"-E", "vs", "--geometry-entry=gs", "--geometry-output=.geom"}, text),
+            CLIPC_COMPILED);
+  EXPECT_THAT(Get(CLIPC_PART_PIXEL), IsEmpty());
+  EXPECT_EQ(clipc_result_reflection(result_.get())->pixel_shader, nullptr);
+  ASSERT_EQ(Compile({"-Ilib", "--lower=discard"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_DISCARD), HasSubstr("discard"));
+  EXPECT_EQ(clipc_result_shader(result_.get(), 1), nullptr);
+  EXPECT_EQ(Compile({"-E", "vs", "--geometry-entry=gs", "--geometry-output=x.geom"}, text),
+            CLIPC_BAD_REQUEST);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("`--geometry-output` is for the program"));
+  EXPECT_EQ(clipc_result_shader(result_.get(), 0), nullptr);
+}
+
 TEST_F(CInterface, CompilesAPixelShaderAlone) {
   ASSERT_EQ(Compile({"-T", "ps_5_0", "-E", "ps", "-spirv"}, kHalves), CLIPC_COMPILED)
       << Get(CLIPC_PART_MESSAGES);

@@ -130,12 +130,14 @@ Result<> Batch::CheckUsage() const {
       return Problem{
           "--dump, --stop-after and -M are for one permutation of a shader, and there are "
           "several"};
-    std::vector<std::pair<const char*, std::string>> files = {
+    std::vector<std::pair<std::string, std::string>> files = {
         {"--pixel-output", command.pixel_output},
-        {"--geometry-output", command.geometry_output},
         {"-Fh", command.header},
         {"-Fc", command.listing},
         {"-P", command.preprocessed}};
+    for (std::size_t i = 0; i < command.middle.size(); ++i)
+      files.emplace_back(fmt::format("--{}-output", InfoOf(kMiddleStages[i]).name),
+                         command.middle[i].output);
     for (const std::string& table : command.tables) files.emplace_back("--table", table);
     for (const std::string& file : command.reflections) files.emplace_back("--reflect", file);
     for (const auto& [option, value] : files) {

@@ -102,6 +102,19 @@ Texts VariantsIn(const Json& shader, const std::string& where) {
   return {fmt::format("--variants={}", found->get<unsigned>())};
 }
 
+// A member whose value, or each of a list of values by turns, an option gets.
+struct OptionMember {
+  const char *member, *option;
+  const char* output = "";  // the option that names the file of the shader that this adds
+};
+constexpr OptionMember kOptionMembers[] = {
+    {"entry", "-E"},
+    {"profile", "-T"},
+    {"target", "--target"},
+    {"geometryEntry", "--geometry-entry", "--geometry-output=.geom"},
+    {"pixelShader", "--pixel-shader", "--pixel-output=.frag"},
+    {"pixelEntry", "--pixel-entry", "--pixel-output=.frag"}};
+
 class ManifestReader {
  public:
   explicit ManifestReader(std::span<const char* const> arguments)
@@ -124,10 +137,9 @@ class ManifestReader {
 
  private:
   void ReadShader(const Json& shader, const std::string& where) {
-    constexpr std::string_view kMembers[] = {"source",      "name",      "entry",   "profile",
-                                             "target",      "defines",   "options", "variants",
-                                             "pixelShader", "pixelEntry"};
-    CheckMembers(shader, where, kMembers);
+    std::vector<std::string_view> members = {"source", "name", "defines", "options", "variants"};
+    for (const OptionMember& option : kOptionMembers) members.push_back(option.member);
+    CheckMembers(shader, where, members);
     const Texts sources = ChoicesIn(shader, "source", where);
     if (sources.empty()) Refuse(where, "has no `source`");
     const Texts names = ChoicesIn(shader, "name", where);
@@ -136,9 +148,11 @@ class ManifestReader {
     if (!names.empty() && (names[0].empty() || HasSlash(names[0])))
       Refuse(where + ".name", "is not the name of a file");
     Texts words;
-    // A pair; the options may name the pixel shader's file otherwise.
-    if (shader.contains("pixelShader") || shader.contains("pixelEntry"))
-      words.emplace_back("--pixel-output=.frag");
+    // The options may name the file of another shader otherwise.
+    for (const OptionMember& option : kOptionMembers) {
+      if (*option.output != '\0' && shader.contains(option.member))
+        words.emplace_back(option.output);
+    }
     for (std::string& word : TextsIn(shader, "options", where)) words.push_back(std::move(word));
     for (std::string& word : VariantsIn(shader, where)) words.push_back(std::move(word));
     for (const std::string& source : sources) {
@@ -152,16 +166,11 @@ class ManifestReader {
     }
   }
 
-  // Chooses an entry, a profile and a target by turns. A name says which where there are several.
+  // Chooses the values of kOptionMembers by turns. A name says which where there are several.
   void Choose(const Json& shader, const std::string& where, const Texts& words, ShaderGroup group,
               std::size_t at) {
-    constexpr std::pair<const char*, const char*> kChoices[] = {{"entry", "-E"},
-                                                                {"profile", "-T"},
-                                                                {"target", "--target"},
-                                                                {"pixelShader", "--pixel-shader"},
-                                                                {"pixelEntry", "--pixel-entry"}};
-    if (at == std::size(kChoices)) return Add(where, words, std::move(group));
-    const auto& [member, option] = kChoices[at];
+    if (at == std::size(kOptionMembers)) return Add(where, words, std::move(group));
+    const auto& [member, option, output] = kOptionMembers[at];
     const Texts values = ChoicesIn(shader, member, where);
     if (values.empty()) return Choose(shader, where, words, std::move(group), at + 1);
     for (const std::string& value : values) {

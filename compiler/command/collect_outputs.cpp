@@ -47,12 +47,15 @@ OutputPiece PieceOf(const CommandLine& command, std::string text_kind, std::stri
 void AddShaders(const CommandLine& command, const OutputPaths& paths, const char* const (&kinds)[2],
                 std::vector<ShaderOutput>& shaders, std::vector<OutputPiece>& pieces) {
   struct File {
-    const char *text, *spirv;
+    std::string text, spirv;
     const std::string& path;
   };
   std::vector<File> files = {{kinds[0], "spirv", paths.glsl}};
-  if (!command.geometry_output.empty())
-    files.push_back({"geometry", "geometry.spirv", paths.geometry});
+  for (std::size_t i = 0; i < command.middle.size(); ++i) {
+    if (command.middle[i].output.empty()) continue;
+    const std::string kind(InfoOf(kMiddleStages[i]).name);
+    files.push_back({kind, kind + ".spirv", paths.middle[i]});
+  }
   files.push_back({kinds[1], "fragment.spirv", paths.fragment});
   for (std::size_t i = 0; i < std::min(shaders.size(), files.size()); ++i) {
     const File& file = files[i];

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/stage.h"
 #include "compiler/compile/request.h"
 
 namespace clipc {
@@ -24,6 +27,16 @@ inline constexpr Named<EffectDialect> kEffectDialects[] = {{EffectDialect::kDire
 
 enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
+// The stages whose shaders may stand between the first shader and the pixel shader, in the order of
+// the pipeline. Each has two options, --geometry-entry and --geometry-output.
+inline constexpr Stage kMiddleStages[] = {Stage::kGeometry};
+
+// A shader of the same file for such a stage. Empty: not given.
+struct MiddleShader {
+  std::string entry;
+  std::string output;  // its GLSL
+};
+
 // A command line. Its names of a profile and passes are unchecked; Compile checks them.
 struct CommandLine {
   enum class Action : std::uint8_t { kCompile, kHelp, kExplain, kVersion };
@@ -38,8 +51,8 @@ struct CommandLine {
   // The files to write; empty if not asked for. A value that is only an extension, ".json", names
   // the file after the GLSL.
   std::string output;  // the GLSL: empty is standard output, unless the options ask for others
-  std::string pixel_output;                     // the GLSL of a pair's pixel shader
-  std::string geometry_entry, geometry_output;  // a geometry shader of the same file, and its GLSL
+  std::string pixel_output;  // the GLSL of a pair's pixel shader
+  std::array<MiddleShader, std::size(kMiddleStages)> middle = {};  // by kMiddleStages
   std::vector<std::string> tables, reflections;
   std::string struct_prefix;     // of the names of C structs
   std::string header, variable;  // -Fh, -Vn

@@ -265,10 +265,12 @@ std::string ProfileBeside(const std::string& vertex, Stage stage) {
 // rewritten where HLSL is given its entry; elsewhere it is a neighbour.
 void FinishProgram(CommandLine& command) {
   ProgramRequest& request = command.request;
-  if (!command.geometry_output.empty() && !command.geometry_entry.empty())
+  for (std::size_t i = 0; i < command.middle.size(); ++i) {
+    const auto& [entry, output] = command.middle[i];
+    if (entry.empty() || output.empty()) continue;
     request.shaders.push_back(
-        {.entry = command.geometry_entry,
-         .profile = ProfileBeside(request.first().profile, Stage::kGeometry)});
+        {.entry = entry, .profile = ProfileBeside(request.first().profile, kMiddleStages[i])});
+  }
   const ShaderSource& given = command.pixel_shader;
   request.hlsl.in_one_file = given.path.empty() && command.pixel_output.empty();
   if (command.pixel_output.empty() && (!request.hlsl.wanted || given.entry.empty())) {

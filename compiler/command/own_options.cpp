@@ -142,9 +142,14 @@ void SetPixelOutput(Reading& reading, const std::string& value) {
   if (value.empty()) reading.Refuse("--pixel-output needs the name of a file, or `.frag`");
 }
 
-void SetGeometryOutput(Reading& reading, const std::string& value) {
-  reading.command.geometry_output = value;
-  if (value.empty()) reading.Refuse("--geometry-output needs the name of a file, or `.geom`");
+// Reads the entry or the file of a shader between the first one and the pixel shader.
+template <Stage kStage, std::string MiddleShader::* kMember>
+void SetMiddle(Reading& reading, const std::string& value) {
+  constexpr auto kAt = std::ranges::find(kMiddleStages, kStage) - kMiddleStages;
+  reading.command.middle[kAt].*kMember = value;
+  if (value.empty() && kMember == &MiddleShader::output)
+    reading.Refuse(fmt::format("{} needs the name of a file, or `{}`", reading.option,
+                               InfoOf(kStage).extension));
 }
 
 // Without a value it is glslang's -D, which says that the text is HLSL.
@@ -273,9 +278,9 @@ constexpr Option kOwnOptions[] = {
     {"--pixel-output", kEquals, SetPixelOutput, "<FILE>",
      "write it too: HLSL, by default of the same file; a file, or .frag beside the other"},
     {"--pixel-profile", kEquals, Set<&ShaderSource::profile>},
-    {"--geometry-entry", kEquals, Set<&CommandLine::geometry_entry>, "<N>",
+    {"--geometry-entry", kEquals, SetMiddle<Stage::kGeometry, &MiddleShader::entry>, "<N>",
      "a geometry shader before it, for --geometry-output=FILE; --planes-in-last-stage clips there"},
-    {"--geometry-output", kEquals, SetGeometryOutput},
+    {"--geometry-output", kEquals, SetMiddle<Stage::kGeometry, &MiddleShader::output>},
     {"--planes-in-last-stage", kFlag, Set<&PlaneOptions::in_last_stage>},
     {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
      "also those that it does not read"},

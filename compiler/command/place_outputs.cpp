@@ -56,6 +56,11 @@ std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   return InFolder(output, input, ExtensionOf(command.request));
 }
 
+// The extension of a shader that is written beside the first one.
+std::string StageExtension(const OutputOptions& outputs, Stage stage) {
+  return fmt::format("{}{}", InfoOf(stage).extension, outputs.spirv ? ".spv" : "");
+}
+
 // The pixel shader of a pair. Named by an extension or a folder, it lies after or in that.
 std::string PlacePixel(const CommandLine& command, const std::string& input,
                        const std::string& name) {
@@ -65,7 +70,7 @@ std::string PlacePixel(const CommandLine& command, const std::string& input,
     const std::string& path = command.pixel_shader.path;
     return InFolder(output, path.empty() ? input : path, ".hlsl");
   }
-  return InFolder(output, input, command.request.outputs.spirv ? ".frag.spv" : ".frag");
+  return InFolder(output, input, StageExtension(command.request.outputs, Stage::kPixel));
 }
 
 }  // namespace
@@ -75,7 +80,9 @@ std::vector<std::string> OutputPaths::Named() const {
   const auto add = [&](const std::string& path) {
     if (!path.empty() && path != "-") named.push_back(path);
   };
-  add(glsl), add(geometry), add(fragment);
+  add(glsl);
+  std::ranges::for_each(middle, add);
+  add(fragment);
   std::ranges::for_each(tables, add);
   std::ranges::for_each(reflections, add);
   for (const std::string& path : {dependencies, header, listing, preprocessed}) add(path);
@@ -129,10 +136,13 @@ OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.listing = NameAfter(command.listing, name);
   outputs.tables = NamesAfter(command.tables, name);
   outputs.reflections = NamesAfter(command.reflections, name);
-  if (const std::string& geometry = command.geometry_output; !geometry.empty()) {
-    const std::string_view extension = command.request.outputs.spirv ? ".geom.spv" : ".geom";
-    outputs.geometry =
-        IsExtension(geometry) ? NameAfter(geometry, name) : InFolder(geometry, input, extension);
+  for (std::size_t i = 0; i < command.middle.size(); ++i) {
+    const std::string& output = command.middle[i].output;
+    if (output.empty()) continue;
+    outputs.middle[i] =
+        IsExtension(output)
+            ? NameAfter(output, name)
+            : InFolder(output, input, StageExtension(command.request.outputs, kMiddleStages[i]));
   }
   if (!command.pixel_output.empty()) {
     outputs.fragment = PlacePixel(command, input, name);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,7 +16,8 @@ namespace clipc {
 
 // The paths of all outputs for one input. Empty: not asked for. "-": standard output.
 struct OutputPaths {
-  std::string glsl, geometry, fragment, dependencies, header, listing, preprocessed;
+  std::string glsl, fragment, dependencies, header, listing, preprocessed;
+  std::array<std::string, std::size(kMiddleStages)> middle;  // by kMiddleStages
   std::vector<std::string> tables, reflections;
   std::string dependency_target;  // of the make rule
 

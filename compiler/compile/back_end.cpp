@@ -104,6 +104,7 @@ Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
   Finished finished;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     ShaderOutput& shader = finished.shaders.emplace_back();
+    shader.stage = lowered[i].program.stage;
     if (wanted.spirv) shader.spirv = ModuleOf(jobs[i], lowered[i], layout.InfoOf(i));
     if (!wanted.glsl) continue;
     shader.text = WriteGlsl(jobs, i, layout, wanted.source_lines);
@@ -113,7 +114,7 @@ Finished Finish(std::span<Job> jobs, const std::vector<Lowered>& lowered,
   }
   if (lowered.back().lowering == Lowering::kDiscard) {
     const glsl::GlslInfo& info = layout.InfoOf(jobs.size() - 1);
-    finished.shaders.push_back({FragmentOf(jobs.back(), lowered.back(), info), {}});
+    finished.shaders.push_back({FragmentOf(jobs.back(), lowered.back(), info), {}, {}});
   }
   return finished;
 }

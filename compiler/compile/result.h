@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stage.h"
 #include "clip-table/clip_table.h"
 #include "compiler/compile/facts.h"
 #include "compiler/compile/message.h"
@@ -26,6 +27,7 @@ enum class Status : std::uint8_t {
 struct ShaderOutput {
   std::string text;                  // GLSL, where it is wanted, or HLSL
   std::vector<std::uint32_t> spirv;  // of the GLSL, on request
+  std::optional<Stage> stage;        // none: what lowering kDiscard adds
   friend bool operator==(const ShaderOutput&, const ShaderOutput&) = default;
 };
 

@@ -272,9 +272,12 @@ void RewriteHlsl(std::span<Job> jobs, CompileResult& result) {
   const bool has_own_file = jobs.size() > 1 && !request.hlsl.in_one_file;
   if (!has_own_file) std::ranges::move(discarding, std::back_inserter(entries));
   std::vector<ShaderOutput>& files = result.outputs.emplace().shaders;
-  files.push_back({Rewritten(job, entries, request.planes.variants), {}});
-  if (has_own_file)
-    files.push_back({Rewritten(jobs.back(), discarding, request.planes.variants), {}});
+  const auto add = [&](Job& of, std::span<const rewrite::Entry> rewritten) {
+    files.push_back(
+        {Rewritten(of, rewritten, request.planes.variants), {}, of.plan.check.profile.stage});
+  };
+  add(job, entries);
+  if (has_own_file) add(jobs.back(), discarding);
 }
 
 }  // namespace clipc

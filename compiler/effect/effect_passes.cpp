@@ -275,9 +275,11 @@ class ProgramFinder {
     request.outputs.facts = true;
     request.planes.given_to_device = !command_.header.empty();  // which names them
     for (const EffectStage& stage : program.shaders) {
-      if (stage.stage != Stage::kGeometry || request.shaders.size() == 1) continue;
-      group.command.geometry_entry = stage.shader->function;
-      group.command.geometry_output = request.outputs.spirv ? ".geom.spv" : ".geom";
+      const auto at = std::ranges::find(kMiddleStages, stage.stage) - std::begin(kMiddleStages);
+      if (at == std::ssize(kMiddleStages) || request.shaders.size() == 1) continue;
+      group.command.middle[at] = {
+          stage.shader->function,
+          fmt::format("{}{}", InfoOf(stage.stage).extension, request.outputs.spirv ? ".spv" : "")};
     }
     if (request.shaders.size() > 1 && program.shaders.back().stage == Stage::kPixel)
       group.command.pixel_output = request.outputs.spirv ? ".frag.spv" : ".frag";

@@ -23,8 +23,7 @@ static_assert(std::size(kFileKinds) == kStageCount);
 // What the effect's JSON calls a file of a batch: the stage, whether it is GLSL or SPIR-V, and the
 // number of a variant. `first_stage` is the first stage of the program.
 std::string FileKind(std::string_view kind, Stage first_stage) {
-  if (kind == "fragment.spirv") return "fragment";
-  if (kind == "geometry.spirv") return "geometry";
+  if (kind.ends_with(".spirv")) return std::string(kind.substr(0, kind.find('.')));
   for (const std::string_view first : {"glsl", "spirv"}) {
     if (kind == first || (kind.starts_with(first) && kind[first.size()] == '.'))
       return std::string(kFileKinds[static_cast<std::size_t>(first_stage)]) +

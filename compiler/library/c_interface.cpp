@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <new>
@@ -36,6 +37,8 @@ struct clipc_result {
   std::optional<clipc::Facts> facts;
   std::optional<clipc::EffectFacts> effect_facts;
   std::vector<clipc::Message> messages;
+  mutable std::vector<clipc_shader> shaders;  // their texts and words are parts, or in `middle`
+  std::deque<std::pair<std::string, std::string>> middle;
   std::vector<std::unique_ptr<clipc_result>> variants;
   std::vector<std::unique_ptr<clipc_result>> programs;  // of an effect; null: it has errors
   // Made when they are first asked for, as the JSON of the facts is.
@@ -68,7 +71,7 @@ clipc_request Known(const clipc_request& request) {
 
 // Returns the option, of those given, that only a program can follow: it names an input or an
 // output, or is about several shaders. Empty if there is none.
-std::string_view ProgramsOption(const clipc::CommandLine& command) {
+std::string ProgramsOption(const clipc::CommandLine& command) {
   const auto named = [](const std::string& file) { return !file.empty(); };
   if (!command.inputs.empty()) return command.inputs[0];
   if (named(command.output)) return "-o";
@@ -83,7 +86,11 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (named(command.preprocessed) && command.preprocessed != ".i") return "-P";
   if (named(command.fragment)) return "--fragment";
   if (named(command.pixel_output) && command.pixel_output != ".frag") return "--pixel-output";
-  if (named(command.geometry_output)) return "--geometry-output";
+  for (std::size_t i = 0; i < command.middle.size(); ++i) {
+    const std::string& output = command.middle[i].output;
+    const clipc::StageInfo& stage = clipc::InfoOf(clipc::kMiddleStages[i]);
+    if (named(output) && output != stage.extension) return fmt::format("--{}-output", stage.name);
+  }
   if (command.write_dependencies || named(command.dependency_file)) return "-MD";
   if (command.only_dependencies) return "-M";
   if (named(command.batch)) return "--batch";
@@ -133,7 +140,7 @@ std::vector<std::string> DecisiveOptions(const clipc_request& from,
 clipc::Result<> ReadRequest(const clipc_request& from, clipc::CommandLine& command) {
   clipc::ParsedCommandLine parsed = clipc::ParseCommandLine({from.options, from.option_count});
   if (!parsed.result) return parsed.result;
-  if (const std::string_view option = ProgramsOption(parsed.command); !option.empty()) {
+  if (const std::string option = ProgramsOption(parsed.command); !option.empty()) {
     return clipc::Problem{
         fmt::format("`{}` is for the program; the library compiles one shader or effect, and what "
                     "comes out is memory",
@@ -173,14 +180,26 @@ clipc::Result<> ReadRequest(const clipc_request& from, clipc::CommandLine& comma
   return {};
 }
 
-// Fills the parts with the shaders of a program: texts, and SPIR-V where there is some.
+// Fills the shaders of a program, and the parts that are the first one and the pixel shader: texts,
+// and SPIR-V where there is some.
 void Fill(std::vector<clipc::ShaderOutput> shaders, clipc_part first_text, clipc_result& to) {
-  const std::pair<clipc_part, clipc_part> parts[] = {{first_text, CLIPC_PART_SPIRV},
-                                                     {CLIPC_PART_DISCARD, CLIPC_PART_PIXEL_SPIRV}};
-  for (std::size_t i = 0; i < std::min(shaders.size(), std::size(parts)); ++i) {
-    const std::vector<std::uint32_t>& words = shaders[i].spirv;
-    to.parts[parts[i].first] = std::move(shaders[i].text);
-    to.parts[parts[i].second].assign(reinterpret_cast<const char*>(words.data()), 4 * words.size());
+  for (clipc::ShaderOutput& shader : shaders) {
+    const bool is_first = &shader == &shaders.front();
+    const bool is_fragment = shader.stage.value_or(clipc::Stage::kPixel) == clipc::Stage::kPixel;
+    if (!is_first && !is_fragment) to.middle.emplace_back();
+    std::string& text = is_first      ? to.parts[first_text]
+                        : is_fragment ? to.parts[CLIPC_PART_DISCARD]
+                                      : to.middle.back().first;
+    std::string& spirv = is_first      ? to.parts[CLIPC_PART_SPIRV]
+                         : is_fragment ? to.parts[CLIPC_PART_PIXEL_SPIRV]
+                                       : to.middle.back().second;
+    text = std::move(shader.text);
+    spirv.assign(reinterpret_cast<const char*>(shader.spirv.data()), 4 * shader.spirv.size());
+    if (!shader.stage) continue;
+    to.shaders.push_back({clipc::InfoOf(*shader.stage).name.data(),
+                          {text.data(), text.size()},
+                          {spirv.data(), spirv.size()},
+                          nullptr});
   }
 }
 
@@ -251,6 +270,14 @@ clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc
   return status;
 }
 
+// The reflection of a shader of the result; null where there is none.
+const clipc_reflection* ReflectionOf(const clipc_result& result, std::size_t shader) {
+  if (!result.facts || shader >= result.facts->stages.size()) return nullptr;
+  if (!result.reflection)
+    result.reflection = std::make_unique<clipc::ReflectionStructs>(*result.facts);
+  return &result.reflection->shader(shader);
+}
+
 }  // namespace
 
 extern "C" {
@@ -310,11 +337,19 @@ const clipc_diagnostic* clipc_result_diagnostic(const clipc_result* result, size
 }
 
 const clipc_reflection* clipc_result_reflection(const clipc_result* result) {
-  if (!result->facts) return nullptr;
   try {
-    if (!result->reflection)
-      result->reflection = std::make_unique<clipc::ReflectionStructs>(*result->facts);
-    return &result->reflection->shader();
+    return ReflectionOf(*result, 0);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+const clipc_shader* clipc_result_shader(const clipc_result* result, size_t index) {
+  if (index >= result->shaders.size()) return nullptr;
+  try {
+    clipc_shader& shader = result->shaders[index];
+    shader.reflection = ReflectionOf(*result, index);
+    return &shader;
   } catch (const std::exception&) {
     return nullptr;
   }

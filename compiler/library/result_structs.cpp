@@ -116,8 +116,9 @@ class ReflectionStructs::Printer {
 
 ReflectionStructs::ReflectionStructs(const Facts& facts) {
   Printer printer(*this);
-  clipc_reflection& shader = printer.Shader(facts.stages.front());
-  if (facts.stages.size() > 1) shader.pixel_shader = &printer.Shader(facts.stages.back());
+  for (const StageFacts& stage : facts.stages) printer.Shader(stage);
+  if (facts.stages.size() > 1 && facts.stages.back().draws_pixels)
+    shaders_.front().pixel_shader = &shaders_.back();
 }
 
 }  // namespace clipc

@@ -22,7 +22,8 @@ class ReflectionStructs {
   ReflectionStructs(const ReflectionStructs&) = delete;
   ReflectionStructs& operator=(const ReflectionStructs&) = delete;
 
-  const clipc_reflection& shader() const { return shaders_.front(); }
+  // Of a stage of the facts.
+  const clipc_reflection& shader(std::size_t number) const { return shaders_[number]; }
 
  private:
   class Printer;

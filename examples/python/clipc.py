@@ -91,6 +91,10 @@ class _Effect(ctypes.Structure):
     )
 
 
+class _Shader(ctypes.Structure):
+    _fields_ = (("stage", ctypes.c_char_p), ("text", _Bytes), ("spirv", _Bytes))
+
+
 class _Request(ctypes.Structure):
     _fields_ = (
         ("size", ctypes.c_size_t),
@@ -121,7 +125,9 @@ class Result:
     pixel_spirv: bytes
     reflection: dict
     table: dict  # the clip table
-    effect: dict  # with --effect: docs/effects.md; its programs have glsl, pixel, spirv, pixel_spirv and reflection
+    effect: dict  # with --effect: docs/effects.md; its programs have glsl, pixel, spirv, pixel_spirv, reflection and code
+    # The shaders in the order of the pipeline, dictionaries: stage, text, spirv. `code` of a program is such a list.
+    shaders: list
 
     @property
     def ok(self):
@@ -140,6 +146,8 @@ def _load():
     library.clipc_result_free.argtypes = (ctypes.c_void_p,)
     library.clipc_result_get.argtypes = (ctypes.c_void_p, ctypes.c_int)
     library.clipc_result_get.restype = _Bytes
+    library.clipc_result_shader.argtypes = (ctypes.c_void_p, ctypes.c_size_t)
+    library.clipc_result_shader.restype = ctypes.POINTER(_Shader)
     library.clipc_result_effect.argtypes = (ctypes.c_void_p,)
     library.clipc_result_effect.restype = ctypes.POINTER(_Effect)
     if library.clipc_abi() != ABI:
@@ -193,10 +201,21 @@ class Compiler:
             raise MemoryError("clipc_compile")
         try:
             parts = {name: self._part(made, number) for name, number in _PARTS.items()}
+            shaders = self._shaders(made)
             effect = self._effect(made, json.loads(parts["effect"] or b"{}"))
         finally:
             self._library.clipc_result_free(made)
-        return self._result(_STATUS[status], parts, effect)
+        return self._result(_STATUS[status], parts, effect, shaders)
+
+    def _shaders(self, result):
+        shaders = []
+        while shader := self._library.clipc_result_shader(result, len(shaders)):
+            each = shader.contents
+            texts = [ctypes.string_at(part.data, part.size) for part in (each.text, each.spirv)]
+            shaders.append(
+                {"stage": each.stage.decode(), "text": texts[0].decode(), "spirv": texts[1]}
+            )
+        return shaders
 
     def _effect(self, result, document):
         """The JSON of an effect, with what its programs became."""
@@ -216,6 +235,7 @@ class Compiler:
             program[name] = part(name).decode()
         for name in ("spirv", "pixel_spirv"):
             program[name] = part(name)
+        program["code"] = self._shaders(result) if result else []
         program["reflection"] = json.loads(part("reflection") or b"{}")
 
     def _part(self, result, number):
@@ -223,7 +243,7 @@ class Compiler:
         return ctypes.string_at(part.data, part.size)
 
     @staticmethod
-    def _result(status, parts, effect):
+    def _result(status, parts, effect, shaders):
         document = json.loads(parts["messages_json"] or b"{}")
         return Result(
             status=status,
@@ -238,4 +258,5 @@ class Compiler:
             reflection=json.loads(parts["reflection"] or b"{}"),
             table=json.loads(parts["table_json"] or b"{}"),
             effect=effect,
+            shaders=shaders,
         )

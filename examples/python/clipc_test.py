@@ -26,10 +26,33 @@ def test_effect(compiler):
     assert program["reflection"]["cbuffers"][0]["members"][0]["name"] == "World", program
     assert result.dependencies == ["lights.fxh"]
 
+    assert [each["text"] for each in program["code"]] == [program["glsl"], program["pixel"]]
+
     result = compiler.compile(EFFECT, "water.fx", options, LIGHTS.get)
     assert result.status == "has-errors", result.status
     good, bad = (each["passes"][0]["programs"][0] for each in result.effect["techniques"])
     assert good["glsl"] and not bad["glsl"] and bad["status"] == "failed", bad
+
+
+PROGRAM = """struct V { float4 p : SV_Position; };
+V vs(float4 p : POSITION) { V v = {p}; return v; }
+[maxvertexcount(1)] void gs(point V v[1], inout PointStream<V> s) { s.Append(v[0]); }
+float4 ps() : SV_Target { return 1; }
+"""
+
+
+def test_stages(compiler):
+    options = ["-E", "vs", "--geometry-entry=gs", "--geometry-output=.geom"]
+    options += ["--pixel-entry=ps", "--pixel-output=.frag", "-spirv"]
+    result = compiler.compile(PROGRAM, options=options)
+    assert result.ok, result.messages
+    assert [each["stage"] for each in result.shaders] == ["vertex", "geometry", "pixel"]
+    assert "EmitVertex()" in result.shaders[1]["text"], result.shaders
+    assert result.shaders[2] == {
+        "stage": "pixel",
+        "text": result.pixel,
+        "spirv": result.pixel_spirv,
+    }
 
 
 def main():
@@ -56,6 +79,7 @@ def main():
     assert result.status == "bad-request", result.status
     assert result.diagnostics[0]["message"].startswith("unknown option `--bogus`")
     test_effect(compiler)
+    test_stages(compiler)
     print("clipc.py: passed")
 
 

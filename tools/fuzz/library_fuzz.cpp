@@ -111,6 +111,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (status != CLIPC_COMPILED && clipc_result_get(result, CLIPC_PART_MESSAGES).size == 0 &&
       clipc_result_get(result, CLIPC_PART_MESSAGES_JSON).size == 0)
     std::abort();
+  std::size_t shaders = 0;
+  while (const clipc_shader* const shader = clipc_result_shader(result, shaders)) {
+    if (!shader->text.data || shader->text.data[shader->text.size] != '\0') std::abort();
+    ++shaders;
+  }
+  if (status != CLIPC_COMPILED && shaders > 0) std::abort();
   const clipc_effect* const effect = clipc_result_effect(result);
   if (effect && Read(*effect) > size * 1000 + 1000000) std::abort();
   clipc_result_free(result);

@@ -2,6 +2,7 @@
 // The functions that the npm package calls: those of compiler/clipc.h with arguments that
 // JavaScript can make.
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -100,6 +101,23 @@ const clipc_bytes* clipc_module_program_part(std::size_t number, int part) {
   static clipc_bytes bytes;
   const clipc_result* const program = last ? ProgramOf(*last, number) : nullptr;
   bytes = program ? clipc_result_get(program, static_cast<clipc_part>(part)) : clipc_bytes{"", 0};
+  return &bytes;
+}
+
+// What shader `index` of the last result, or of its program of that number, is: 0 its stage, 1 its
+// text, 2 its SPIR-V. `program` is -1 where the result is not an effect's. Empty past the last.
+CLIPC_EXPORT(clipc_module_shader)
+const clipc_bytes* clipc_module_shader(int program, std::size_t index, int what) {
+  static clipc_bytes bytes;
+  const clipc_result* const result = !last ? nullptr
+                                     : program < 0
+                                         ? last.get()
+                                         : ProgramOf(*last, static_cast<std::size_t>(program));
+  const clipc_shader* const shader = result ? clipc_result_shader(result, index) : nullptr;
+  bytes = !shader     ? clipc_bytes{"", 0}
+          : what == 0 ? clipc_bytes{shader->stage, std::strlen(shader->stage)}
+          : what == 1 ? shader->text
+                      : shader->spirv;
   return &bytes;
 }
 

@@ -70,6 +70,11 @@ export class Instance {
     return this.#copyOf(this.exports.clipc_module_program_part(program, number));
   }
 
+  /** A part of shader `index` of the last result, or of its program of that number; -1: of the result itself. */
+  shaderPart(program, index, what) {
+    return this.#copyOf(this.exports.clipc_module_shader(program, index, what));
+  }
+
   /** A copy of the bytes that the pair of an address and a size at `at` names. */
   #copyOf(at) {
     const pair = new Uint32Array(this.exports.memory.buffer, at, 2);
@@ -176,6 +181,7 @@ export class Compiler {
       glsl: text(part('glsl')),
       discard: isPair ? '' : text(part('discard')),
       pixel: isPair ? text(part('discard')) : '',
+      shaders: shadersOf(instance, -1),
       spirv: new Uint32Array(part('spirv').buffer),
       pixelSpirv: new Uint32Array(part('pixelSpirv').buffer),
       reflection: json(part('reflection')),
@@ -185,6 +191,17 @@ export class Compiler {
       hlsl: text(part('hlsl')),
       effect: effectOf(instance, json(part('effect'))),
     };
+  }
+}
+
+/** The shaders of the last result, or of its program of that number, in the order of the pipeline. */
+function shadersOf(instance, program) {
+  const shaders = [];
+  for (;;) {
+    const part = (what) => instance.shaderPart(program, shaders.length, what);
+    const stage = text(part(0));
+    if (!stage) return shaders;
+    shaders.push({ stage, text: text(part(1)), spirv: new Uint32Array(part(2).buffer) });
   }
 }
 
@@ -199,6 +216,7 @@ function effectOf(instance, effect) {
         program.spirv = new Uint32Array(part('spirv').buffer);
         program.pixelSpirv = new Uint32Array(part('pixelSpirv').buffer);
         program.reflection = json(part('reflection'));
+        program.code = shadersOf(instance, program.number);
       }
     }
   }
@@ -216,6 +234,7 @@ export function nothing(status, messages) {
     glsl: '',
     discard: '',
     pixel: '',
+    shaders: [],
     spirv: new Uint32Array(),
     pixelSpirv: new Uint32Array(),
     reflection: null,

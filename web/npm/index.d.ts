@@ -11,6 +11,8 @@ export interface CompileOptions {
   target?: string;
   /** `--lower`: how clip planes are lowered. */
   lower?: string;
+  /** `--geometry-entry`: the geometry shader of the same text is compiled too, between the other two. */
+  geometryEntry?: string;
   /** `--pixel-entry`: the pixel shader of the same text is compiled too, and both fit each other. */
   pixelEntry?: string;
   /** `--pixel-shader`: the pixel shader is in the text that `readInclude` gives for this name. */
@@ -46,6 +48,16 @@ export interface Diagnostic extends Place {
   notes?: Diagnostic[];
 }
 
+/** A shader of a program. */
+export interface Shader {
+  /** "vertex", "geometry", "pixel" or "compute" */
+  stage: string;
+  /** GLSL, or with `target: "hlsl"` HLSL */
+  text: string;
+  /** With the option `-spirv`. */
+  spirv: Uint32Array;
+}
+
 export interface CompileResult {
   /** Whether `status` is "compiled". */
   ok: boolean;
@@ -66,6 +78,8 @@ export interface CompileResult {
   discard: string;
   /** The pixel shader, with `pixelEntry`, `pixelShader` or the option `--pixel-output=.frag`. */
   pixel: string;
+  /** Every shader of the program, in the order of the pipeline. */
+  shaders: Shader[];
   /** With the option `-spirv`. */
   spirv: Uint32Array;
   pixelSpirv: Uint32Array;
@@ -81,7 +95,8 @@ export interface CompileResult {
   hlsl: string;
   /**
    * With the option `--effect`: docs/effects.md. Each program of a pass has `glsl`, `pixel`, `spirv`, `pixelSpirv` and `reflection`
-   * in place of files; they are empty where it has errors. It is there after errors too, if the effect could be read.
+   * in place of files, and `code`, a list of `Shader`; they are empty where it has errors. It is there after errors too, if the
+   * effect could be read.
    */
   effect: any | null;
 }

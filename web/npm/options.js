@@ -8,13 +8,24 @@ const KEYS = [
   'entry',
   'target',
   'lower',
+  'geometryEntry',
   'pixelEntry',
   'pixelShader',
   'defines',
   'options',
   'readInclude',
 ];
-const QUERY_KEYS = ['profile', 'entry', 'target', 'lower', 'pixelEntry', 'options'];
+const QUERY_KEYS = [
+  'profile',
+  'entry',
+  'target',
+  'lower',
+  'geometryEntry',
+  'pixelEntry',
+  'options',
+];
+// The stages between the first shader and the pixel shader, and the extension of their GLSL.
+export const MIDDLE = [{ stage: 'geometry', extension: '.geom' }];
 // What vite adds to the query of a module: its time and version, and how it is imported.
 const OF_VITE = ['import', 't', 'v'];
 
@@ -57,6 +68,10 @@ export function wordsOf(options) {
   if (options.entry) words.push('-E', options.entry);
   if (options.target) words.push(`--target=${options.target}`);
   if (options.lower) words.push(`--lower=${options.lower}`);
+  for (const { stage, extension } of MIDDLE) {
+    const entry = options[`${stage}Entry`];
+    if (entry) words.push(`--${stage}-entry=${entry}`, `--${stage}-output=${extension}`);
+  }
   if (options.pixelShader) words.push(`--pixel-shader=${options.pixelShader}`);
   if (options.pixelEntry) words.push(`--pixel-entry=${options.pixelEntry}`);
   if (options.pixelShader || options.pixelEntry) words.push('--pixel-output=.frag');

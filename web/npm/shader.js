@@ -5,7 +5,7 @@ import { resolve } from 'node:path';
 
 import { nothing } from './compiler.js';
 import { createCompiler } from './node.js';
-import { optionsOfQuery } from './options.js';
+import { MIDDLE, optionsOfQuery } from './options.js';
 
 let compiler;
 
@@ -25,9 +25,13 @@ export async function compileModule(path, text, query, configured) {
     }
   };
   const result = (await compiler).compile(text, { ...options, path, readInclude });
+  const between = MIDDLE.map(({ stage }) => {
+    const shader = result.shaders.find((each) => each.stage === stage);
+    return `export const ${stage} = ${JSON.stringify(shader?.text ?? '')};\n`;
+  });
   const exported = ['glsl', 'pixel', 'hlsl', 'discard', 'table', 'reflection'];
   const code = exported
     .map((name) => `export const ${name} = ${JSON.stringify(result[name])};\n`)
     .join('');
-  return { result, files, code: `${code}export default glsl || hlsl;\n` };
+  return { result, files, code: `${code}${between.join('')}export default glsl || hlsl;\n` };
 }

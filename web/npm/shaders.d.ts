@@ -4,6 +4,7 @@ declare module '*.hlsl' {
   export const glsl: string;
   export const hlsl: string;
   export const discard: string;
+  export const geometry: string;
   export const pixel: string;
   export const table: any;
   export const reflection: any;

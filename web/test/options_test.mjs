@@ -23,6 +23,12 @@ assert.equal(known.isPair, false);
 // A pair, by a key and by an option.
 assert(wordsOf({ pixelEntry: 'ps' }).isPair);
 assert(wordsOf({ options: ['--pixel-entry=ps', '--pixel-output=.frag'] }).isPair);
+assert.deepEqual(wordsOf({ geometryEntry: 'gs', pixelEntry: 'ps' }).words, [
+  '--geometry-entry=gs',
+  '--geometry-output=.geom',
+  '--pixel-entry=ps',
+  '--pixel-output=.frag',
+]);
 assert(!wordsOf({ options: ['--pixel-shader=a.frag', '--lower=discard'] }).isPair);
 
 // An unknown key, also of a call: no module is started for it.

@@ -78,6 +78,24 @@ await test('both shaders of a program', () => {
   assert.equal(same.discard, '');
 });
 
+await test('every shader of a program', () => {
+  const text =
+    'struct V { float4 p : SV_Position; }; V vs(float2 uv : UV) { V v = {uv.xyxy}; return v; }' +
+    '[maxvertexcount(1)] void gs(point V v[1], inout PointStream<V> s) { s.Append(v[0]); }' +
+    'float4 ps() : SV_Target { return 1; }';
+  const options = { entry: 'vs', geometryEntry: 'gs', pixelEntry: 'ps', options: ['-spirv'] };
+  const { shaders, glsl, pixel, ...result } = compiler.compile(text, options);
+  assert.equal(result.status, 'compiled', result.messages);
+  assert.deepEqual(
+    shaders.map(({ stage }) => stage),
+    ['vertex', 'geometry', 'pixel'],
+  );
+  assert.equal(shaders[0].text, glsl);
+  assert.match(shaders[1].text, /EmitVertex\(\)/);
+  assert.equal(shaders[2].text, pixel);
+  assert(shaders.every(({ spirv }) => spirv[0] === 0x07230203));
+});
+
 await test('HLSL with clip distances', () => {
   const result = compiler.compile(SHADER, { readInclude, target: 'hlsl' });
   assert.equal(result.status, 'compiled', result.messages);
@@ -102,6 +120,10 @@ await test('an effect from memory', () => {
   const [program] = result.effect.techniques[0].passes[0].programs;
   assert.match(program.glsl, /^#version 300 es/);
   assert.match(program.pixel, /^#version 300 es/);
+  assert.deepEqual(
+    program.code.map((shader) => shader.text),
+    [program.glsl, program.pixel],
+  );
   assert.equal(program.reflection.cbuffers[0].members[0].name, 'World');
   assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').effect, null);
 });
