@@ -13,8 +13,7 @@ namespace clipc::glsl {
 Descriptors::Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
                          OtherStages others)
     : target_(target),
-      pixel_sets_(InfoOf(program.stage).draws_pixels ? target.bindings.pixel_sets : 0),
-      pixel_base_(InfoOf(program.stage).draws_pixels ? target.PixelBase() : 0),
+      base_(target.BaseOf(program.stage)),
       plain_set_(target.bindings.plain_sets[static_cast<std::size_t>(program.stage)]) {
   if (!target.IsVulkan()) return;
   std::ranges::copy_if(target.bindings.rules, std::back_inserter(rules_), [&](const auto& rule) {
@@ -38,7 +37,7 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
   const bool bound_by_option = target.bindings.globals.has_value();
   Taken taken;
   for (const OtherStage& other : others) {
-    if (other.laid && pixel_sets_ == 0) TakeFromOther(program, other, taken);
+    if (other.laid && !target.bindings.sets_by_stage) TakeFromOther(program, other, taken);
   }
   const Taken theirs = taken;
   // Where the user says how registers are bound, the host binds them so.
@@ -136,10 +135,9 @@ ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
         rule.number.value_or(reg.number) != reg.number ||
         rule.space.value_or(reg.space) != reg.space)
       continue;
-    return {rule.binding + (rule.number ? 0 : reg.number + pixel_base_),
-            rule.set ? *rule.set + pixel_sets_ : space};
+    return {rule.binding + (rule.number ? 0 : reg.number + base_), rule.set.value_or(space)};
   }
-  const std::uint32_t number = reg.number + pixel_base_;
+  const std::uint32_t number = reg.number + base_;
   switch (reg.letter) {
     case 'b': return {number + kVulkanShiftB, space};
     case 's': return {number + kVulkanShiftS, space};

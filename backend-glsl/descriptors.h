@@ -18,8 +18,8 @@
 // the set. A space above the highest set becomes the lowest set that no other space has, unless the
 // user says how registers are bound. [[vk::binding]] comes before all of that. An object that has
 // neither it nor a written register moves to the next free binding if its own is taken, as in DXC.
-// A pixel shader that is compiled alone has all bindings that follow from registers higher by
-// Target::PixelBase().
+// A shader that is compiled alone has all bindings that follow from registers higher by
+// Target::BaseOf(stage).
 // A stage has the bindings of those that are laid out before it for what they share, and moves what
 // is in their way.
 namespace clipc::glsl {
@@ -57,7 +57,7 @@ class Descriptors {
   const Target& target_;
   std::vector<BindingRule> rules_;             // those of the target that are for this stage
   std::map<const ir::Register*, char> kinds_;  // kImages, kStorageBlocks
-  const std::uint32_t pixel_sets_, pixel_base_, plain_set_;
+  const std::uint32_t base_, plain_set_;
   const ir::Register* globals_ = nullptr;
   std::map<const ir::Register*, ir::Descriptor> moved_;
   std::map<std::uint32_t, std::uint32_t> renumbered_;  // the sets of spaces that are too high

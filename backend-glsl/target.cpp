@@ -234,12 +234,18 @@ std::optional<Target> Target::Parse(std::string_view name) {
 
 std::span<const std::string_view> Target::Names() { return kNames; }
 
-std::uint32_t Target::PixelBase() const {
-  constexpr std::uint32_t kVulkan = 256;   // u0 to u95 of a vertex shader come before
-  constexpr std::uint32_t kTextures = 16;  // t0 to t15: a vertex shader has 16 units
-  if (bindings.pixel_base) return *bindings.pixel_base;
-  if (!IsVulkan()) return kTextures;
-  return bindings.rules.empty() ? kVulkan : 0;  // by rules, the host says where all is bound
+std::uint32_t Target::BaseOf(Stage stage) const {
+  constexpr std::uint32_t kVulkan = 256;   // u0 to u95 of one shader come before
+  constexpr std::uint32_t kTextures = 16;  // t0 to t15: a stage has 16 units
+  // By stage: the number of stages whose bindings come before.
+  constexpr std::uint32_t kBefore[] = {0, 1, 0, 2};
+  static_assert(std::size(kBefore) == kStageCount);
+  if (!InfoOf(stage).has_stage_before) return 0;
+  if (bindings.later_base) return *bindings.later_base;
+  const std::uint32_t before = kBefore[static_cast<std::size_t>(stage)];
+  if (!IsVulkan()) return before * kTextures;
+  // By rules, the host says where all is bound.
+  return bindings.rules.empty() ? before * kVulkan : 0;
 }
 
 std::string_view Target::NearestWith(Feature feature) const {

@@ -166,8 +166,10 @@ struct BindingRules {
   // Each element of an array of objects has a binding of its own: split_arrays.h.
   bool splits_arrays = false;
   bool keeps_unread = false;  // objects and buffers that the shader does not read have bindings too
-  std::uint32_t pixel_sets = 0;  // what is added to the sets of the rules in a pixel shader
-  std::optional<std::uint32_t> pixel_base;  // Target::PixelBase(); none: the target's own
+  bool sets_by_stage = false;  // the rules give each stage sets of its own, and nothing is shared
+  std::vector<Stage> stages;   // the only ones that the host of the rules has; empty: all
+  std::string_view host = {};  // the name of the rules: "sdl"
+  std::optional<std::uint32_t> later_base;  // Target::BaseOf(); none: the target's own
 };
 
 class Target {
@@ -197,9 +199,10 @@ class Target {
   // their GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang accepts no binding from 80 on.
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
 
-  // What is added to the numbers of registers in a pixel shader: to all bindings of Vulkan, and to
-  // the units of OpenGL's textures. A vertex shader that is compiled alone then binds others.
-  std::uint32_t PixelBase() const;
+  // What is added to the numbers of registers in a shader of the stage: to all bindings of Vulkan,
+  // and to the units of OpenGL's textures. Shaders that are compiled alone then bind others. Of a
+  // stage without one before it, 0.
+  std::uint32_t BaseOf(Stage stage) const;
 
   BindingRules bindings;  // the rules of a Vulkan target
   bool KeepsBindings() const { return IsVulkan() && bindings.keeps_unread; }

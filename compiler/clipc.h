@@ -169,6 +169,7 @@ typedef struct clipc_variable {
   int32_t location; /**< -1: none */
   int is_builtin;   /**< a variable of GLSL's own */
   int is_used;      /**< of an input: the shader reads it; of an output: 1 */
+  uint32_t stream;  /**< of an output of a geometry shader with several streams */
 } clipc_variable;
 
 /** A member of a constant buffer. */

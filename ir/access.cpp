@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/access.h"
 
+#include <algorithm>
+#include <map>
+
 namespace clipc::ir {
 namespace {
 
@@ -231,6 +234,18 @@ std::uint32_t StreamOf(const Program& program, VarId output) {
 FunctionId OutputFunction(const Program& program, VarId output) {
   const std::uint32_t stream = StreamOf(program, output);
   return stream == 0 ? OutputFunction(program) : program.emission.streams[stream].emit;
+}
+
+std::int64_t ScalarsOfVertex(const Program& program) {
+  std::map<FunctionId, std::int64_t> scalars;
+  std::int64_t most = 0;
+  for (const IoVar& output : program.outputs) {
+    const Type& type = program.types[program.vars[output.var].type];
+    std::int64_t& of_stream = scalars[OutputFunction(program, output.var)];
+    of_stream += type.kind == TypeKind::kArray ? type.count : type.Components();
+    most = std::max(most, of_stream);
+  }
+  return most;
 }
 
 bool EmitsVertex(const Program& program, StmtId stmt) {

@@ -192,6 +192,9 @@ inline std::span<const StmtId> OutputBody(const Program& program) {
 }
 // Whether the statement emits the vertex that the outputs have.
 bool EmitsVertex(const Program& program, StmtId stmt);
+// The most scalars of a vertex that is emitted to one stream, and those that a shader may emit.
+std::int64_t ScalarsOfVertex(const Program& program);
+inline constexpr std::int64_t kMostScalarsEmitted = 1024;
 // Adds statements to the end of OutputFunction, before the vertex is emitted.
 void AppendToOutputs(Program& program, std::span<const StmtId> stmts);
 // The call of the entry function that a statement of `main` consists of: `T result = entry(...);`,

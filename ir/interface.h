@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/span.h"
+#include "base/stage.h"
 #include "ir/ids.h"
 #include "ir/type.h"
 #include "ir/variable.h"
@@ -149,7 +150,8 @@ struct OutputGroup {
 
 // The input of the next stage that an output matches, whose form the output takes.
 struct Reader {
-  bool is_known = true;      // false: a supposition; the next stage is not known
+  bool is_known = true;  // false: a supposition; the next stage is not known
+  Stage stage = Stage::kPixel;
   std::string name;          // empty: the output is named after its semantic
   bool has_location = true;  // false: the stages match by name
   // The columns and array dimensions of the whole input. The output is the element (or column)

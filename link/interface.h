@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stage.h"
 #include "ir/interface.h"
 #include "ir/packing.h"
 #include "ir/type.h"
@@ -93,6 +94,7 @@ struct Interface {
   std::vector<Group> groups;
   std::vector<UniformBlock> blocks;
   std::vector<UniformMember> uniforms;  // outside blocks
+  Stage stage = Stage::kPixel;          // of the shader that reads
 };
 
 }  // namespace clipc::link

@@ -64,6 +64,7 @@ class Applier {
  private:
   void Output(IoVar& output, const Input& input, std::size_t number, std::uint32_t element) {
     Reader& reader = output.reader.emplace();
+    reader.stage = pixel_.stage;
     reader.name = NameOf(input);
     reader.group = input.group;
     reader.member = static_cast<std::size_t>(std::ranges::count(

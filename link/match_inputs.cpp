@@ -251,7 +251,9 @@ class InputMatcher {
       if (!input.is_read) return;
       const auto& kind =
           options_.zero_unwritten ? diag::PixelInputIsZero : diag::PixelInputUnwritten;
-      NoteHere(diagnostics_.Report(EntrySpan(), kind, NameOf(input)), input);
+      NoteHere(diagnostics_.Report(EntrySpan(), kind, InfoOf(program_.stage).name, ReaderName(),
+                                   NameOf(input)),
+               input);
       return;
     }
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
@@ -276,15 +278,17 @@ class InputMatcher {
         (input.components_read & ((1u << input.type.components) - 1)) >> type.components;
     if (fits && !lacks_components) return;
     const auto& kind = fits ? diag::PixelComponentsUnwritten : diag::PixelInputType;
-    NoteHere(
-        diagnostics_.Report(span, kind, names_[number].semantic, NameOf(type), NameOf(input.type)),
-        input);
+    NoteHere(diagnostics_.Report(span, kind, names_[number].semantic, NameOf(type), ReaderName(),
+                                 NameOf(input.type)),
+             input);
   }
 
   void NoteHere(Diagnostic& report, const Input& input) const {
-    report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.type));
+    report.Note({}, diag::PixelInputHere, input.where, ReaderName(), NameOf(input),
+                NameOf(input.type));
   }
 
+  std::string_view ReaderName() const { return InfoOf(pixel_.stage).name; }
   Span EntrySpan() const { return program_.functions[program_.entry].span; }
   std::string NameOf(const Input& input) const {
     if (!input.semantic.empty()) return input.semantic + std::to_string(input.index);

@@ -33,6 +33,7 @@ Input InputOf(const Program& program, const IoVar& io, std::uint32_t mask, std::
 
 Interface ReadInputs(const Program& program, const std::function<std::string(Span)>& place) {
   Interface interface;
+  interface.stage = program.stage;
   const std::vector<std::uint32_t> masks = ComponentsRead(program);
   for (const IoVar& io : program.inputs) {
     const std::uint32_t mask = masks[io.var.index];

@@ -119,9 +119,8 @@ class ObjectLayer {
 
   WriterContext& context_;
   std::vector<GlslInfo::Object> objects_;
-  Bindings textures_{
-      .end = context_.target.TextureUnits(),
-      .base = InfoOf(context_.program.stage).draws_pixels ? context_.target.PixelBase() : 0};
+  Bindings textures_{.end = context_.target.TextureUnits(),
+                     .base = context_.target.BaseOf(context_.program.stage)};
   Bindings buffers_, images_;
 };
 

@@ -27,17 +27,24 @@ constexpr BindingRule kNvrhi[] = {
     {'t', {}, {}, 0, {}}, {'s', {}, {}, 128, {}}, {'b', {}, {}, 256, {}}, {'u', {}, {}, 384, {}}};
 // SDL_CreateGPUShader: of a vertex shader, sampled textures, then storage textures, then storage
 // buffers are in set 0, and uniform buffers in set 1; of a fragment shader they are in the sets 2
-// and 3. A sampler has the number of its texture: the
-// two are one combined image sampler.
-constexpr BindingRule kSdl[] = {{'t', {}, {}, 0, 0}, {'s', {}, {}, 0, 0}, {'b', {}, {}, 0, 1}};
+// and 3. SDL_CreateGPUComputePipeline: what is only read is in set 0, what is written in set 1, and
+// uniform buffers are in set 2. A sampler has the number of its texture: the two are one combined
+// image sampler.
+constexpr BindingRule kSdl[] = {
+    {'t', {}, {}, 0, 0, Stage::kVertex},  {'s', {}, {}, 0, 0, Stage::kVertex},
+    {'b', {}, {}, 0, 1, Stage::kVertex},  {'t', {}, {}, 0, 2, Stage::kPixel},
+    {'s', {}, {}, 0, 2, Stage::kPixel},   {'b', {}, {}, 0, 3, Stage::kPixel},
+    {'t', {}, {}, 0, 0, Stage::kCompute}, {'s', {}, {}, 0, 0, Stage::kCompute},
+    {'u', {}, {}, 0, 1, Stage::kCompute}, {'b', {}, {}, 0, 2, Stage::kCompute}};
+constexpr Stage kSdlStages[] = {Stage::kVertex, Stage::kPixel, Stage::kCompute};
 
 struct Preset {
   std::string_view name;
   std::span<const BindingRule> rules;
-  bool combines_samplers = false;
-  std::uint32_t pixel_sets = 0;
+  // The host has combined image samplers, and sets for each of these stages; empty: for all alike.
+  std::span<const Stage> stages = {};
 };
-constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, true, 2}};
+constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, kSdlStages}};
 
 // The stage that the first of glslang's words may name.
 struct StageWord {
@@ -152,16 +159,17 @@ bool SetUnplaced(glsl::BindingRules& rules, std::string_view value) {
   return Read(value, rules.unplaced_set.emplace());
 }
 
-bool SetPixelBase(glsl::BindingRules& rules, std::string_view value) {
-  return Read(value, rules.pixel_base.emplace());
+bool SetLaterBase(glsl::BindingRules& rules, std::string_view value) {
+  return Read(value, rules.later_base.emplace());
 }
 
 bool AddPreset(glsl::BindingRules& rules, std::string_view value) {
   const auto* found = std::ranges::find(kPresets, value, &Preset::name);
   if (found == std::end(kPresets)) return false;
   rules.rules.insert(rules.rules.end(), found->rules.begin(), found->rules.end());
-  rules.combines_samplers = found->combines_samplers;
-  rules.pixel_sets = found->pixel_sets;
+  rules.combines_samplers = rules.sets_by_stage = !found->stages.empty();
+  rules.stages.assign(found->stages.begin(), found->stages.end());
+  rules.host = found->name;
   return true;
 }
 

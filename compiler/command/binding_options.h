@@ -47,8 +47,9 @@ void JoinSamplers(glsl::BindingRules& rules);
 bool SetGlobals(glsl::BindingRules& rules, std::string_view value);
 // Reads the value of -auto-binding-space: "2", the set of objects without a register.
 bool SetUnplaced(glsl::BindingRules& rules, std::string_view value);
-// Reads the value of --pixel-bindings: what is added to the bindings of a pixel shader.
-bool SetPixelBase(glsl::BindingRules& rules, std::string_view value);
+// Reads the value of --pixel-bindings: what is added to the bindings of a shader that is compiled
+// alone and has a stage before it.
+bool SetLaterBase(glsl::BindingRules& rules, std::string_view value);
 // Reads the value of --bindings: the name of a compiler or an engine.
 bool AddPreset(glsl::BindingRules& rules, std::string_view value);
 

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/spelling.h"
 #include "frontend/signature/position_input.h"
+#include "ir/access.h"
 #include "passes/outputs.h"
 
 namespace clipc {
@@ -80,6 +83,23 @@ void CheckPlanesMoved(const ir::Program& program, const std::string& entry, bool
 // [earlydepthstencil] forces the depth-stencil test, with its writes, before the shader (Direct3D
 // 11.3, 15.3.4 "Force Early Depth/Stencil Test"; GL_ARB_shader_image_load_store: a fragment that is
 // discarded afterwards has updated the buffers).
+void CheckEmission(const ir::Program& lowered, Diagnostics& diagnostics) {
+  constexpr std::uint32_t kGuaranteed = 256;
+  const std::uint32_t vertices = lowered.emission.max_vertices;
+  if (!InfoOf(lowered.stage).emits_vertices) return;
+  const Span span = lowered.functions[lowered.entry].span;
+  const std::int64_t scalars = ir::ScalarsOfVertex(lowered);
+  if (scalars * vertices > ir::kMostScalarsEmitted) {
+    diagnostics
+        .Report(span, diag::EmissionTooLarge, vertices, scalars, scalars * vertices,
+                ir::kMostScalarsEmitted)
+        .Note({}, diag::PlainNote,
+              fmt::format("{} of the scalars are clip distances", lowered.clip_planes.size()));
+  }
+  if (vertices > kGuaranteed)
+    diagnostics.Report(span, diag::EmissionBeyondGuaranteed, vertices, kGuaranteed);
+}
+
 void CheckDiscards(const ir::Program& pixel, Diagnostics& diagnostics) {
   if (!pixel.tests_early) return;
   const ir::Function& entry = pixel.functions[pixel.entry];

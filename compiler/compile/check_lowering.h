@@ -51,6 +51,11 @@ void CheckPlanesMoved(const ir::Program& program, const std::string& entry, bool
 void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,
                         const glsl::Target& target, Diagnostics& diagnostics);
 
+// Reports more scalars than a shader may emit, with the clip distances that the lowering adds, and
+// more vertices than every driver takes: gl_MaxGeometryOutputVertices of OpenGL and OpenGL ES,
+// maxGeometryOutputVertices of Vulkan.
+void CheckEmission(const ir::Program& lowered, Diagnostics& diagnostics);
+
 // Reports a pixel shader that discards for clip planes after it has written depth and stencil.
 void CheckDiscards(const ir::Program& pixel, Diagnostics& diagnostics);
 

@@ -23,11 +23,12 @@ struct RegisterFact {
   friend bool operator==(const RegisterFact&, const RegisterFact&) = default;
 };
 
-// The pixel shader's input that reads an output.
-struct PixelInputFact {
+// The input of the next stage that reads an output.
+struct ReaderFact {
+  std::string stage = {};  // "pixel"
   std::string name = {};
   std::optional<std::uint32_t> element = {};  // of an array; none: the whole variable
-  friend bool operator==(const PixelInputFact&, const PixelInputFact&) = default;
+  friend bool operator==(const ReaderFact&, const ReaderFact&) = default;
 };
 
 // An input or an output of the signature.
@@ -42,8 +43,9 @@ struct VariableFact {
   bool is_builtin = false;
   ir::Interpolation interpolation = ir::Interpolation::kDefault;
   bool centroid = false, sample = false;
-  std::optional<PixelInputFact> pixel_input = {};  // of an output
-  bool is_used = true;                             // of an input
+  std::optional<ReaderFact> reader = {};     // of an output
+  std::optional<std::uint32_t> stream = {};  // of an output where there are several
+  bool is_used = true;                       // of an input
   friend bool operator==(const VariableFact&, const VariableFact&) = default;
 };
 
@@ -103,7 +105,7 @@ struct BufferFact {
     std::string name = {}, instance = {}, rows = {};
     std::optional<std::uint32_t> set = {}, binding = {};
     bool is_push_constant = false;
-    bool is_shared = false;  // with the other stage
+    bool is_shared = false;  // with another stage
     friend bool operator==(const Block&, const Block&) = default;
   };
 

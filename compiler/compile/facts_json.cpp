@@ -36,6 +36,7 @@ class FactsPrinter {
 
   void Document(const Facts& facts) {
     const StageFacts& shader = facts.stages.front();
+    stages_ = facts.stages.size();
     json_.Member("version", 1);
     json_.Member("entry", shader.entry);
     json_.Member("profile", shader.profile);
@@ -103,10 +104,11 @@ class FactsPrinter {
     Text(NameIn<kInterpolations>(fact.interpolation), "interpolation");
     Flag(fact.centroid, "centroid");
     Flag(fact.sample, "sample");
-    if (!fact.pixel_input) return;
-    json_.Object("pixelInput", [&] {
-      json_.Member("name", fact.pixel_input->name);
-      Number(fact.pixel_input->element, "element");
+    Number(fact.stream, "stream");
+    if (!fact.reader) return;
+    json_.Object(JsonKey(fact.reader->stage + "Input"), [&] {
+      json_.Member("name", fact.reader->name);
+      Number(fact.reader->element, "element");
     });
   }
 
@@ -136,8 +138,10 @@ class FactsPrinter {
     Number(block.set, "set");
     Number(block.binding, "binding");
     Flag(block.is_push_constant, "pushConstant");
-    Flag(block.is_shared,
-         is_pixel ? JsonKey("sharedWithVertexShader") : JsonKey("sharedWithPixelShader"));
+    // In a program of more than two, it does not say which ones.
+    Flag(block.is_shared, stages_ > 2 ? JsonKey("shared")
+                          : is_pixel  ? JsonKey("sharedWithVertexShader")
+                                      : JsonKey("sharedWithPixelShader"));
   }
 
   void Field(const FieldFact& fact, bool is_row_major) {
@@ -222,6 +226,7 @@ class FactsPrinter {
   }
 
   JsonWriter json_;
+  std::size_t stages_ = 1;  // of the program
 };
 
 }  // namespace

@@ -21,6 +21,16 @@ void ForgetNames(link::Interface& neighbour, bool is_glsl) {
   }
 }
 
+// Makes what the rasteriser alone reads a value like any other, before a stage that reads it from
+// vertices: there Direct3D passes it on ("Signature Points" of DXC's DXIL.rst: SV of VSOut, HSIn
+// and GSVIn), and GLSL does not.
+void PassToNext(ir::Program& program) {
+  for (ir::IoVar& output : program.outputs) {
+    if (output.builtin == ir::Builtin::kLayer || output.builtin == ir::Builtin::kViewportIndex)
+      output.builtin = ir::Builtin::kNone;
+  }
+}
+
 // After a geometry shader the number of the primitive is what that shader writes.
 void CheckPrimitiveId(const ir::Program& program, const ir::Program& next,
                       Diagnostics& diagnostics) {
@@ -31,7 +41,7 @@ void CheckPrimitiveId(const ir::Program& program, const ir::Program& next,
           program.outputs.end())
     return;
   diagnostics.Report(program.functions[program.entry].span, diag::PixelInputUnwritten,
-                     read->semantic);
+                     InfoOf(program.stage).name, InfoOf(next.stage).name, read->semantic);
 }
 
 }  // namespace
@@ -59,6 +69,7 @@ void LinkWithNeighbour(Job& job, ir::Program& program, std::vector<std::string>&
 
 void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& program) {
   const LinkOptions& link = job.request.link;
+  if (InfoOf(next.program.stage).has_stage_after) PassToNext(program);
   const link::Interface reader =
       link::ReadInputs(next.program, [&](Span span) { return next_job.PlaceOf(span); });
   // The next stage declares what it reads and nothing else, for Vulkan too.

@@ -52,7 +52,7 @@ LowerOptions OptionsOf(Job& job, std::size_t number, ir::VarId position_input, s
   const ProgramRequest& request = job.request;
   LowerOptions options{request.target, {}, {}};
   // The shaders of a program are numbered together.
-  if (request.shaders.size() > 1) options.target.bindings.pixel_base = 0;
+  if (request.shaders.size() > 1) options.target.bindings.later_base = 0;
   const OutputOptions& outputs = request.outputs;
   if (outputs.spirv && !outputs.glsl && !outputs.listing)
     options.needs = SpirvNeeds(options.target);
@@ -71,6 +71,7 @@ Lowered LowerAlone(LinkedShader&& shader, const ProgramRequest& request, Diagnos
   Lowered lowered = Lower(std::move(shader.program), shader.options);
   if (!lowered.is_complete) return lowered;
   ReportLeftOut(distances, lowered.program, diagnostics);
+  CheckEmission(lowered.program, diagnostics);
   CheckTarget(lowered, request.style.blocks, diagnostics);
   CheckBufferLayout(lowered.program, request.style.layout, diagnostics);
   if (const auto& spirv = request.outputs.spirv; spirv && !diagnostics.has_errors())

@@ -101,9 +101,13 @@ class Describer {
     if (program_.vars[io.var].storage == ir::Storage::kOutput && !is_builtin &&
         !InfoOf(program_.stage).has_stage_after)
       fact.render_target = io.location;
+    if (program_.emission.streams.size() > 1 &&
+        program_.vars[io.var].storage == ir::Storage::kOutput)
+      fact.stream = ir::StreamOf(program_, io.var);
     if (io.reader && io.reader->is_known) {
       const ir::Reader& reader = *io.reader;
-      auto& input = fact.pixel_input.emplace();
+      auto& input = fact.reader.emplace();
+      input.stage = InfoOf(reader.stage).name;
       input.name = reader.name.empty() ? io.semantic + std::to_string(io.index) : reader.name;
       if (!reader.IsWhole()) input.element = reader.element;
     }

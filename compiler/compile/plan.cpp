@@ -111,10 +111,13 @@ void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
 // cannot have.
 void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
                 Diagnostics& diagnostics) {
-  if (request.target.bindings.pixel_base && profile.stage && !InfoOf(*profile.stage).draws_pixels) {
+  if (request.target.bindings.later_base && profile.stage &&
+      !InfoOf(*profile.stage).has_stage_before) {
     diagnostics.Report({}, diag::OptionWithoutEffect, "--pixel-bindings",
-                       request.shaders.size() > 1 ? "the shaders of a pair are numbered together"
-                                                  : "this is not a pixel shader");
+                       request.shaders.size() > 1
+                           ? fmt::format("the shaders of a {} are numbered together",
+                                         request.shaders.size() > 2 ? "program" : "pair")
+                           : fmt::format("this is a {} shader", InfoOf(*profile.stage).name));
   }
   if (profile.stage && InfoOf(*profile.stage).runs_in_groups && request.shaders.size() > 1)
     diagnostics.Report({}, diag::StageAlone, profile.name, InfoOf(*profile.stage).name);
@@ -130,6 +133,14 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
   refuse(request.planes.lowering.has_value(), "--lower");
   refuse(request.planes.space != PlaneSpace::kClip, "--plane-space");
   refuse(request.style.invariant, "--invariant");
+}
+
+// Reports a stage that the host of the rules for bindings does not have.
+void CheckBindingsHave(const glsl::BindingRules& rules, const ir::Profile& profile,
+                       Diagnostics& diagnostics) {
+  if (profile.stage && !rules.stages.empty() &&
+      std::ranges::find(rules.stages, *profile.stage) == rules.stages.end())
+    diagnostics.Report({}, diag::BindingsOfStage, rules.host, InfoOf(*profile.stage).name);
 }
 
 // Reports planes in the space of the vertices that a stage reads which emits others.
@@ -220,6 +231,7 @@ Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& dia
     CheckNext(request, number, plan, diagnostics);
   }
   CheckPlaneSpace(request, number, plan, diagnostics);
+  CheckBindingsHave(request.target.bindings, plan.check.profile, diagnostics);
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
   // are the usual ones where stages match by name.
   const bool is_hlslcc = request.style.names.empty()

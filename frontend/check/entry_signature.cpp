@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -140,7 +139,6 @@ constexpr ast::Qualifiers kQualifiers[] = {ast::kPoint, ast::kLine, ast::kTriang
                                            ast::kLineAdjacent, ast::kTriangleAdjacent};
 static_assert(std::size(kQualifiers) == std::size(kPrimitives));
 
-constexpr std::int64_t kMostScalars = 1024;
 constexpr std::int64_t kMostInstances = 32;
 constexpr std::size_t kMostStreams = 4;
 
@@ -213,19 +211,6 @@ std::optional<std::uint32_t> NumberIn(Context& context, const AttributeLists& at
   return std::nullopt;
 }
 
-// The most scalars of a vertex that is emitted to one stream.
-std::int64_t ScalarsOf(const Program& program) {
-  std::map<FunctionId, std::int64_t> scalars;
-  std::int64_t most = 0;
-  for (const IoVar& output : program.outputs) {
-    const Type& type = program.types[program.vars[output.var].type];
-    std::int64_t& of_stream = scalars[OutputFunction(program, output.var)];
-    of_stream += type.kind == TypeKind::kArray ? type.count : type.Components();
-    most = std::max(most, of_stream);
-  }
-  return most;
-}
-
 // Reports a stream that may not be one of several, which are of points ("Stream-Output Object" of
 // Microsoft's HLSL reference).
 void CheckStream(Context& context, const Stream& stream) {
@@ -247,13 +232,13 @@ void CheckCounts(Context& context, const AttributeLists& attributes) {
     context.Report(function.span, diag::EmissionCountMissing, function.name);
     return;
   }
-  const auto count = NumberIn(context, attributes, "maxvertexcount", kMostScalars);
+  const auto count = NumberIn(context, attributes, "maxvertexcount", kMostScalarsEmitted);
   if (!count) return;
   program.emission.max_vertices = *count;
-  const std::int64_t scalars = ScalarsOf(program);
-  if (scalars * *count > kMostScalars)
+  const std::int64_t scalars = ScalarsOfVertex(program);
+  if (scalars * *count > kMostScalarsEmitted)
     context.Report(attribute->span, diag::EmissionTooLarge, *count, scalars, scalars * *count,
-                   kMostScalars);
+                   kMostScalarsEmitted);
 }
 
 // Reads what only such a stage has at a parameter: a stream, or the primitive whose vertices an
@@ -300,7 +285,9 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     const bool is_patch = !(var.qualifiers & ast::kUniform) && IsPatch(context, var);
     if (is_patch) {
       context.Report(var.name_span, diag::SemanticOnObject, context[var.name],
-                     context[context[var.type].name.name]);
+                     context[context[var.type].name.name],
+                     signature::AdviceForObject(context[context[var.type].name.name],
+                                                context.program.stage, context.program.profile));
     } else if (ReadEmission(context, var, parameter, entry_parameter)) {
       signature.parameters.push_back(std::move(entry_parameter));
       continue;

@@ -15,18 +15,12 @@ namespace {
 // The end of a message about a system value that the stage does not have: the profile of the stage
 // that writes it, or what compiles the stage that reads it.
 std::string AdviceFor(const SemanticName& semantic, Direction direction, const Program& program) {
-  const std::string& name = program.profile.name;
   for (const StageInfo& other : kStages) {
     if (direction == Direction::kInput && !other.runs_in_groups) continue;
     const SystemValue value =
         LookUpSemantic(semantic.name, semantic.index, *StageOf(other.prefix), direction, false);
-    if (value.use == SystemValue::Use::kTarget || value.use == SystemValue::Use::kBuiltin) {
-      const std::string same =
-          fmt::format("{}{}", other.prefix, name.substr(std::min(name.find('_'), name.size())));
-      return fmt::format("; `-T {}` compiles a {} shader",
-                         ir::ParseProfile(same) ? same : fmt::format("{}_5_0", other.prefix),
-                         other.name);
-    }
+    if (value.use == SystemValue::Use::kTarget || value.use == SystemValue::Use::kBuiltin)
+      return CompiledBy(other, program.profile);
   }
   return {};
 }

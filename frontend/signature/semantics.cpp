@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/spelling.h"
 
@@ -156,6 +159,29 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage sta
 
 bool IsNumberOfThread(Builtin builtin) {
   return InfoOf(builtin).components == 3 && InfoOf(builtin).scalar == Scalar::kUint;
+}
+
+std::string CompiledBy(const StageInfo& stage, const Profile& profile) {
+  const std::string& name = profile.name;
+  const std::string same =
+      fmt::format("{}{}", stage.prefix, name.substr(std::min(name.find('_'), name.size())));
+  return fmt::format("; `-T {}` compiles a {} shader",
+                     ir::ParseProfile(same) ? same : fmt::format("{}_5_0", stage.prefix),
+                     stage.name);
+}
+
+std::string AdviceForObject(std::string_view type, Stage stage, const Profile& profile) {
+  constexpr std::pair<std::string_view, std::string_view> kStagesWith[] = {{"PointStream", "gs"},
+                                                                           {"LineStream", "gs"},
+                                                                           {"TriangleStream", "gs"},
+                                                                           {"InputPatch", "hs"},
+                                                                           {"OutputPatch", "ds"}};
+  for (const auto& [object, prefix] : kStagesWith) {
+    const auto other = StageOf(prefix);
+    if (type.substr(0, type.find('<')) == object && other && *other != stage)
+      return CompiledBy(InfoOf(*other), profile);
+  }
+  return {};
 }
 
 std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction) {

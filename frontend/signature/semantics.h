@@ -56,6 +56,13 @@ bool IsNumberOfThread(Builtin builtin);
 // The system value that a user who wrote `name` probably meant; empty when none is near.
 std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction);
 
+// The end of a message: "; `-T gs_5_0` compiles a geometry shader", of the profile's model if the
+// stage has it.
+std::string CompiledBy(const StageInfo& stage, const Profile& profile);
+// The same of an entry point of `stage` that takes an object of this type, which only another stage
+// does. Empty where no stage that clipc reads takes one.
+std::string AdviceForObject(std::string_view type, Stage stage, const Profile& profile);
+
 // A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
 struct SemanticName {
   std::string name;

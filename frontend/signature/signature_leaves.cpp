@@ -57,8 +57,9 @@ void SignatureLeaves::Collect(const Carrier& piece, Cursor& cursor) {
     case TypeKind::kStruct: break;
     default:
       if (takes_objects_ && type.kind == TypeKind::kObject) return leaves_.push_back(piece);
-      diagnostics_.Report(piece.span, diag::SemanticOnObject, piece.name,
-                          program_.types.Name(piece.type));
+      diagnostics_.Report(
+          piece.span, diag::SemanticOnObject, piece.name, program_.types.Name(piece.type),
+          AdviceForObject(program_.types.Name(piece.type), program_.stage, program_.profile));
       return;
   }
   // A matrix takes a register for each column, or for each row if it is `row_major`, in fxc, as

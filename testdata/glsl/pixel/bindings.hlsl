@@ -23,7 +23,7 @@
 // OPENGL:      layout(binding = 16) uniform sampler2D map;
 // OPENGL-NEXT: layout(binding = 2) uniform sampler2D ramp;
 // NONE:        layout(binding = 0) uniform sampler2D map;
-// VERTEX:      warning: `--pixel-bindings` has no effect: this is not a pixel shader [-Woption-without-effect]
+// VERTEX:      warning: `--pixel-bindings` has no effect: this is a vertex shader [-Woption-without-effect]
 // VERTEX:      layout(std140, set = 0, binding = 0) uniform Frame {
 // PAIR:        warning: `--pixel-bindings` has no effect: the shaders of a pair are numbered together [-Woption-without-effect]
 // TOGETHER:    layout(set = 0, binding = 32) uniform texture2D map;
