@@ -65,7 +65,7 @@ class Runner {
     if (Stage().runs_in_groups && options_.targets == CompareOptions().targets)
       options_.targets = {"glsl430", "glsl450", "essl310", "vulkan"};
     if (Stage().emits_vertices && options_.targets == CompareOptions().targets)
-      options_.targets = {"glsl150", "glsl410", "glsl450", "essl320"};
+      options_.targets = {"glsl150", "glsl410", "glsl450", "essl320", "vulkan"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }

@@ -10,7 +10,7 @@ namespace clipc::draw::vulkan {
 namespace {
 
 constexpr auto kAllStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment |
-                            vk::ShaderStageFlagBits::eCompute;
+                            vk::ShaderStageFlagBits::eGeometry | vk::ShaderStageFlagBits::eCompute;
 
 bool IsBuffer(DescriptorKind kind) {
   using enum DescriptorKind;

@@ -31,7 +31,9 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
 
 Spirv SpirvOfGlsl(const std::string& glsl, Stage stage) {
   InitializeGlslang();
-  constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute};
+  constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute,
+                                        EShLangGeometry};
+  static_assert(std::size(kLanguages) == kStageCount);
   const EShLanguage language = kLanguages[static_cast<std::size_t>(stage)];
   glslang::TShader shader(language);
   const char *text = glsl.c_str(), *name = "";

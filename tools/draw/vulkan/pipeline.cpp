@@ -78,21 +78,22 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   const bool draws = shaders.end != PipelineEnd::kCapture;
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<std::string> entries;
-  const auto add = [&](const Spirv& spirv) {
+  std::vector<vk::ShaderStageFlagBits> kinds;
+  const auto add = [&](const Spirv& spirv, vk::ShaderStageFlagBits kind) {
     modules.emplace_back(device, vk::ShaderModuleCreateInfo({}, spirv));
     entries.push_back(EntryPointOf(spirv));
+    kinds.push_back(kind);
   };
-  add(shaders.vertex);
-  if (draws) add(shaders.fragment);
+  add(shaders.vertex, vk::ShaderStageFlagBits::eVertex);
+  if (!shaders.geometry.empty()) add(shaders.geometry, vk::ShaderStageFlagBits::eGeometry);
+  if (draws) add(shaders.fragment, vk::ShaderStageFlagBits::eFragment);
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
-  constexpr vk::ShaderStageFlagBits kStages[] = {vk::ShaderStageFlagBits::eVertex,
-                                                 vk::ShaderStageFlagBits::eFragment};
   for (std::size_t i = 0; i < modules.size(); ++i)
-    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), kStages[i], *modules[i],
+    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), kinds[i], *modules[i],
                         entries[i].c_str());
   const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
   const vk::PipelineInputAssemblyStateCreateInfo assembly(
-      {}, draws ? vk::PrimitiveTopology::eTriangleList : vk::PrimitiveTopology::ePointList);
+      {}, draws ? vk::PrimitiveTopology::eTriangleList : shaders.topology);
   const vk::Viewport size(0, 0, static_cast<float>(targets.size.width),
                           static_cast<float>(targets.size.height), 0, 1);
   const vk::Rect2D scissor({0, 0}, targets.size);

@@ -34,6 +34,8 @@ struct PipelineShaders {
   Spirv vertex;
   Spirv fragment = {};  // for every end but kCapture
   PipelineEnd end = PipelineEnd::kCapture;
+  Spirv geometry = {};                                                 // empty: none
+  vk::PrimitiveTopology topology = vk::PrimitiveTopology::ePointList;  // of kCapture
 };
 // The targets that a pipeline draws to.
 struct PipelineTargets {

@@ -34,10 +34,8 @@ Layout LayOut(const Device& device, std::span<const Output> outputs) {
   return layout;
 }
 
-std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
-                                    const DrawCall& call) {
+std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout, std::size_t runs) {
   std::vector<Buffer> buffers;
-  const std::size_t runs = static_cast<std::size_t>(call.vertices) * call.instances;
   for (const std::uint32_t stride : layout.strides) {
     // A value that is not written stays a NaN.
     const Bytes bytes(stride * runs, 0xff);
@@ -47,8 +45,9 @@ std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
   return buffers;
 }
 
+// `counter` gets the number of bytes that are written to the first buffer.
 void Draw(const vk::raii::CommandBuffer& commands, const std::vector<Buffer>& feedback,
-          const Attributes& attributes, const DrawCall& call) {
+          const Buffer& counter, const Attributes& attributes, const DrawCall& call) {
   BindAttributes(commands, attributes);
   for (std::uint32_t i = 0; i < feedback.size(); ++i) {
     commands.bindTransformFeedbackBuffersEXT(i, *feedback[i].buffer, {0}, {VK_WHOLE_SIZE});
@@ -56,13 +55,13 @@ void Draw(const vk::raii::CommandBuffer& commands, const std::vector<Buffer>& fe
   commands.beginRendering(vk::RenderingInfo({}, vk::Rect2D({0, 0}, {1, 1}), 1));
   commands.beginTransformFeedbackEXT(0, {}, {});
   commands.draw(call.vertices, call.instances, call.first_vertex, call.base_instance);
-  commands.endTransformFeedbackEXT(0, {}, {});
+  commands.endTransformFeedbackEXT(0, *counter.buffer, vk::DeviceSize{0});
   commands.endRendering();
 }
 
 std::vector<Captured> Gather(const Device& device, const Layout& layout,
                              const std::vector<Buffer>& feedback, std::span<const Output> outputs,
-                             const DrawCall& call) {
+                             int runs) {
   std::vector<Words> words;
   for (const Buffer& buffer : feedback) words.push_back(device.Read(buffer));
   std::vector<Captured> all;
@@ -70,7 +69,7 @@ std::vector<Captured> Gather(const Device& device, const Layout& layout,
     Captured& captured =
         all.emplace_back(Captured{outputs[i].name, outputs[i].layout, outputs[i].count, {}});
     const FeedbackSlot& place = layout.places[i];
-    for (int run = 0; run < call.vertices * call.instances; ++run) {
+    for (int run = 0; run < runs; ++run) {
       const auto first =
           words[place.buffer].begin() +
           (run * static_cast<std::ptrdiff_t>(layout.strides[place.buffer]) + place.offset) / 4;
@@ -118,9 +117,33 @@ std::string Runner::WhyNone() {
 
 std::string Runner::name() const { return device_->name(); }
 
+// The shaders of a capture, of which the last one writes the outputs.
+struct Runner::Feedback {
+  PipelineShaders shaders;
+  int most = 0;  // the vertices that it writes
+};
+
 std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Output> outputs,
                                       const DrawCall& call) const {
   CheckReads(vertex, call);
+  return CaptureAll({{.vertex = vertex}, call.vertices * call.instances}, outputs, call);
+}
+
+std::vector<Captured> Runner::CaptureEmitted(const Emission& emission,
+                                             std::span<const Output> outputs,
+                                             const DrawCall& call) const {
+  using enum vk::PrimitiveTopology;
+  constexpr vk::PrimitiveTopology kTopologies[] = {
+      ePointList, eLineList, eTriangleList, eLineListWithAdjacency, eTriangleListWithAdjacency};
+  return CaptureAll({{.vertex = emission.vertex,
+                      .geometry = emission.geometry,
+                      .topology = kTopologies[emission.primitive]},
+                     emission.most},
+                    outputs, call);
+}
+
+std::vector<Captured> Runner::CaptureAll(const Feedback& from, std::span<const Output> outputs,
+                                         const DrawCall& call) const {
   const Layout layout = LayOut(*device_, outputs);
   try {
     const Attributes attributes = UploadAttributes(*device_, call);
@@ -128,24 +151,32 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
     const vk::raii::Device& device = device_->get();
     const std::vector<vk::DescriptorSetLayout> set_layouts = descriptors.Layouts();
     const auto pushed = static_cast<std::uint32_t>(call.push_constants.size());
-    const vk::PushConstantRange range(vk::ShaderStageFlagBits::eVertex, 0, pushed);
+    PipelineShaders shaders = from.shaders;
+    const bool emits = !shaders.geometry.empty();
+    const auto stage =
+        emits ? vk::ShaderStageFlagBits::eGeometry : vk::ShaderStageFlagBits::eVertex;
+    const vk::PushConstantRange range(stage, 0, pushed);
     vk::PipelineLayoutCreateInfo layout_info({}, set_layouts);
     if (pushed > 0) layout_info.setPushConstantRanges(range);
     const vk::raii::PipelineLayout pipeline_layout(device, layout_info);
-    const Spirv capturing = WithTransformFeedback(vertex, outputs, layout.places, layout.strides);
-    const vk::raii::Pipeline pipeline =
-        MakePipeline(device, {.vertex = capturing}, attributes, pipeline_layout);
-    const std::vector<Buffer> feedback = FeedbackBuffers(*device_, layout, call);
+    Spirv& writes = emits ? shaders.geometry : shaders.vertex;
+    writes = WithTransformFeedback(writes, outputs, layout.places, layout.strides);
+    const vk::raii::Pipeline pipeline = MakePipeline(device, shaders, attributes, pipeline_layout);
+    const std::vector<Buffer> feedback =
+        FeedbackBuffers(*device_, layout, static_cast<std::size_t>(from.most));
+    const Buffer counter =
+        device_->NewBuffer(vk::BufferUsageFlagBits::eTransformFeedbackCounterBufferEXT, Bytes(4));
     device_->Submit([&](const vk::raii::CommandBuffer& commands) {
       commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
       descriptors.Bind(commands, pipeline_layout);
       if (pushed > 0) {
-        commands.pushConstants<std::uint8_t>(*pipeline_layout, vk::ShaderStageFlagBits::eVertex, 0,
-                                             call.push_constants);
+        commands.pushConstants<std::uint8_t>(*pipeline_layout, stage, 0, call.push_constants);
       }
-      Draw(commands, feedback, attributes, call);
+      Draw(commands, feedback, counter, attributes, call);
     });
-    return Gather(*device_, layout, feedback, outputs, call);
+    const std::uint32_t written = device_->Read(counter).at(0) / layout.strides.at(0);
+    return Gather(*device_, layout, feedback, outputs,
+                  emits ? static_cast<int>(written) : from.most);
   } catch (const vk::Error& error) {
     throw DrawError(std::string("Vulkan refuses the shader or its inputs: ") + error.what());
   }

@@ -62,6 +62,17 @@ class Runner {
   std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs,
                                 const DrawCall& call) const;
 
+  // Runs the geometry shader, which gives points, after that vertex shader, on primitives of that
+  // number of vertices, and returns `outputs` of the vertices that are emitted, at most `most`.
+  struct Emission {
+    const Spirv& vertex;
+    const Spirv& geometry;
+    int primitive = 0;  // an ir::Primitive
+    int most = 0;
+  };
+  std::vector<Captured> CaptureEmitted(const Emission& emission, std::span<const Output> outputs,
+                                       const DrawCall& call) const;
+
   // Draws the surface with both shaders and returns the values of each target, in their order. A
   // pixel has `samples`, which are resolved.
   std::vector<Captured> DrawSurface(const Spirv& vertex, const Spirv& fragment,
@@ -74,6 +85,10 @@ class Runner {
   std::map<std::string, Bytes> Dispatch(const Spirv& compute, const DrawCall& call) const;
 
  private:
+  struct Feedback;
+  std::vector<Captured> CaptureAll(const Feedback& feedback, std::span<const Output> outputs,
+                                   const DrawCall& call) const;
+
   std::unique_ptr<Device> device_;
 };
 

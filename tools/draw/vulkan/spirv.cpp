@@ -190,6 +190,16 @@ std::string EntryPointOf(const Spirv& spirv) {
   return reinterpret_cast<const char*>(&spirv.at(entry + 3));
 }
 
+Spirv WithPoints(Spirv spirv) {
+  for (std::size_t at = kHeaderWords; at < spirv.size(); at += std::max(spirv[at] >> 16, 1u)) {
+    const bool is_mode = (spirv[at] & 0xffff) == spv::OpExecutionMode;
+    if (is_mode && (spirv[at + 2] == spv::ExecutionModeOutputLineStrip ||
+                    spirv[at + 2] == spv::ExecutionModeOutputTriangleStrip))
+      spirv[at + 2] = spv::ExecutionModeOutputPoints;
+  }
+  return spirv;
+}
+
 Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
                             std::span<const FeedbackSlot> places,
                             std::span<const std::uint32_t> strides) {

@@ -72,6 +72,9 @@ struct Reads {
 };
 Reads ReadsOf(const Spirv& spirv);
 
+// The geometry shader, changed to give points in place of strips.
+Spirv WithPoints(Spirv spirv);
+
 // The place where transform feedback writes an output.
 struct FeedbackSlot {
   std::uint32_t buffer = 0, offset = 0;  // in bytes
