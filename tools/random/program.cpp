@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/random/program.h"
 
+#include "tools/random/emitter.h"
 #include "tools/random/group.h"
 #include "tools/random/interface.h"
 #include "tools/random/layout.h"
@@ -22,6 +23,7 @@ void ChooseOptions(Context& context, Program& program) {
   context.model = context.OneOf(kModels);
   if (context.Has(Feature::kPixels)) program.stage = context.stage = Stage::kPixel;
   if (context.Has(Feature::kGroups)) program.stage = context.stage = Stage::kCompute;
+  if (context.Has(Feature::kEmitters)) program.stage = context.stage = Stage::kGeometry;
   program.profile = std::string(clipc::InfoOf(program.stage).prefix) + "_" +
                     std::to_string(context.model / 10) + "_" + std::to_string(context.model % 10);
   program.row_major = context.Chance(20);
@@ -39,6 +41,11 @@ void ChooseOptions(Context& context, Program& program) {
   program.inputs = context.Below(1000);
   program.target = context.Below(60);
   program.is_soft = context.Chance(Feature::kSoftMath, 33);
+  if (clipc::InfoOf(program.stage).emits_vertices) {
+    // The vertices that a geometry shader takes are not in object space.
+    program.is_soft = false;
+    if (program.plane_space == "object") program.plane_space = "clip";
+  }
   if (clipc::InfoOf(program.stage).runs_in_groups) program.flip_y = program.is_soft = false;
 }
 
@@ -86,6 +93,14 @@ std::string MakeEntry(Context& context, Program& program) {
          "  return result;\n}\n";
 }
 
+std::string MakeEmitter(Context& context, const Program& program) {
+  const std::string planes =
+      context.Chance(Feature::kPlanes, 50)
+          ? MakePlanes(context, program.buffers, program.lowering != "none", 6)
+          : "";
+  return MakeEmitterEntry(context, planes);
+}
+
 }  // namespace
 
 std::string Program::Options() const {
@@ -113,6 +128,7 @@ Program MakeProgram(Choices& choices, const Features& features) {
   const StageInfo& stage = clipc::InfoOf(program.stage);
   program.text += stage.draws_pixels     ? kNeighbourObjects + MakePixelEntry(context, program)
                   : stage.runs_in_groups ? MakeGroupEntry(context)
+                  : stage.emits_vertices ? MakeEmitter(context, program)
                                          : MakeEntry(context, program);
   program.structs = context.structs;
   WithMajors(program.structs, program.row_major);

@@ -84,6 +84,19 @@ TEST(Program, PixelShadersAreAFeature) {
   }
 }
 
+TEST(Program, GeometryShadersAreAFeature) {
+  Features features;
+  features.Set("emitters", true);
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Choices choices(seed);
+    const Program program = MakeProgram(choices, features);
+    EXPECT_EQ(program.stage, Stage::kGeometry);
+    EXPECT_THAT(program.profile, ::testing::StartsWith("gs_"));
+    EXPECT_THAT(program.text, ::testing::HasSubstr("stream.Append(result);"));
+    EXPECT_NE(program.plane_space, "object");
+  }
+}
+
 TEST(Program, TheSimplestOneIsSmall) {
   Choices choices(List{});
   EXPECT_LT(MakeProgram(choices, {}).text.size(), 400u);

@@ -250,7 +250,8 @@ std::string MakeJump(Context& context) {
   } else if (!context.function && clipc::InfoOf(context.stage).runs_in_groups) {
     return MakeAssignment(context);  // the others would wait for it
   } else if (!context.function || context.function->is_void) {
-    jump = context.function ? "return" : "return result";
+    const bool is_void = context.function || clipc::InfoOf(context.stage).emits_vertices;
+    jump = is_void ? "return" : "return result";
   } else {
     const Type& type = context.function->result;
     jump = "return " +
