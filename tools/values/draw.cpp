@@ -36,8 +36,11 @@ class Binder : NotCopied {
       : pair_(pair),
         scene_(scene),
         call_(call),
-        program_(harness::LinkProgram(call.is_direct3d9 ? MovedHalfPixel(pair.vertex) : pair.vertex,
-                                      pair.pixel)) {
+        program_(
+            !pair.compute.empty()
+                ? harness::LinkComputeProgram(pair.compute)
+                : harness::LinkProgram(
+                      call.is_direct3d9 ? MovedHalfPixel(pair.vertex) : pair.vertex, pair.pixel)) {
     glGenVertexArrays(1, &vertex_array_);
     glGenFramebuffers(1, &framebuffer_);
   }
@@ -55,10 +58,19 @@ class Binder : NotCopied {
 
   void Do() {
     glUseProgram(program_);
-    glBindVertexArray(vertex_array_);
-    BindVertices();
     for (const ConstantBuffer& buffer : pair_.buffers) BindConstants(buffer);
     for (const Object& object : pair_.objects) BindObject(object);
+    if (pair_.compute.empty()) return Draw();
+    harness::CheckErrors("binding");
+    glDispatchCompute(call_.groups[0], call_.groups[1], call_.groups[2]);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    harness::CheckErrors("dispatching");
+  }
+
+ private:
+  void Draw() {
+    glBindVertexArray(vertex_array_);
+    BindVertices();
     BindTargets();
     SetState();
     harness::CheckErrors("binding");
@@ -71,7 +83,6 @@ class Binder : NotCopied {
     harness::CheckErrors("drawing");
   }
 
- private:
   void BindVertices() {
     std::map<std::uint32_t, std::uint32_t> strides;
     for (const Element& element : scene_.elements)

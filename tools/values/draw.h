@@ -13,7 +13,8 @@
 #include "tools/values/program.h"
 #include "tools/values/resource.h"
 
-// A draw with two compiled shaders on the current OpenGL context, as Direct3D would do it.
+// A draw with two compiled shaders, or a dispatch of one, on the current OpenGL context, as
+// Direct3D would do it.
 namespace clipc::values {
 
 // The error of a test that needs what this tool does not do.
@@ -51,6 +52,7 @@ struct Scene {
 struct DrawCall {
   GLenum topology = GL_TRIANGLES;
   std::uint32_t vertices = 3, instances = 1;
+  std::array<std::uint32_t, 3> groups = {};  // of a dispatch; 0: a draw
   // Direct3D 9's pixels: their centers are whole numbers, and constants are registers of floats.
   bool is_direct3d9 = false;
   // How far Direct3D 9's pixels are moved: a little less than half a pixel, so that the centers on
@@ -58,8 +60,8 @@ struct DrawCall {
   float half_pixel = 0.5f - 1.0f / 256;
 };
 
-// Draws into the scene's targets. Throws NotDrawn, or harness::DrawError where OpenGL refuses the
-// shaders.
+// Draws into the scene's targets, or dispatches. Throws NotDrawn, or harness::DrawError where
+// OpenGL refuses the shaders.
 void Draw(const CompiledPair& pair, const Scene& scene, const DrawCall& call);
 
 }  // namespace clipc::values

@@ -29,7 +29,7 @@ Expected TakeExpected(Scanner& line) {
     expected.kind = Kind::kLong;
   } else if (line.Take("u32") || line.Take("i32")) {
     expected.kind = Kind::kInteger;
-  } else if (!line.Take("f32") && !line.Take("rgba")) {
+  } else if (!line.Take("f32") && !line.Take("rgba") && !line.Take("r")) {
     throw std::runtime_error("unknown probe `" + std::string(line.rest()) + "`");
   }
   line.ExpectMark('(');

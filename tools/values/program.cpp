@@ -219,6 +219,26 @@ CompiledPair PairCompiler::Compile(const ShaderTexts& texts, Model model) {
   return pair;
 }
 
+CompiledPair PairCompiler::CompileCompute(const std::string& text, Model model,
+                                          const std::vector<std::string>& options) {
+  library::Request request;
+  request.path = "compute.hlsl";
+  request.text = text;
+  request.options = {"-T", ProfileOf("cs", model)};
+  request.options.insert(request.options.end(), options.begin(), options.end());
+  const library::Result result = compiler_.Compile(request);
+  CompiledPair compiled;
+  if (!result.ok()) {
+    compiled.refusal = result.messages();
+    return compiled;
+  }
+  compiled.compute = result.glsl();
+  const Json reflection = Json::parse(result.Get(CLIPC_PART_REFLECTION));
+  AddBuffers(reflection, compiled.compute, compiled);
+  AddObjects(reflection, compiled);
+  return compiled;
+}
+
 std::string PairCompiler::WhyRefused(const std::string& text, const std::string& stage, Model model,
                                      const std::vector<std::string>& options) {
   library::Request request;

@@ -8,7 +8,8 @@
 #include "compiler/clipc.hpp"
 #include "tools/values/script.h"
 
-// A vertex and a pixel shader as clipc compiles them, and what its reflection says about them.
+// A vertex and a pixel shader, or a compute shader, as clipc compiles them, and what its reflection
+// says about them.
 namespace clipc::values {
 
 struct Input {  // of the vertex shader
@@ -41,6 +42,7 @@ struct Object {
 };
 struct CompiledPair {
   std::string vertex, pixel;  // GLSL
+  std::string compute;        // or this one
   std::vector<Input> inputs;
   std::vector<ConstantBuffer> buffers;
   std::vector<Object> objects;
@@ -57,6 +59,8 @@ struct ShaderTexts {
 class PairCompiler {
  public:
   CompiledPair Compile(const ShaderTexts& texts, Model model);
+  CompiledPair CompileCompute(const std::string& text, Model model,
+                              const std::vector<std::string>& options);
   // The messages about one shader that has errors; empty: it compiles. `stage` is "vs" or "ps".
   std::string WhyRefused(const std::string& text, const std::string& stage, Model model,
                          const std::vector<std::string>& options);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <optional>
 
+#include "base/stage.h"
 #include "tools/values/draw.h"
 #include "tools/values/probe.h"
 
@@ -89,7 +91,8 @@ class Session {
         if (line.Take("column-major")) options_.push_back("-Zpc");
       } else if (!line.Take("format")) {
         // A capability of the device; OpenGL on Mesa has these.
-        if (!line.Take("float64") && !line.Take("int64") && !line.Take("rt-vp-array-index"))
+        if (!line.Take("float64") && !line.Take("int64") && !line.Take("rt-vp-array-index") &&
+            !line.Take("geometry-shader"))
           missing_ = "needs " + line.TakeName();
       }
     }
@@ -125,8 +128,8 @@ class Session {
       const Qualifier qualifier = header.TakeQualifier(least_);
       if (fails) shader.refused |= qualifier.models;
     }
-    if (stage == "vertex" || stage == "pixel")
-      CheckAcceptance(stage == "vertex" ? "vs" : "ps", shader);
+    const auto* known = std::ranges::find(kStages, stage, &StageInfo::name);
+    if (known != std::end(kStages)) CheckAcceptance(std::string(known->prefix), shader);
     shaders_[stage] = std::move(shader);
   }
 
@@ -158,8 +161,10 @@ class Session {
       Probe probe = ProbeLine(line);
       probe.line = each.number;
       listener_.on_probe(probe);
-    } else if (line.Take("draw") || line.Take("dispatch")) {
-      DrawLine(line, each.text.find("dispatch") != each.text.npos);
+    } else if (line.Take("draw")) {
+      DrawLine(line);
+    } else if (line.Take("dispatch")) {
+      DispatchLine(line);
     } else if (line.Take("uniform")) {
       SetUniform(line);
     } else if (line.Take("clear rtv")) {
@@ -219,10 +224,23 @@ class Session {
     std::ranges::copy(words, scene_.uniforms.begin() + first);
   }
 
-  // Says why the next probes have no value, or draws.
-  void DrawLine(Scanner& line, bool is_dispatch) {
+  // Says why the next probes have no value, or runs the compute shader.
+  void DispatchLine(Scanner& line) {
     no_value_ = Probe{Verdict::kNotDrawn, 0, missing_};
-    if (is_dispatch) no_value_->why = "a compute shader";
+    const StagedShader& shader = shaders_["compute"];
+    if (!shader.is_hlsl) no_value_->why = "byte code";
+    if (!no_value_->why.empty()) return;
+    no_value_->verdict = Verdict::kNotOffered;
+    if ((shader.refused >> least_ & 1) != 0) return;
+    const CompiledPair compiled = compiler_.CompileCompute(shader.text, least_, options_);
+    DrawCall call;
+    for (std::uint32_t& groups : call.groups) groups = line.TakeCount();
+    Do(compiled, call);
+  }
+
+  // Says why the next probes have no value, or draws.
+  void DrawLine(Scanner& line) {
+    no_value_ = Probe{Verdict::kNotDrawn, 0, missing_};
     for (const char* stage : {"geometry", "hull", "domain"}) {
       if (!shaders_[stage].text.empty()) no_value_->why = std::string("a ") + stage + " shader";
     }
@@ -258,10 +276,14 @@ class Session {
       texts_ = texts;
       model_ = least_;
     }
-    no_value_ = Probe{Verdict::kRefused, 0, pair_.refusal};
-    if (!pair_.refusal.empty()) return;
+    Do(pair_, call);
+  }
+
+  void Do(const CompiledPair& compiled, const DrawCall& call) {
+    no_value_ = Probe{Verdict::kRefused, 0, compiled.refusal};
+    if (!compiled.refusal.empty()) return;
     try {
-      Draw(pair_, scene_, call);
+      Draw(compiled, scene_, call);
       no_value_.reset();
     } catch (const NotDrawn& error) {
       no_value_ = Probe{Verdict::kNotDrawn, 0, error.what()};

@@ -51,7 +51,7 @@ TEST_F(Values, DrawsWithConstantBuffers) {
 
 TEST_F(Values, SeesWhatDiffersAndWhatItDoesNotDraw) {
   const FileResult result = Run(kModel4);
-  ASSERT_EQ(result.probes.size(), 10u);
+  ASSERT_EQ(result.probes.size(), 12u);
   const std::vector<Probe> last(result.probes.end() - 3, result.probes.end());
   EXPECT_TRUE(std::all_of(result.probes.begin(), result.probes.end() - 3,
                           [](const Probe& probe) { return probe.verdict == Verdict::kEqual; }));
