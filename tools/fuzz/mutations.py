@@ -26,10 +26,11 @@ TARGETS = "glsl450 glsl460 glsl430 glsl400 glsl330 glsl150 glsl130 glsl120 essl1
 PROFILES = {
     "vs": "vs_2_0 vs_3_0 vs_4_0 vs_4_0_level_9_1 vs_4_0_level_9_3 vs_4_1 vs_5_0 vs_5_1 vs_6_0 vs_6_6".split(),
     "ps": "ps_2_0 ps_2_b ps_3_0 ps_4_0 ps_4_0_level_9_1 ps_4_1 ps_5_0 ps_5_1 ps_6_0 ps_6_6".split(),
+    "gs": "gs_4_0 gs_4_1 gs_5_0 gs_5_1 gs_6_0 gs_6_6".split(),
     "cs": "cs_4_0 cs_4_1 cs_5_0 cs_5_1 cs_6_0 cs_6_6".split(),
 }
 KEPT = re.compile(r"(?:^|\s)(-[TE]\s*\S+|-D\s*\S+|--lower=\S+|-I\s*\S+|--pixel-entry=\S+)")
-STAGE = re.compile(r"(?:-T)?(ps|cs)_")
+STAGE = re.compile(r"(?:-T)?(ps|cs|gs)_")
 TOKEN = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\#[^\n]*|\s+|"[^"\n]*"|[A-Za-z_]\w*|0[xX][0-9a-fA-F]+[uUlL]*"""
     r"""|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFhHuUlL]*|<<=|>>=|[-+*/%&|^=!<>]=|&&|\|\||<<|>>|\+\+|--|::|.""",
@@ -39,11 +40,11 @@ NUMBERS = "0 1 -1 2 3 4 7 31 32 255 4294967295 0x80000000 -2147483648 0.0 -0.0 1
 OPERATORS = "+ - * / % & | ^ << >> < > <= >= == != && || = += -= *= /= %= , ? :".split()
 MODIFIERS = (
     "const static uniform precise row_major column_major nointerpolation linear centroid sample noperspective "
-    "in out inout groupshared globallycoherent snorm unorm volatile shared extern inline"
+    "point line triangle lineadj triangleadj in out inout groupshared globallycoherent snorm unorm volatile shared extern inline"
 ).split()
 SEMANTICS = (
     "SV_Position SV_Target SV_Target1 SV_Depth SV_ClipDistance0 SV_CullDistance SV_VertexID SV_InstanceID SV_IsFrontFace "
-    "SV_DispatchThreadID SV_GroupID SV_GroupThreadID SV_GroupIndex SV_Coverage SV_SampleIndex SV_PrimitiveID TEXCOORD0 COLOR0 COLOR1 POSITION NORMAL FOG PSIZE VPOS VFACE DEPTH"
+    "SV_DispatchThreadID SV_GroupID SV_GroupThreadID SV_GroupIndex SV_Coverage SV_SampleIndex SV_PrimitiveID SV_GSInstanceID SV_RenderTargetArrayIndex SV_ViewportArrayIndex TEXCOORD0 COLOR0 COLOR1 POSITION NORMAL FOG PSIZE VPOS VFACE DEPTH"
 ).split()
 SCALARS = "float int uint bool half double min16float uint64_t".split()
 TYPES = (
@@ -51,6 +52,7 @@ TYPES = (
     + "void Texture2D Texture3D TextureCube Texture2DArray Texture2DMS<float4> Buffer<float4> StructuredBuffer<float4>".split()
     + "RWTexture2D<float4> RWBuffer<uint> RWStructuredBuffer<int> ByteAddressBuffer SamplerState SamplerComparisonState".split()
     + "sampler sampler2D samplerCUBE texture ConstantBuffer<float4> TextureBuffer<float> AppendStructuredBuffer<float>".split()
+    + "PointStream<float4> LineStream<float4> TriangleStream<float4>".split()
 )
 WORDS = "if else for while do switch case default break continue return discard struct cbuffer namespace typedef".split()
 INTRINSICS = (
@@ -109,7 +111,7 @@ def mutate(tokens, random_):
         tokens[i] = random_.choice(around).format(
             token,
             n=random_.choice(NUMBERS),
-            m=random_.choice("x xy wzyx rgba _m00 _11_12 xyzw length Sample Load a".split()),
+            m=random_.choice("x xy wzyx rgba _m00 _11_12 xyzw length Sample Load Append RestartStrip a".split()),
             t=random_.choice(TYPES),
             o=random_.choice(OPERATORS),
         )

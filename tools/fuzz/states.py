@@ -41,6 +41,11 @@ V VA(V v) { v.p = mul(v.p, World); return v; }
 V VB(V v, uniform float by) { v.p *= by; return v; }
 float4 PA(float2 uv : TEXCOORD0) : COLOR { return uv.xyxy * Size; }
 float4 PB(float2 uv : TEXCOORD0) : COLOR { return tex2D(Maps, uv); }
+struct G { float4 p : SV_Position; float2 uv : TEXCOORD0; };
+G VG(float4 p : POSITION) { G g = {mul(p, World), p.xy}; return g; }
+[maxvertexcount(2)] void GA(point G g[1], inout PointStream<G> s) { s.Append(g[0]); }
+RWBuffer<float> Sums;
+[numthreads(4, 1, 1)] void CA(uint i : SV_DispatchThreadID) { Sums[i] = Size; }
 VertexShader VS[3] = { compile vs_3_0 VA(), compile vs_3_0 VB(2), NULL };
 PixelShader PS[2] = { compile ps_3_0 PA(), compile ps_3_0 PB() };
 """
@@ -135,6 +140,18 @@ class Draw:
             )
             return f"  pass {{ vertex_shader = {call}; pixel_shader = PA(uv); }}\n"
         lines = f"  VertexShader = {self.shader('V')};\n  PixelShader = {self.shader('P')};\n"
+        if self.chance(0.1):
+            stage, prefix, name = self.pick((("Geometry", "gs", "GA"), ("Compute", "cs", "CA")))
+            call = f"{self.pick((name, name, 'VG', 'Absent'))}()"
+            profile = f"{prefix}_{self.pick(('4_0', '5_0', '9_9'))}"
+            lines = self.pick(
+                (
+                    f"  VertexShader = compile vs_4_0 VG();\n  {stage}Shader = compile {profile} {call};\n",
+                    f"{lines}  {stage}Shader = {self.pick(('NULL', name, 'Absent'))};\n",
+                    f"  SetVertexShader(CompileShader(vs_4_0, VG()));\n"
+                    f"  Set{stage}Shader(CompileShader({profile}, {call}));\n",
+                )
+            )
         lines += self.states("Pass")
         if self.chance(0.3):
             block, call = self.pick(BLOCKS.items())
