@@ -50,6 +50,9 @@ class TargetCheck : ExpressionCheck {
       return Lack(Feature::kComputeShaders, entry.span, diag::TargetComputeShader, entry.name);
     if (stage.emits_vertices && !target_.Has(Feature::kGeometryShaders))
       return Lack(Feature::kGeometryShaders, entry.span, diag::TargetGeometryShader, entry.name);
+    if ((stage.makes_patches || stage.reads_patches) && !target_.Has(Feature::kTessellation))
+      return Lack(Feature::kTessellation, entry.span, diag::TargetTessellation, entry.name,
+                  stage.name);
     if (program_.emission.instances > 1)
       Check(Feature::kEmitters, diag::TargetEmission, entry.span, "instance");
     if (const auto& streams = program_.emission.streams; streams.size() > 1)

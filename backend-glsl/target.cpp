@@ -84,6 +84,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kGeometryShaders, {150}, {320, 310, "GL_EXT_geometry_shader"}},
     {Feature::kEmitters, {400}, {320, 310, "GL_EXT_geometry_shader"}},
     {Feature::kStreams, {400}, {}},
+    {Feature::kTessellation, {400}, {320, 310, "GL_EXT_tessellation_shader"}},
     {Feature::kInterlocks, {kNever, 450, "GL_ARB_fragment_shader_interlock"}, {}},
     {Feature::kDynamicBlockIndex, {400}, {320}},
     {Feature::kClipDistance, {130}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
@@ -238,7 +239,7 @@ std::uint32_t Target::BaseOf(Stage stage) const {
   constexpr std::uint32_t kVulkan = 256;   // u0 to u95 of one shader come before
   constexpr std::uint32_t kTextures = 16;  // t0 to t15: a stage has 16 units
   // By stage: the number of stages whose bindings come before.
-  constexpr std::uint32_t kBefore[] = {0, 1, 0, 2};
+  constexpr std::uint32_t kBefore[] = {0, 1, 0, 2, 3, 4};
   static_assert(std::size(kBefore) == kStageCount);
   if (!InfoOf(stage).has_stage_before) return 0;
   if (bindings.later_base) return *bindings.later_base;

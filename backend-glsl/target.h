@@ -51,6 +51,7 @@ enum class Feature : std::uint8_t {
   kGeometryShaders,    // EmitVertex
   kEmitters,           // layout(invocations = 2)
   kStreams,            // layout(stream = 1)
+  kTessellation,       // layout(vertices = 3) out, gl_TessCoord
   kInterlocks,         // beginInvocationInterlock
   kDynamicBlockIndex,  // indices, not constant, of arrays of blocks and of samplers
   // ---- built-in variables

@@ -70,8 +70,7 @@ void Writer::RequireBarycentrics() {
 
 // The vertices of a primitive; a pixel shader's is a triangle.
 std::uint32_t Writer::VerticesOfInputs() const {
-  const Emission& emission = program_.emission;
-  return emission.streams.empty() ? 3 : ir::InfoOf(emission.input).vertices;
+  return IsPixelShader() ? 3 : VerticesRead(program_);
 }
 
 // Declares what an input or an output is, or is a part of. Inputs that are read at each vertex are

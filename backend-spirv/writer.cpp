@@ -12,9 +12,12 @@ using namespace ir;
 namespace {
 
 // By stage.
-constexpr spv::ExecutionModel kModels[] = {
-    spv::ExecutionModel::Vertex, spv::ExecutionModel::Fragment, spv::ExecutionModel::GLCompute,
-    spv::ExecutionModel::Geometry};
+constexpr spv::ExecutionModel kModels[] = {spv::ExecutionModel::Vertex,
+                                           spv::ExecutionModel::Fragment,
+                                           spv::ExecutionModel::GLCompute,
+                                           spv::ExecutionModel::Geometry,
+                                           spv::ExecutionModel::TessellationControl,
+                                           spv::ExecutionModel::TessellationEvaluation};
 static_assert(std::size(kModels) == kStageCount);
 
 // The primitives that a stage takes and gives. By Primitive.

@@ -10,7 +10,7 @@
 // The stages of the pipeline whose shaders clipc reads, and what differs between them.
 namespace clipc {
 
-enum class Stage : std::uint8_t { kVertex, kPixel, kCompute, kGeometry };
+enum class Stage : std::uint8_t { kVertex, kPixel, kCompute, kGeometry, kHull, kDomain };
 
 struct StageInfo {
   std::string_view prefix;        // of the names of its profiles: "vs"
@@ -28,8 +28,17 @@ struct StageInfo {
   // The stage runs in groups of threads, which share memory and wait for each other. It is a
   // program by itself: no data comes from other stages or goes to them.
   bool runs_in_groups = false;
-  // The stage runs for a primitive, whose vertices it reads, and emits vertices of others.
+  // The stage reads the vertices of a primitive, or the control points of a patch, as an array.
+  bool reads_vertices = false;
+  // The stage runs for a primitive, and emits vertices of others.
   bool emits_vertices = false;
+  // The stage runs for the control points of a patch, which it writes, and once for all that the
+  // patch has beside them, its constants.
+  bool makes_patches = false;
+  // The stage runs for the points that the tessellator makes in a patch, whose constants it reads.
+  bool reads_patches = false;
+  // Whether clipc translates the stage's shaders.
+  bool is_translated = true;
   // The stage may order what it stores for other invocations.
   bool orders_memory = false;
 };
@@ -65,13 +74,34 @@ inline constexpr StageInfo kStages[] = {
      .runs = "primitives",
      .has_stage_before = true,
      .has_stage_after = true,
+     .reads_vertices = true,
      .emits_vertices = true},
+    {.prefix = "hs",
+     .number = 3,
+     .name = "hull",
+     .extension = ".tesc",
+     .runs = "control points",
+     .has_stage_before = true,
+     .has_stage_after = true,
+     .reads_vertices = true,
+     .makes_patches = true,
+     .is_translated = false},
+    {.prefix = "ds",
+     .number = 4,
+     .name = "domain",
+     .extension = ".tese",
+     .runs = "points of a patch",
+     .has_stage_before = true,
+     .has_stage_after = true,
+     .reads_vertices = true,
+     .reads_patches = true,
+     .is_translated = false},
 };
 inline constexpr std::size_t kStageCount = std::size(kStages);
 
 constexpr const StageInfo& InfoOf(Stage stage) { return kStages[static_cast<std::size_t>(stage)]; }
 
-// The stage whose profiles begin with `prefix`; none for a stage that clipc does not read, "hs".
+// The stage whose profiles begin with `prefix`; none for a stage that clipc does not read, "ms".
 constexpr std::optional<Stage> StageOf(std::string_view prefix) {
   for (const StageInfo& info : kStages) {
     if (info.prefix == prefix) return static_cast<Stage>(&info - kStages);

@@ -222,6 +222,13 @@ FunctionId OutputFunction(const Program& program) {
   return streams.empty() ? program.main : streams.front().emit;
 }
 
+std::uint32_t VerticesRead(const Program& program) {
+  const StageInfo& stage = clipc::InfoOf(program.stage);
+  if (stage.emits_vertices) return InfoOf(program.emission.input).vertices;
+  return stage.makes_patches ? program.tessellation.input_points
+                             : program.tessellation.output_points;
+}
+
 std::uint32_t StreamOf(const Program& program, VarId output) {
   const auto& streams = program.emission.streams;
   for (std::uint32_t i = 1; i < streams.size(); ++i) {

@@ -182,6 +182,8 @@ inline std::span<const StmtId> MainBody(const Program& program) {
 // The function that writes the outputs: `main`, or in a stage that emits vertices that of the
 // stream whose vertices are drawn.
 FunctionId OutputFunction(const Program& program);
+// The vertices or control points that the stage reads; 0 in a stage that reads none.
+std::uint32_t VerticesRead(const Program& program);
 // The function that writes this output, which may be one of another stream.
 FunctionId OutputFunction(const Program& program, VarId output);
 // The number of the stream that the output is of.

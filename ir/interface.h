@@ -107,7 +107,7 @@ struct BuiltinInfo {
   std::string_view name;
   Storage storage;  // kInput or kOutput
   Scalar scalar;
-  int components;  // 0: an array of distances
+  int components;  // 0: an array of distances or factors
 };
 inline constexpr BuiltinInfo kBuiltinInfos[] = {
     {"none", Storage::kLocal, Scalar::kFloat, 1},
@@ -193,6 +193,7 @@ struct IoVar {
   // Of an output of a pixel shader: 1 for the second of the two colors that are blended.
   std::uint32_t blend_index = 0;
   bool has_min_precision = false;  // its type in the HLSL is half, min16float or the like
+  bool is_of_patch = false;        // of the whole patch, and not of each of its control points
 };
 
 // The locations that an input or output of this scalar or vector type needs: two for three or four

@@ -60,6 +60,9 @@ class ProgramPrinter {
     if (const Emission& emission = program_.emission; !emission.streams.empty())
       Line("emission {} -> {}, {} vertices, {} instances", InfoOf(emission.input).name,
            InfoOf(emission.output).name, emission.max_vertices, emission.instances);
+    if (const Tessellation& patch = program_.tessellation; patch.domain)
+      Line("patch {}, {} -> {} points", InfoOf(*patch.domain).name, patch.input_points,
+           patch.output_points);
     for (const IoVar& input : program_.inputs) PrintIo("input ", input);
     for (const IoVar& output : program_.outputs) PrintIo("output ", output);
     for (std::size_t i = 0; i < program_.clip_planes.size(); ++i) PrintClipPlane(i);
@@ -109,8 +112,8 @@ class ProgramPrinter {
     const std::string place = io.builtin == Builtin::kNone
                                   ? fmt::format("location {}", io.location)
                                   : fmt::format("builtin {}", InfoOf(io.builtin).name);
-    Line("{}{}{} {}{}", direction, printer_.Declaration(io.var), semantic, place,
-         InterpolationText(io));
+    Line("{}{}{}{} {}{}", direction, io.is_of_patch ? "patch " : "", printer_.Declaration(io.var),
+         semantic, place, InterpolationText(io));
   }
 
   void PrintClipPlane(std::size_t index) {

@@ -23,7 +23,7 @@ struct Profile {
   int minor = 0;
   Level9 level9 = Level9::kNone;
 
-  // The word for the stage, also for one that clipc does not read: "vs", "gs", "lib".
+  // The word for the stage, also for one that clipc does not read: "vs", "ms", "lib".
   std::string_view Prefix() const { return std::string_view(name).substr(0, name.find('_')); }
   // Whether the profile is of the older dialect: vs_1_1, vs_2_0, vs_2_a or vs_3_0.
   bool IsDirect3D9() const { return major < 4; }

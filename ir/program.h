@@ -12,6 +12,7 @@
 #include "ir/interface.h"
 #include "ir/profile.h"
 #include "ir/stmt.h"
+#include "ir/tessellation.h"
 #include "ir/type.h"
 #include "ir/variable.h"
 
@@ -69,7 +70,8 @@ struct Program {
   bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
   // [numthreads]: the threads of a group in x, y and z; 0 in a stage that does not run in groups.
   std::array<std::uint32_t, 3> group_size = {};
-  Emission emission;  // of a stage that emits vertices
+  Emission emission;          // of a stage that emits vertices
+  Tessellation tessellation;  // of a stage that makes or reads patches
   Form form = Form::kResolved;
   // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
   // for such calls need not look at the nodes of other programs.

@@ -89,8 +89,7 @@ class Reader {
   void Collect(StmtId id) {
     if (const auto* declare = As<Declare>(program_, id)) {
       const Type& type = program_.types[program_.vars[declare->var].type];
-      const bool is_array =
-          type.kind == TypeKind::kArray && type.count == InfoOf(program_.emission.input).vertices;
+      const bool is_array = type.kind == TypeKind::kArray && type.count == VerticesRead(program_);
       if (is_array && !declare->init) arrays_[declare->var].stmts.push_back(id);
       return;
     }
@@ -187,7 +186,7 @@ class Reader {
 
 void ReadVertices(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
-  if (!program.emission.streams.empty()) Reader(program).Run();
+  if (clipc::InfoOf(program.stage).reads_vertices) Reader(program).Run();
 }
 
 }  // namespace clipc::passes

@@ -17,8 +17,8 @@ namespace clipc {
 namespace {
 
 // By stage.
-constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute,
-                                      EShLangGeometry};
+constexpr EShLanguage kLanguages[] = {EShLangVertex,   EShLangFragment,    EShLangCompute,
+                                      EShLangGeometry, EShLangTessControl, EShLangTessEvaluation};
 static_assert(std::size(kLanguages) == kStageCount);
 
 std::vector<std::string> Problems(std::string_view log) {

@@ -35,8 +35,8 @@ std::string ProfileFor(const EffectShader& shader) {
 }
 
 // The name of the state that gives a pass its shader, by stage.
-constexpr std::string_view kShaderStates[] = {"VertexShader", "PixelShader", "ComputeShader",
-                                              "GeometryShader"};
+constexpr std::string_view kShaderStates[] = {"VertexShader",   "PixelShader", "ComputeShader",
+                                              "GeometryShader", "HullShader",  "DomainShader"};
 static_assert(std::size(kShaderStates) == kStageCount);
 std::string_view StateOf(Stage stage) { return kShaderStates[static_cast<std::size_t>(stage)]; }
 

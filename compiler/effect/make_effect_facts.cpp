@@ -17,7 +17,8 @@ EffectShaderFact FactOf(const EffectStage& stage) {
 }
 
 // What the effect's JSON calls the file of a stage.
-constexpr std::string_view kFileKinds[] = {"vertex", "fragment", "compute", "geometry"};
+constexpr std::string_view kFileKinds[] = {"vertex",   "fragment", "compute",
+                                           "geometry", "hull",     "domain"};
 static_assert(std::size(kFileKinds) == kStageCount);
 
 // What the effect's JSON calls a file of a batch: the stage, whether it is GLSL or SPIR-V, and the

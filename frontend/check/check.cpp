@@ -16,6 +16,7 @@
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/check/static_local.h"
+#include "frontend/check/tessellation.h"
 #include "frontend/parse/attributes.h"
 #include "frontend/resolve/resolve.h"
 #include "frontend/signature/build_main.h"
@@ -65,6 +66,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
     program.tests_early = HasAttribute(context, attributes, "earlydepthstencil");
   CheckGroupSize(context, entry, attributes);
   CheckEmission(context, entry, attributes);
+  CheckTessellation(context, entry, attributes);
   CheckClipPlanes(context, planes_of, planes);
 }
 

@@ -15,6 +15,7 @@
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/init.h"
+#include "frontend/check/tessellation.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
 #include "frontend/check/vulkan.h"
@@ -174,7 +175,7 @@ void ReadVertices(Context& context, const ast::VarDecl& var, const Parameter& pa
                   std::optional<Primitive> written, EntryParameter& into) {
   const Type& type = context[parameter.type];
   Emission& emission = context.program.emission;
-  into.primitive = written.value_or(Primitive::kPoint);
+  into.is_of_vertices = true;
   if (!written) {
     context.Report(var.name_span, diag::PrimitiveMissing, context[var.name]);
     return;
@@ -282,12 +283,8 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     ReadVulkan(context, var.attributes, entry_parameter);
     entry_parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
-    const bool is_patch = !(var.qualifiers & ast::kUniform) && IsPatch(context, var);
-    if (is_patch) {
-      context.Report(var.name_span, diag::SemanticOnObject, context[var.name],
-                     context[context[var.type].name.name],
-                     signature::AdviceForObject(context[context[var.type].name.name],
-                                                context.program.stage, context.program.profile));
+    if (!(var.qualifiers & ast::kUniform) && IsPatch(context, var)) {
+      entry_parameter.is_of_vertices = ReadPatch(context, var, parameter);
     } else if (ReadEmission(context, var, parameter, entry_parameter)) {
       signature.parameters.push_back(std::move(entry_parameter));
       continue;

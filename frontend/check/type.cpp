@@ -313,10 +313,12 @@ ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var) {
   return WithAliases(context, var.qualifiers, of);
 }
 
-bool IsPatch(Context& context, const ast::VarDecl& var) {
+bool IsPatch(Context& context, const ast::VarDecl& var) { return !PatchName(context, var).empty(); }
+
+std::string_view PatchName(Context& context, const ast::VarDecl& var) {
   ast::TypeId of = var.type;
   WithAliases(context, var.qualifiers, of);
-  return NamesPatch(context, of);
+  return NamesPatch(context, of) ? context[context[of].name.name] : std::string_view();
 }
 
 ast::Qualifiers ElementQualifiersOf(Context& context, const ast::VarDecl& var) {

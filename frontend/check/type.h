@@ -44,6 +44,8 @@ bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers);
 ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var);
 // Whether the type of the variable is a patch of control points.
 bool IsPatch(Context& context, const ast::VarDecl& var);
+// The name of the patch that the variable is, InputPatch or OutputPatch; empty if it is not one.
+std::string_view PatchName(Context& context, const ast::VarDecl& var);
 // The qualifiers that say how matrices lie in the elements of the buffer `var`: those of its
 // template argument and of the typedef that names it, and the pragma of the variable.
 ast::Qualifiers ElementQualifiersOf(Context& context, const ast::VarDecl& var);

@@ -112,7 +112,7 @@ class MainBuilder {
     const bool reads = var.storage != Storage::kOut;
     const bool writes = var.storage != Storage::kIn;
     Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
-    if (parameter.primitive) return ReadVertices(id, whole);
+    if (parameter.is_of_vertices) return ReadVertices(id, whole);
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
       const std::span<const Carrier> leaves = leaves_.Of(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));

@@ -29,7 +29,7 @@ struct EntryParameter {
   VarId uniform_var;       // the member of $Params that a `uniform` parameter became; a stream
   ExprId object;           // the object that a technique gives to it instead; none: it gives none
   bool is_stream = false;  // of vertices that the shader emits; is_uniform then
-  std::optional<Primitive> primitive = {};  // whose vertices the parameter has, an array
+  bool is_of_vertices = false;  // an array of the vertices or control points that the stage reads
   VarId
       objects;  // the variable that has the textures and samplers of the struct; none: it has none
 };

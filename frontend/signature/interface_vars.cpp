@@ -50,6 +50,7 @@ VarId InterfaceVars::Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId t
   list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                   sample, semantic.has_index, is_matched && location,
                   leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
+  list.back().is_of_patch = is_of_patch_;
   list.back().has_min_precision = program_.types.HasMinPrecision(leaf.type);
   if (is_target) list.back().blend_index = blend_index.value_or(0);
   return id;

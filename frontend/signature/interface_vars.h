@@ -24,6 +24,8 @@ class InterfaceVars {
   VarId AddOutput(const Carrier& leaf, TypeId type, Builtin builtin) {
     return Add(program_.outputs, leaf, type, builtin);
   }
+  // Sets whether what is added from here on is of the whole patch.
+  void SetOfPatch(bool is_of_patch) { is_of_patch_ = is_of_patch; }
   // Adds the array of clip or cull distances, with `count` elements.
   VarId AddDistances(Builtin builtin, std::size_t count, Span span);
   // Reports inputs, and outputs, with more distances than GLSL's arrays have.
@@ -42,6 +44,7 @@ class InterfaceVars {
   Program& program_;
   const StageInfo& stage_;
   Diagnostics& diagnostics_;
+  bool is_of_patch_ = false;
   Locations locations_[2];      // of outputs and of inputs
   DistanceCount distances_[2];  // of outputs and of inputs
 };

@@ -16,7 +16,8 @@ namespace {
 // that writes it, or what compiles the stage that reads it.
 std::string AdviceFor(const SemanticName& semantic, Direction direction, const Program& program) {
   for (const StageInfo& other : kStages) {
-    if (direction == Direction::kInput && !other.runs_in_groups) continue;
+    if (direction == Direction::kInput && !other.runs_in_groups && !other.makes_patches) continue;
+    if (direction == Direction::kPatchConstant) continue;
     const SystemValue value =
         LookUpSemantic(semantic.name, semantic.index, *StageOf(other.prefix), direction, false);
     if (value.use == SystemValue::Use::kTarget || value.use == SystemValue::Use::kBuiltin)
@@ -31,7 +32,7 @@ SystemValue SemanticCheck::LookUp(const Carrier& leaf, Direction direction) {
   SystemValue value =
       LookUpSemantic(leaf.cursor.semantic.name, leaf.cursor.semantic.index, program_.stage,
                      direction, program_.profile.IsDirect3D9(), position_);
-  const bool is_input = direction == Direction::kInput;
+  const bool is_input = IsInput(direction, program_.stage);
   if (value.use == SystemValue::Use::kRefused) {
     const std::string_view near =
         NearSystemValue(leaf.cursor.semantic.name, program_.stage, direction);
@@ -59,10 +60,10 @@ bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const Syste
   std::string name = value.builtin == Builtin::kPosition      ? "SV_POSITION"
                      : value.use == SystemValue::Use::kTarget ? "SV_TARGET"
                                                               : ToUpper(leaf.cursor.semantic.name);
-  auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
+  auto& seen = seen_[static_cast<std::size_t>(direction)];
   const auto [found, is_new] =
       seen.try_emplace({std::move(name), leaf.cursor.semantic.index}, First{leaf.span, leaf.type});
-  const bool is_input = direction == Direction::kInput;
+  const bool is_input = IsInput(direction, program_.stage);
   if (is_new || (is_input && program_.profile.IsDirect3D9())) return true;
   // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
   // SPIR-V. An output that the pipeline reads cannot have two values.
@@ -86,8 +87,8 @@ bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const Syste
 }
 
 bool SemanticCheck::IsFirstDepth(const Carrier& leaf) {
-  const auto [found, is_new] =
-      seen_outputs_.try_emplace({"SV_DEPTH", 0}, First{leaf.span, leaf.type});
+  const auto [found, is_new] = seen_[static_cast<std::size_t>(Direction::kOutput)].try_emplace(
+      {"SV_DEPTH", 0}, First{leaf.span, leaf.type});
   if (is_new) return true;
   const SemanticName& semantic = leaf.cursor.semantic;
   const std::string number = semantic.index == 0 ? "" : std::to_string(semantic.index);

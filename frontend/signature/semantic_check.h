@@ -24,7 +24,7 @@ class SemanticCheck {
   // The meaning of the leaf's semantic on one side of the stage.
   SystemValue LookUp(const Carrier& leaf, Direction direction);
   // The next outputs are those of another stream, which may have the same semantics.
-  void NextStream() { seen_outputs_.clear(); }
+  void NextStream() { seen_[static_cast<std::size_t>(Direction::kOutput)].clear(); }
   // Whether the leaf may be an input or output beside those that were asked about before.
   bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value);
   // Whether the profile lacks the input of a pixel shader, which may be declared and is not read.
@@ -54,7 +54,7 @@ class SemanticCheck {
     TypeId type;
   };
   using Seen = std::pmr::map<std::pair<std::string, std::uint32_t>, First>;  // by name and index
-  Seen seen_inputs_{&memory_}, seen_outputs_{&memory_};
+  Seen seen_[3] = {Seen(&memory_), Seen(&memory_), Seen(&memory_)};          // by Direction
 };
 
 }  // namespace clipc::signature

@@ -34,17 +34,38 @@ constexpr Sides kOnlyMade{kMade, kRefused};
 constexpr Sides kAnywhere{kPlain, kPlain};
 constexpr Sides kPointSizes{Is(Builtin::kPointSizeInput), Is(Builtin::kPointSize)};
 
+// The meanings at the control points of a hull and of a domain shader, and among the constants of
+// the patch, which the one writes and the other reads.
+struct Patches {
+  Sides hull = kNowhere, domain = kNowhere, constants = kNowhere;
+};
+constexpr Patches kNoPatches;
+constexpr Patches kPatchData{kAnywhere, kAnywhere, kAnywhere};
+// A value of control points that is the rasteriser's after a domain shader.
+constexpr Patches AtPoints(Builtin input, Builtin output) {
+  return {{Is(input), Is(output)}, {Is(input), Is(output)}, kAnywhere};
+}
+constexpr Patches OfConstants(SystemValue input, SystemValue output) {
+  return {kNowhere, kNowhere, {input, output}};
+}
+
+constexpr Patches kSizesAtPoints{kPointSizes, kPointSizes, kNowhere};
+
 struct Semantic {
   std::string_view name;
-  Sides vertex, pixel, geometry = kNowhere, compute = kNowhere;
+  Sides vertex, pixel, geometry = kNowhere;
+  Patches patches = kNoPatches;
+  Sides compute = kNowhere;
   bool is_old = false;  // Direct3D 9's name of an output, which is data from profile 4.0 on
 
   const SystemValue& Of(Stage stage, Direction direction) const {
-    static constexpr Sides Semantic::* kColumns[] = {&Semantic::vertex, &Semantic::pixel,
-                                                     &Semantic::compute, &Semantic::geometry};
-    static_assert(std::size(kColumns) == kStageCount);
-    const Sides& sides = this->*kColumns[static_cast<std::size_t>(stage)];
-    return direction == Direction::kInput ? sides.input : sides.output;
+    const Sides* const columns[] = {&vertex,   &pixel,        &compute,
+                                    &geometry, &patches.hull, &patches.domain};
+    static_assert(std::size(columns) == kStageCount);
+    const bool is_constant = direction == Direction::kPatchConstant;
+    const Sides& sides =
+        is_constant ? patches.constants : *columns[static_cast<std::size_t>(stage)];
+    return IsInput(direction, stage) ? sides.input : sides.output;
   }
 };
 
@@ -54,23 +75,31 @@ constexpr Semantic kSemantics[] = {
     {"SV_Position",
      {kPlain, Is(Builtin::kPosition, 0)},
      {Is(Builtin::kPixelPosition), kRefused},
-     {Is(Builtin::kPositionInput), Is(Builtin::kPosition)}},
+     {Is(Builtin::kPositionInput), Is(Builtin::kPosition)},
+     AtPoints(Builtin::kPositionInput, Builtin::kPosition)},
     {"SV_ClipDistance",
      {kPlain, Is(Builtin::kClipDistance)},
      {Is(Builtin::kClipDistanceInput), kRefused},
-     {Is(Builtin::kClipDistanceInput), Is(Builtin::kClipDistance)}},
+     {Is(Builtin::kClipDistanceInput), Is(Builtin::kClipDistance)},
+     AtPoints(Builtin::kClipDistanceInput, Builtin::kClipDistance)},
     {"SV_CullDistance",
      {kPlain, Is(Builtin::kCullDistance)},
      {Is(Builtin::kCullDistanceInput), kRefused},
-     {Is(Builtin::kCullDistanceInput), Is(Builtin::kCullDistance)}},
-    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade, kAnywhere},
-    {"SV_InstanceID", {Is(Builtin::kInstanceId), kPlain}, {kPlain, kRefused}, kAnywhere},
+     {Is(Builtin::kCullDistanceInput), Is(Builtin::kCullDistance)},
+     AtPoints(Builtin::kCullDistanceInput, Builtin::kCullDistance)},
+    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade, kAnywhere, kPatchData},
+    {"SV_InstanceID",
+     {Is(Builtin::kInstanceId), kPlain},
+     {kPlain, kRefused},
+     kAnywhere,
+     kPatchData},
     {"SV_StartVertexLocation", {Is(Builtin::kBaseVertex, 6, 8), kRefused}, kNowhere},
     {"SV_StartInstanceLocation", {Is(Builtin::kBaseInstance, 6, 8), kRefused}, kNowhere},
     {"SV_ViewID",
      {Is(Builtin::kViewId, 6, 1), kPlain},
      {Is(Builtin::kViewId, 6, 1), kRefused},
-     {Is(Builtin::kViewId, 6, 1), kPlain}},
+     {Is(Builtin::kViewId, 6, 1), kPlain},
+     {{Is(Builtin::kViewId, 6, 1), kPlain}, kAnywhere, {Is(Builtin::kViewId, 6, 1), kPlain}}},
     {"SV_VulkanVertexID", {Is(Builtin::kVertexIndex), kRefused}, kNowhere},  // Slang's name
     {"SV_VulkanInstanceID", {Is(Builtin::kInstanceIndex), kRefused}, kNowhere},
     {"SV_ShadingRate",
@@ -79,20 +108,49 @@ constexpr Semantic kSemantics[] = {
     {"SV_RenderTargetArrayIndex",
      {kPlain, Is(Builtin::kLayer)},
      {Is(Builtin::kLayerInput), kRefused},
-     {kPlain, Is(Builtin::kLayer)}},
+     {kPlain, Is(Builtin::kLayer)},
+     {kAnywhere, {kPlain, Is(Builtin::kLayer)}, kAnywhere}},
     {"SV_ViewportArrayIndex",
      {kPlain, Is(Builtin::kViewportIndex)},
      {Is(Builtin::kViewportInput), kRefused},
-     {kPlain, Is(Builtin::kViewportIndex)}},
-    {"SV_DispatchThreadID", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kThreadId), kRefused}},
-    {"SV_GroupID", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kGroupId), kRefused}},
-    {"SV_GroupThreadID", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kGroupThreadId), kRefused}},
-    {"SV_GroupIndex", kNowhere, kOnlyMade, kNowhere, {Is(Builtin::kGroupIndex), kRefused}},
+     {kPlain, Is(Builtin::kViewportIndex)},
+     {kAnywhere, {kPlain, Is(Builtin::kViewportIndex)}, kAnywhere}},
+    {"SV_DispatchThreadID",
+     kNowhere,
+     kOnlyMade,
+     kNowhere,
+     kNoPatches,
+     {Is(Builtin::kThreadId), kRefused}},
+    {"SV_GroupID", kNowhere, kOnlyMade, kNowhere, kNoPatches, {Is(Builtin::kGroupId), kRefused}},
+    {"SV_GroupThreadID",
+     kNowhere,
+     kOnlyMade,
+     kNowhere,
+     kNoPatches,
+     {Is(Builtin::kGroupThreadId), kRefused}},
+    {"SV_GroupIndex",
+     kNowhere,
+     kOnlyMade,
+     kNowhere,
+     kNoPatches,
+     {Is(Builtin::kGroupIndex), kRefused}},
     {"SV_PrimitiveID",
      {kRefused, kPlain},
      {Is(Builtin::kPrimitiveId), kRefused},
-     {Is(Builtin::kPrimitiveId), Is(Builtin::kPrimitiveIdOutput)}},
+     {Is(Builtin::kPrimitiveId), Is(Builtin::kPrimitiveIdOutput)},
+     {{Is(Builtin::kPrimitiveId), kPlain}, kAnywhere, {Is(Builtin::kPrimitiveId), kPlain}}},
     {"SV_GSInstanceID", kNowhere, kOnlyMade, {Is(Builtin::kEmitterId, 5), kRefused}},
+    {"SV_OutputControlPointID",
+     kNowhere,
+     kOnlyMade,
+     kNowhere,
+     {{Is(Builtin::kControlPointId, 5), kRefused}, kNowhere, kNowhere}},
+    {"SV_DomainLocation", kNowhere, kOnlyMade, kNowhere,
+     OfConstants(Is(Builtin::kDomainLocation, 5), kRefused)},
+    {"SV_TessFactor", kNowhere, kOnlyMade, kNowhere,
+     OfConstants(Is(Builtin::kTessFactorInput, 5), Is(Builtin::kTessFactor, 5))},
+    {"SV_InsideTessFactor", kNowhere, kOnlyMade, kNowhere,
+     OfConstants(Is(Builtin::kInsideFactorInput, 5), Is(Builtin::kInsideFactor, 5))},
     {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}, {kRefused, kPlain}},
     {"SV_SampleIndex", kNowhere, {Is(Builtin::kSampleIndex, 4, 1), kRefused}},
     {"SV_Coverage", kNowhere, {Is(Builtin::kCoverageInput, 5), Is(Builtin::kCoverage, 4, 1)}},
@@ -108,24 +166,41 @@ constexpr Semantic kSemantics[] = {
     {"VPOS",
      kAnywhere,
      {{Use::kBuiltin, Builtin::kPixelPosition, 3, 0, Form::kCorner}, kRefused},
-     kAnywhere},
+     kAnywhere,
+     kPatchData},
     {"VFACE",
      kAnywhere,
      {{Use::kBuiltin, Builtin::kFrontFacing, 3, 0, Form::kSign}, kRefused},
-     kAnywhere},
-    {"COLOR", kAnywhere, {kPlain, kTarget}, kAnywhere},
-    {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}, kAnywhere},
+     kAnywhere,
+     kPatchData},
+    {"COLOR", kAnywhere, {kPlain, kTarget}, kAnywhere, kPatchData},
+    {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}, kAnywhere, kPatchData},
     {"POSITION",
      {kPlain, Is(Builtin::kPosition, 0)},
      {kLost, kRefused},
      {kPlain, Is(Builtin::kPosition, 0)},
+     {kAnywhere, {kPlain, Is(Builtin::kPosition, 0)}, kAnywhere},
      kNowhere,
      true},
-    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, kAnywhere, kNowhere, true},
+    {"PSIZE",
+     {kPlain, Is(Builtin::kPointSize, 0)},
+     {kLost, kRefused},
+     kAnywhere,
+     kPatchData,
+     kNowhere,
+     true},
     // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
-    {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade, kPointSizes},
+    {"SV_PointSize",
+     {kRefused, Is(Builtin::kPointSize, 0)},
+     kOnlyMade,
+     kPointSizes,
+     kSizesAtPoints},
     // vk::PointSize is written [[vk::builtin("PointSize")]].
-    {"vk::PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade, kPointSizes},
+    {"vk::PointSize",
+     {kRefused, Is(Builtin::kPointSize, 0)},
+     kOnlyMade,
+     kPointSizes,
+     kSizesAtPoints},
     {"vk::BaseVertex", {Is(Builtin::kBaseVertex, 0), kRefused}, kNowhere},
     {"vk::BaseInstance", {Is(Builtin::kBaseInstance, 0), kRefused}, kNowhere},
     {"vk::DrawIndex", {Is(Builtin::kDrawIndex, 0), kRefused}, kNowhere},
@@ -136,7 +211,7 @@ constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
 // The meaning of a name that is not a system value's: of data from stage to stage.
 SystemValue OtherName(Stage stage, Direction direction) {
   if (InfoOf(stage).runs_in_groups) return kRefused;
-  return direction == Direction::kInput || InfoOf(stage).has_stage_after ? kPlain : kRefused;
+  return direction != Direction::kOutput || InfoOf(stage).has_stage_after ? kPlain : kRefused;
 }
 
 }  // namespace

@@ -9,11 +9,17 @@
 
 // The semantics of a shader's inputs and outputs. Sources: the Direct3D 11.3 functional
 // specification, sections 8 and 9 (system generated and interpreted values); DXC's signature table,
-// columns VSIn, VSOut, PSIn and PSOut; the Direct3D 9 reference on the inputs and outputs of vertex
+// columns VSIn to CSIn; the Direct3D 9 reference on the inputs and outputs of vertex
 // and pixel shaders.
 namespace clipc::signature {
 
-enum class Direction : std::uint8_t { kInput, kOutput };
+// The inputs and outputs of control points and of vertices are apart from the constants of a patch,
+// which a hull shader writes, and which a domain shader reads with what it has for itself.
+enum class Direction : std::uint8_t { kInput, kOutput, kPatchConstant };
+constexpr bool IsInput(Direction direction, Stage stage) {
+  return direction == Direction::kPatchConstant ? !InfoOf(stage).makes_patches
+                                                : direction == Direction::kInput;
+}
 
 // The name of the position among the outputs from profile 4.0 on; before, it is POSITION.
 enum class PositionName : std::uint8_t {

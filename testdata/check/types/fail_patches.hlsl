@@ -9,7 +9,7 @@ float4 main() : SV_Target {
   return patch[0];
 }
 #else
-// CHECK: [[#@LINE+1]]:33: error: `ends` of type `InputPatch` cannot be an input or output of the entry point [semantic-on-object, X3530]
+// CHECK: [[#@LINE+1]]:33: error: `ends` of type `InputPatch` cannot be an input or output of the entry point; `-T hs_5_0` compiles a hull shader [semantic-on-object, X3530]
 float4 main(InputPatch<Data, 2> ends) : SV_Target {
   OutputPatch<float, 2> patch = data;
   // CHECK: [[#@LINE+1]]:3: error: `patch` is constant; it cannot be assigned to [const-assigned, X3025]

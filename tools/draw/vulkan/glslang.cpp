@@ -31,8 +31,8 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
 
 Spirv SpirvOfGlsl(const std::string& glsl, Stage stage) {
   InitializeGlslang();
-  constexpr EShLanguage kLanguages[] = {EShLangVertex, EShLangFragment, EShLangCompute,
-                                        EShLangGeometry};
+  constexpr EShLanguage kLanguages[] = {EShLangVertex,   EShLangFragment,    EShLangCompute,
+                                        EShLangGeometry, EShLangTessControl, EShLangTessEvaluation};
   static_assert(std::size(kLanguages) == kStageCount);
   const EShLanguage language = kLanguages[static_cast<std::size_t>(stage)];
   glslang::TShader shader(language);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/tessellation.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/spelling.h"
+#include "frontend/check/function.h"
+#include "frontend/check/type.h"
+#include "frontend/signature/semantics.h"
+
+namespace clipc::check {
+namespace {
+
+// The text of a string; nullopt for every other expression.
+std::optional<std::string_view> StringOf(const Context& context, ast::ExprId id) {
+  const auto* literal = context.GetIf<ast::Literal>(id);
+  if (!literal || literal->kind != LiteralKind::kString) return std::nullopt;
+  return context[Name{static_cast<std::uint32_t>(literal->bits)}];
+}
+
+// The number of the word that the attribute has among `words`; nullopt after an error, and without
+// the attribute. fxc compares words without case.
+std::optional<std::size_t> WordIn(Context& context, const AttributeLists& attributes,
+                                  std::string_view name, std::span<const std::string_view> words) {
+  const ast::Attr* attribute = FindAttribute(context, attributes, name);
+  if (!attribute) return std::nullopt;
+  const auto arguments = context[attribute->arguments];
+  if (arguments.size() == 1) {
+    if (const auto text = StringOf(context, arguments[0])) {
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        if (EqualIgnoringCase(words[i], *text)) return i;
+      }
+    }
+  }
+  std::string list;
+  for (const std::string_view word : words)
+    list += fmt::format("{}`\"{}\"`", list.empty() ? "" : ", ", word);
+  context.Report(attribute->span, diag::TessellationWord, name, list);
+  return std::nullopt;
+}
+
+std::vector<std::string_view> DomainWords() {
+  std::vector<std::string_view> words;
+  for (const DomainInfo& info : kDomains) words.push_back(info.name);
+  return words;
+}
+
+}  // namespace
+
+bool ReadPatch(Context& context, const ast::VarDecl& var, const Parameter& parameter) {
+  const StageInfo& stage = InfoOf(context.program.stage);
+  const std::string_view name = PatchName(context, var);
+  const bool is_read = name == "InputPatch" ? stage.makes_patches : stage.reads_patches;
+  if (!is_read) {
+    context.Report(
+        var.name_span, diag::SemanticOnObject, context[var.name], name,
+        signature::AdviceForObject(name, context.program.stage, context.program.profile));
+    return false;
+  }
+  if (context.IsError(parameter.type)) return false;
+  Tessellation& tessellation = context.program.tessellation;
+  const std::uint32_t count = context[parameter.type].count;
+  if (count > kMostControlPoints)
+    context.Report(var.name_span, diag::PatchPoints, context[var.name],
+                   WithCount(count, "control point"), kMostControlPoints);
+  (stage.makes_patches ? tessellation.input_points : tessellation.output_points) = count;
+  return true;
+}
+
+void CheckTessellation(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {
+  Program& program = context.program;
+  const StageInfo& stage = InfoOf(program.stage);
+  if (!stage.makes_patches && !stage.reads_patches) return;
+  const ViewSwitch in(context, {.scope = context[entry].scope, .order = context[entry].order});
+  const Function& function = program.functions[program.entry];
+  if (!FindAttribute(context, attributes, "domain")) {
+    context.Report(function.span, diag::DomainMissing, function.name, stage.name);
+  } else if (const auto domain = WordIn(context, attributes, "domain", DomainWords())) {
+    program.tessellation.domain = static_cast<Domain>(*domain);
+  }
+}
+
+}  // namespace clipc::check
