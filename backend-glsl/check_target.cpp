@@ -119,8 +119,8 @@ class TargetCheck : ExpressionCheck {
     if (input.builtin == Builtin::kPixelPosition) return PixelPosition(input);
     if (input.builtin == Builtin::kNone && clipc::InfoOf(program_.stage).has_stage_before)
       return Varying(input);
-    // OVR_multiview has no geometry shaders.
-    if (input.builtin == Builtin::kViewId && clipc::InfoOf(program_.stage).emits_vertices &&
+    // OVR_multiview has no geometry shaders, and no tessellation.
+    if (input.builtin == Builtin::kViewId && clipc::InfoOf(program_.stage).reads_vertices &&
         !target_.IsVulkan())
       diagnostics_.Report(var.span, diag::TargetPixelValue, input.semantic, target_.name());
     Check(RequirementOf(input.builtin, clipc::InfoOf(program_.stage)), var.span, input.semantic);

@@ -167,7 +167,9 @@ const Requirement* RequirementOf(Builtin builtin, const StageInfo& stage) {
     if (const Requirement* requirement = Find(kBuiltinsOfEmission, builtin))
       return requirement->feature == Feature::kGeometryShaders ? nullptr : requirement;
   }
-  return Find(kBuiltins, builtin);
+  // The number of the patch needs nothing but the stage.
+  const bool is_of_patch = stage.reads_vertices && builtin == Builtin::kPrimitiveId;
+  return is_of_patch ? nullptr : Find(kBuiltins, builtin);
 }
 
 const Requirement* RequirementOf(ObjectKind kind) {

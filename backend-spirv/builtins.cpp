@@ -66,6 +66,13 @@ constexpr Row kInputs[] = {
     {Builtin::kPositionInput, In::Position, "gl_Position", Scalar::kFloat},
     {Builtin::kPointSizeInput, In::PointSize, "gl_PointSize", Scalar::kFloat},
     {Builtin::kEmitterId, In::InvocationId, "gl_InvocationID", Scalar::kInt, Cap::Geometry},
+    {Builtin::kDomainLocation, In::TessCoord, "gl_TessCoord", Scalar::kFloat, Cap::Tessellation},
+    {Builtin::kTessFactorInput, In::TessLevelOuter, "gl_TessLevelOuter", Scalar::kFloat,
+     Cap::Tessellation},
+    {Builtin::kInsideFactorInput, In::TessLevelInner, "gl_TessLevelInner", Scalar::kFloat,
+     Cap::Tessellation},
+    {Builtin::kControlPointId, In::InvocationId, "gl_InvocationID", Scalar::kInt,
+     Cap::Tessellation},
     {Builtin::kShadingRateInput, In::ShadingRateKHR, "gl_ShadingRateEXT", Scalar::kInt,
      Cap::FragmentShadingRateKHR, kShadingRate},
     {Builtin::kClipDistanceInput, In::ClipDistance, "gl_ClipDistance", Scalar::kFloat,
@@ -114,8 +121,16 @@ void Require(Module& module, const Row& row) {
 
 }  // namespace
 
-bool IsDistance(Builtin builtin) {
-  return builtin == Builtin::kClipDistanceInput || builtin == Builtin::kCullDistanceInput;
+bool IsArrayInput(Builtin builtin) {
+  return InfoOf(builtin).components == 0 && InfoOf(builtin).storage == Storage::kInput;
+}
+
+// SPIR-V has the factors of every domain in arrays of these sizes.
+std::uint32_t FactorCount(Builtin builtin) {
+  const bool is_inside =
+      builtin == Builtin::kInsideFactorInput || builtin == Builtin::kInsideFactor;
+  const bool is_edge = builtin == Builtin::kTessFactorInput || builtin == Builtin::kTessFactor;
+  return is_inside ? 2 : is_edge ? 4 : 0;
 }
 
 Ref Writer::BuiltinVariable(spv::BuiltIn builtin, spv::StorageClass storage, Ref type,
@@ -135,7 +150,11 @@ Ref Writer::DeclareBuiltin(Builtin input, Ref type) {
   if (!row) row = RowOf(kInputs, input);
   if (!row) return Lack("an input that no module has");
   if (row->capability == Cap::FragmentBarycentricKHR) RequireBarycentrics();
-  Require(module_, *row);
+  Row needed = *row;
+  const StageInfo& stage = InfoOf(program_.stage);
+  if (needed.capability == Cap::Geometry && (stage.makes_patches || stage.reads_patches))
+    needed.capability = Cap::Tessellation;
+  Require(module_, needed);
   const bool is_new = !builtins_.contains({row->which, spv::StorageClass::Input});
   const Ref variable = BuiltinVariable(row->which, spv::StorageClass::Input, type, row->name);
   // Vulkan asks for it, as of every integer that a pixel shader reads.

@@ -23,9 +23,14 @@ void Writer::DeclareInputs() {
       pointers_[input.var.index] = DeclareBuiltin(input.builtin, type);
       storages_[input.var.index] = spv::StorageClass::Input;
       part_indices_[input.var.index].push_back(types_.Int(0));
-    } else if (IsDistance(input.builtin)) {
-      pointers_[input.var.index] =
-          DeclareBuiltin(input.builtin, types_.Of((*this)[input.var].type));
+    } else if (IsArrayInput(input.builtin)) {
+      const std::uint32_t factors = FactorCount(input.builtin);
+      const Ref type = factors > 0 ? module_.Type(spv::Op::OpTypeArray,
+                                                  {types_.Of(Scalar::kFloat), types_.Uint(factors)})
+                                   : types_.Of((*this)[input.var].type);
+      const Ref variable = DeclareBuiltin(input.builtin, type);
+      if (factors > 0) module_.Decorate(variable, spv::Decoration::Patch);
+      pointers_[input.var.index] = variable;
       storages_[input.var.index] = spv::StorageClass::Input;
     } else if (input.builtin != Builtin::kNone) {
       builtin_inputs_.emplace(input.var.index, i);

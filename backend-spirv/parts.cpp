@@ -70,6 +70,8 @@ void Writer::RequireBarycentrics() {
 
 // The vertices of a primitive; a pixel shader's is a triangle.
 std::uint32_t Writer::VerticesOfInputs() const {
+  // Arrays of control points are as long as the longest patch, whatever the draw call has.
+  if (!InfoOf(program_.stage).emits_vertices && !IsPixelShader()) return kMostControlPoints;
   return IsPixelShader() ? 3 : VerticesRead(program_);
 }
 
@@ -104,6 +106,7 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
       module_.Decorate(variable, spv::Decoration::RelaxedPrecision);
     if (!is_input && program_.emission.streams.size() > 1)
       module_.Decorate(variable, spv::Decoration::Stream, {StreamOf(program_, io.var)});
+    if (io.is_of_patch) module_.Decorate(variable, spv::Decoration::Patch);
     if (io.blend_index > 0) module_.Decorate(variable, spv::Decoration::Index, {io.blend_index});
     if (is_per_vertex && IsPixelShader()) {
       RequireBarycentrics();

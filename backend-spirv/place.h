@@ -58,6 +58,8 @@ spv::Capability NonUniformOf(ir::ObjectKind object);
 
 // Whether the input is an array of distances to planes, a variable like those that a shader
 // declares.
-bool IsDistance(ir::Builtin builtin);
+bool IsArrayInput(ir::Builtin builtin);
+// The factors in the array that the input or output is; 0 if it is not one.
+std::uint32_t FactorCount(ir::Builtin builtin);
 
 }  // namespace clipc::spirv

@@ -37,6 +37,24 @@ void AddEmission(Module& module, const Emission& emission) {
   module.Execution(spv::ExecutionMode::OutputVertices, {emission.max_vertices});
 }
 
+// How a domain shader's patches are cut and joined; backend-glsl/writer/stage_writer.cpp has why
+// the winding of OpenGL is the other one.
+void AddTessellation(Module& module, const Tessellation& patch, bool is_opengl) {
+  constexpr spv::ExecutionMode kShapes[] = {
+      spv::ExecutionMode::Triangles, spv::ExecutionMode::Quads, spv::ExecutionMode::Isolines};
+  constexpr spv::ExecutionMode kSpacings[] = {
+      spv::ExecutionMode::SpacingEqual, spv::ExecutionMode::SpacingEqual,
+      spv::ExecutionMode::SpacingFractionalEven, spv::ExecutionMode::SpacingFractionalOdd};
+  module.Execution(kShapes[static_cast<std::size_t>(*patch.domain)]);
+  module.Execution(
+      kSpacings[static_cast<std::size_t>(patch.partitioning.value_or(Partitioning::kInteger))]);
+  const bool is_clockwise =
+      patch.topology.value_or(OutputTopology::kTriangleCw) == OutputTopology::kTriangleCw;
+  module.Execution(is_clockwise == !is_opengl ? spv::ExecutionMode::VertexOrderCw
+                                              : spv::ExecutionMode::VertexOrderCcw);
+  if (patch.topology == OutputTopology::kPoint) module.Execution(spv::ExecutionMode::PointMode);
+}
+
 // The invocations of a pixel, or of a sample, come one after the other.
 void RequireOrder(Module& module, const Program& program) {
   const bool is_per_sample = std::ranges::any_of(program.inputs, [](const IoVar& input) {
@@ -94,6 +112,8 @@ Written Writer::Run() {
     module_.Execution(spv::ExecutionMode::LocalSize, {x, y, z});
   }
   if (stage.emits_vertices) AddEmission(module_, program_.emission);
+  if (stage.makes_patches || stage.reads_patches) module_.Require(spv::Capability::Tessellation);
+  if (stage.reads_patches) AddTessellation(module_, program_.tessellation, options_.is_opengl);
   if (has_order_) RequireOrder(module_, program_);
   if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);
   const auto version =

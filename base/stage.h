@@ -18,6 +18,7 @@ struct StageInfo {
   std::string_view name;          // in messages: "vertex"
   std::string_view extension;     // of the names of files with its GLSL: ".vert"
   std::string_view runs;          // what it runs for, in messages: "vertices"
+  int place = 0;                  // among the stages of a program that draws, the first is 1
   bool has_stage_before = false;  // its inputs are the outputs of another stage
   bool has_stage_after = false;   // its outputs are the inputs of another stage
   // The stage runs in quads of neighbours: derivatives exist, and levels of detail follow from
@@ -50,12 +51,14 @@ inline constexpr StageInfo kStages[] = {
      .name = "vertex",
      .extension = ".vert",
      .runs = "vertices",
+     .place = 1,
      .has_stage_after = true},
     {.prefix = "ps",
      .number = 0,
      .name = "pixel",
      .extension = ".frag",
      .runs = "pixels",
+     .place = 5,
      .has_stage_before = true,
      .has_neighbours = true,
      .draws_pixels = true,
@@ -72,6 +75,7 @@ inline constexpr StageInfo kStages[] = {
      .name = "geometry",
      .extension = ".geom",
      .runs = "primitives",
+     .place = 4,
      .has_stage_before = true,
      .has_stage_after = true,
      .reads_vertices = true,
@@ -81,6 +85,7 @@ inline constexpr StageInfo kStages[] = {
      .name = "hull",
      .extension = ".tesc",
      .runs = "control points",
+     .place = 2,
      .has_stage_before = true,
      .has_stage_after = true,
      .reads_vertices = true,
@@ -91,11 +96,11 @@ inline constexpr StageInfo kStages[] = {
      .name = "domain",
      .extension = ".tese",
      .runs = "points of a patch",
+     .place = 3,
      .has_stage_before = true,
      .has_stage_after = true,
      .reads_vertices = true,
-     .reads_patches = true,
-     .is_translated = false},
+     .reads_patches = true},
 };
 inline constexpr std::size_t kStageCount = std::size(kStages);
 

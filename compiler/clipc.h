@@ -35,8 +35,7 @@ CLIPC_API uint32_t clipc_abi(void);
 /** The version of the library: "0.1.0". */
 CLIPC_API const char* clipc_version(void);
 
-/** A compiler of many shaders that keeps the data that they share. clipc_compiler_create returns
- * NULL if there is no memory. */
+/** Keeps the data that shaders share. clipc_compiler_create: NULL if there is no memory. */
 typedef struct clipc_compiler clipc_compiler;
 CLIPC_API clipc_compiler* clipc_compiler_create(void);
 CLIPC_API void clipc_compiler_free(clipc_compiler* compiler); /**< NULL is allowed */
@@ -54,8 +53,7 @@ typedef int (*clipc_read_include)(void* context, const char* path, clipc_bytes* 
 
 typedef struct clipc_request {
   size_t size; /**< sizeof(clipc_request) */
-  /** The name of the shader in messages, and where its includes are looked up. UTF-8, like all
-   * texts. */
+  /** The name in messages, and where its includes are looked up. UTF-8, like all texts. */
   const char* path;
   /** The text of the shader; NULL for the file at `path`. */
   const char* text;
@@ -128,8 +126,7 @@ typedef struct clipc_result clipc_result;
 CLIPC_API clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
                                      clipc_result** result);
 CLIPC_API void clipc_result_free(clipc_result* result); /**< NULL is allowed */
-/** One part of a result. The bytes live as long as the result. They are empty, not NULL, where the
- * result does not have the part. */
+/** A part of a result, for as long as that lives; empty, not NULL, where it has no such part. */
 CLIPC_API clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
 
 /** With --variants: the result of the variant with the first `planes` planes, which has the parts
@@ -156,8 +153,7 @@ typedef struct clipc_diagnostic {
   const char* file;                            /**< empty: of no place in particular */
   uint32_t line, column, end_line, end_column; /**< from 1, in bytes; the end is one past */
 } clipc_diagnostic;
-/** The messages in the order of CLIPC_PART_MESSAGES_JSON, each before its notes; NULL past the
- * last, or if there is no memory. */
+/** The messages as in CLIPC_PART_MESSAGES_JSON; NULL past the last, or if there is no memory. */
 CLIPC_API const clipc_diagnostic* clipc_result_diagnostic(const clipc_result* result, size_t index);
 
 /** An input or an output. */
@@ -227,13 +223,18 @@ struct clipc_reflection {
   uint32_t input_vertices;              /**< of the primitive that a geometry shader takes */
   uint32_t max_vertices;                /**< that it emits */
   uint32_t instances;                   /**< how often it runs for a primitive; else 0 */
+  const char* domain;                   /**< of a hull or domain shader: "tri"; else "" */
+  const char* partitioning;             /**< "integer", "fractional_odd" or the like, or "" */
+  const char* topology;                 /**< "triangle_cw" or the like, or "" */
+  uint32_t input_points, output_points; /**< control points that it reads and, a hull, writes */
+  float max_factor;                     /**< the most a factor may be; 0: the device's */
 };
 /** NULL where the result has no reflection, or if there is no memory. */
 CLIPC_API const clipc_reflection* clipc_result_reflection(const clipc_result* result);
 
 /** A shader of a result. */
 typedef struct clipc_shader {
-  const char* stage;                  /**< "vertex", "geometry", "pixel" or "compute" */
+  const char* stage;                  /**< "vertex", "hull", .., "pixel" or "compute" */
   clipc_bytes text;                   /**< GLSL, or with --target=hlsl HLSL */
   clipc_bytes spirv;                  /**< as CLIPC_PART_SPIRV */
   const clipc_reflection* reflection; /**< its own; NULL where the result has none */

@@ -156,9 +156,10 @@ Word Machine::UnpackComponent(const std::vector<std::uint8_t>& bytes, std::uint6
 }
 
 void Machine::LoadInput(const IoVar& io, const IoBits& bits) {
-  const Type& type = program_.types[program_.vars[io.var].type];
+  const std::vector<Scalar> kinds = KindsOf(program_.types, program_.vars[io.var].type);
   Word* to = memory_.data() + address_[io.var.index];
-  for (std::uint32_t i = 0; i < type.Components(); ++i) to[i] = FromBits(bits[i], type.scalar);
+  for (std::size_t i = 0; i < kinds.size() && i < bits.size(); ++i)
+    to[i] = FromBits(bits[i], kinds[i]);
 }
 
 EvalOutputs Machine::ReadOutputs() const {

@@ -59,6 +59,7 @@ struct Input {
   bool centroid = false;
   bool sample = false;
   bool is_read = false;
+  bool is_of_patch = false;             // one for all control points
   std::uint32_t components_read = 0xF;  // bit i: component i of some element is read, if any is
   std::string where;                    // for messages: "water.frag:12"
   // The number of its group in Interface::groups. The inputs of a group are its members, all of

@@ -93,6 +93,7 @@ class Applier {
           {.name = input.name, .type = type, .storage = Storage::kOutput, .span = span});
       output.semantic = input.semantic.empty() ? input.name : input.semantic;
       output.index = input.index + i;
+      output.is_of_patch = input.is_of_patch;
       Output(output, input, number, i);
       body.push_back(builder.Eval(builder.AssignTo(builder.Ref(output.var), builder.ZeroOf(type))));
       outputs.push_back(std::move(output));

@@ -227,7 +227,8 @@ class InputMatcher {
   // Matches an input with the outputs from `first` on, one for each element of an array or a
   // matrix; matches nothing and returns false if one is missing.
   bool TryMatch(std::size_t number, std::size_t first) {
-    if (!IsFree(first)) return false;
+    if (!IsFree(first) || program_.outputs[first].is_of_patch != pixel_.inputs[number].is_of_patch)
+      return false;
     std::vector<std::size_t> elements{first};
     for (std::uint32_t i = 1; i < pixel_.inputs[number].type.Elements(); ++i) {
       const auto next = ElementAfter(first, i);

@@ -25,6 +25,7 @@ Input InputOf(const Program& program, const IoVar& io, std::uint32_t mask, std::
           .centroid = io.centroid,
           .sample = io.sample,
           .is_read = mask != 0,
+          .is_of_patch = io.is_of_patch,
           .components_read = mask,
           .where = std::move(where)};
 }

@@ -75,7 +75,11 @@ std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
     case Builtin::kCoverageInput: return "gl_SampleMaskIn[0]";
     case Builtin::kPrimitiveId:
       return InfoOf(context.program.stage).emits_vertices ? "gl_PrimitiveIDIn" : "gl_PrimitiveID";
-    case Builtin::kEmitterId: return "gl_InvocationID";
+    case Builtin::kEmitterId:
+    case Builtin::kControlPointId: return "gl_InvocationID";
+    case Builtin::kDomainLocation: return "gl_TessCoord";
+    case Builtin::kTessFactorInput: return "gl_TessLevelOuter";
+    case Builtin::kInsideFactorInput: return "gl_TessLevelInner";
     case Builtin::kPositionInput: return "gl_Position";
     case Builtin::kPointSizeInput: return "gl_PointSize";
     case Builtin::kLayerInput: return "gl_Layer";
@@ -103,15 +107,9 @@ std::string BuiltinInput(const WriterContext& context, Builtin builtin) {
 
 // Whether GLSL has the input as a uint too. Others that are integers in HLSL are ints.
 bool IsUintInput(Builtin builtin) {
-  switch (builtin) {
-    case Builtin::kLaneCount:
-    case Builtin::kLaneIndex:
-    case Builtin::kThreadId:
-    case Builtin::kGroupId:
-    case Builtin::kGroupThreadId:
-    case Builtin::kGroupIndex: return true;
-    default: return false;
-  }
+  constexpr Builtin kUints[] = {Builtin::kLaneCount, Builtin::kLaneIndex,     Builtin::kThreadId,
+                                Builtin::kGroupId,   Builtin::kGroupThreadId, Builtin::kGroupIndex};
+  return std::ranges::find(kUints, builtin) != std::end(kUints);
 }
 
 bool IsDistanceInput(const IoVar& input) {
@@ -138,7 +136,7 @@ void WriteBuiltin(WriterContext& context, const IoVar& input, const GlslInfo::Va
     context.has_upper_left_origin = true;
     text += "layout(origin_upper_left) in vec4 gl_FragCoord;\n";
   }
-  if (IsDistanceInput(input) && !InfoOf(context.program.stage).emits_vertices) {
+  if (IsDistanceInput(input) && !InfoOf(context.program.stage).reads_vertices) {
     Append(text, context.target.IsEs() ? "in highp float " : "in float ",
            BuiltinInput(context, input.builtin), Dimensions(context, input.var), ";\n");
   }
@@ -159,7 +157,8 @@ void WriteVertices(const WriterContext& context, std::string& text) {
   }
   if ((context.target.IsVulkan() || context.options.separable) && !arrays.empty())
     Append(text, "in gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n", arrays,
-           "} gl_in[];\n");
+           InfoOf(context.program.stage).emits_vertices ? "} gl_in[];\n"
+                                                        : "} gl_in[gl_MaxPatchVertices];\n");
 }
 
 // Whether the input is an integer in HLSL and a float attribute here. Attributes are floats in GLSL
@@ -218,13 +217,14 @@ void WriteVaryingInput(WriterContext& context, const IoVar& input, const GlslInf
            AtVertex(declaration, "3"));
   } else {
     Append(text,
-           InterpolationText(context,
-                             {shape.scalar, input.interpolation, input.centroid, input.sample}),
+           input.is_of_patch ? "patch "
+                             : InterpolationText(context, {shape.scalar, input.interpolation,
+                                                           input.centroid, input.sample}),
            context.Has(Feature::kInAndOut) ? "in " : "varying ", PrecisionText(context, input));
     std::string declaration;
     AppendVarying(context, declaration, input, shape, info.name);
-    // The primitive says how many vertices there are.
-    const bool is_of_vertices = InfoOf(context.program.stage).emits_vertices;
+    // The primitive says how many vertices there are, and for a patch the draw call.
+    const bool is_of_vertices = InfoOf(context.program.stage).reads_vertices && !input.is_of_patch;
     text += is_of_vertices ? AtVertex(declaration, "") : declaration;
   }
   Append(text, ";", SemanticComment{input, info.name});
@@ -472,7 +472,7 @@ std::string WriteInputs(WriterContext& context, const GlslInfo& info) {
   text.reserve(512);
   for (std::size_t i = 0; i < info.inputs.size(); ++i)
     WriteInput(context, context.program.inputs[i], info.inputs[i], text);
-  if (InfoOf(context.program.stage).emits_vertices) WriteVertices(context, text);
+  if (InfoOf(context.program.stage).reads_vertices) WriteVertices(context, text);
   return text;
 }
 

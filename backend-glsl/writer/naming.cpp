@@ -175,10 +175,14 @@ class Naming {
                   ElementOf(reader));
   }
 
-  // The name of an output of the stage, or of an input, which a vertex shader writes.
+  // The name of an output of the stage, or of an input, which a hull shader writes for a domain
+  // shader and a vertex shader for others.
   std::string StyledName(const IoVar& io) const {
     const bool is_output = context_[io.var].storage == Storage::kOutput;
-    const StageInfo& writer = InfoOf(is_output ? context_.program.stage : clipc::Stage::kVertex);
+    const clipc::Stage stage = context_.program.stage;
+    const StageInfo& writer = InfoOf(is_output                     ? stage
+                                     : InfoOf(stage).reads_patches ? clipc::Stage::kHull
+                                                                   : clipc::Stage::kVertex);
     return InterfaceName(io, context_.options.names, writer);
   }
 
@@ -326,9 +330,9 @@ std::string InterfaceName(const IoVar& output, const NameStyle& style, const Sta
   std::string text =
       FillPattern(style.output,
                   {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
-  if (!writer.emits_vertices) return text;
+  if (!writer.has_stage_before) return text;
   if (text.starts_with("vs_")) text.erase(0, 3);
-  return Concat(writer.prefix, "_", text);
+  return Concat(writer.prefix, output.is_of_patch ? "_patch_" : "_", text);
 }
 
 Names NameEverything(WriterContext& context) { return Naming(context).Run(); }

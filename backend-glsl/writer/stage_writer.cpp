@@ -69,6 +69,25 @@ std::string_view OutputWord(Primitive primitive) {
                                          : "triangle_strip";
 }
 
+// Direct3D's v grows downwards in the domain and OpenGL's upwards, so that a triangle that is
+// clockwise in the one is counterclockwise in the other; Vulkan's domain is Direct3D's
+// (VK_TESSELLATION_DOMAIN_ORIGIN_UPPER_LEFT). The points of a triangle's corners keep their order.
+std::string TessellatorText(const Tessellation& patch, const Target& target) {
+  constexpr std::string_view kShapes[] = {"triangles", "quads", "isolines"};
+  constexpr std::string_view kSpacings[] = {"equal_spacing", "equal_spacing",
+                                            "fractional_even_spacing", "fractional_odd_spacing"};
+  std::string text(kShapes[static_cast<std::size_t>(*patch.domain)]);
+  text += Concat(
+      ", ",
+      kSpacings[static_cast<std::size_t>(patch.partitioning.value_or(Partitioning::kInteger))]);
+  const OutputTopology topology = patch.topology.value_or(OutputTopology::kTriangleCw);
+  const bool is_clockwise = topology == OutputTopology::kTriangleCw;
+  if (is_clockwise || topology == OutputTopology::kTriangleCcw)
+    text += is_clockwise == target.IsVulkan() ? ", cw" : ", ccw";
+  if (topology == OutputTopology::kPoint) text += ", point_mode";
+  return text;
+}
+
 std::string Header(const WriterContext& context) {
   std::string text = context.target.VersionLine() + "\n";
   for (const std::string& extension : context.extensions)
@@ -89,6 +108,9 @@ std::string Header(const WriterContext& context) {
     Append(text, ") in;\nlayout(", OutputWord(emission.output),
            ", max_vertices = ", emission.max_vertices, ") out;\n");
   }
+  if (InfoOf(context.program.stage).reads_patches)
+    Append(text, "\nlayout(", TessellatorText(context.program.tessellation, context.target),
+           ") in;\n");
   if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
   if (context.has_order) {
     const bool is_per_sample = std::ranges::any_of(context.program.inputs, [](const IoVar& input) {
@@ -120,6 +142,8 @@ std::string StageWriter::Finish(CommentOf comment_of) {
   std::string inputs = WriteInputs(code_, info_);
   std::string outputs = WriteOutputs(code_, info_);
   if (!code_.program.emission.streams.empty()) code_.Require(Feature::kGeometryShaders);
+  const StageInfo& stage = InfoOf(code_.program.stage);
+  if (stage.makes_patches || stage.reads_patches) code_.Require(Feature::kTessellation);
   if (code_.program.emission.instances > 1) code_.Require(Feature::kEmitters);
   if (code_.program.emission.streams.size() > 1) code_.Require(Feature::kStreams);
   Globals globals = WriteGlobals(code_);

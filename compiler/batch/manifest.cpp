@@ -111,6 +111,8 @@ constexpr OptionMember kOptionMembers[] = {
     {"entry", "-E"},
     {"profile", "-T"},
     {"target", "--target"},
+    {"hullEntry", "--hull-entry", "--hull-output=.tesc"},
+    {"domainEntry", "--domain-entry", "--domain-output=.tese"},
     {"geometryEntry", "--geometry-entry", "--geometry-output=.geom"},
     {"pixelShader", "--pixel-shader", "--pixel-output=.frag"},
     {"pixelEntry", "--pixel-entry", "--pixel-output=.frag"}};

@@ -29,7 +29,7 @@ enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
 // The stages whose shaders may stand between the first shader and the pixel shader, in the order of
 // the pipeline. Each has two options, --geometry-entry and --geometry-output.
-inline constexpr Stage kMiddleStages[] = {Stage::kGeometry};
+inline constexpr Stage kMiddleStages[] = {Stage::kHull, Stage::kDomain, Stage::kGeometry};
 
 // A shader of the same file for such a stage. Empty: not given.
 struct MiddleShader {

@@ -257,8 +257,8 @@ std::string ProfileBeside(const std::string& vertex, Stage stage) {
   std::string name = vertex;
   name.replace(0, 2, InfoOf(stage).prefix);
   const auto profile = ir::ParseProfile(name);
-  const bool draws = InfoOf(stage).draws_pixels;
-  return profile && profile->IsAtLeast(2, 0) ? name : draws ? "ps_2_0" : "gs_4_0";
+  if (profile && profile->IsAtLeast(2, 0)) return name;
+  return InfoOf(stage).draws_pixels ? "ps_2_0" : ir::ProfilesOf(stage).front();
 }
 
 // Settles what the program is: a shader after the first is compiled where its output is named, and

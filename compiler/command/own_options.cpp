@@ -152,6 +152,24 @@ void SetMiddle(Reading& reading, const std::string& value) {
                                InfoOf(kStage).extension));
 }
 
+// Reads words of [partitioning(..)] and of [outputtopology(..)].
+void SetTessellation(Reading& reading, const std::string& value) {
+  TessellationOptions& into = reading.command.request.tessellation;
+  for (std::string_view rest = value; !rest.empty();) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    const auto* cut = std::ranges::find(ir::kPartitionings, word);
+    const auto* joined = std::ranges::find(ir::kOutputTopologies, word);
+    if (cut != std::end(ir::kPartitionings))
+      into.partitioning = static_cast<ir::Partitioning>(cut - ir::kPartitionings);
+    else if (joined != std::end(ir::kOutputTopologies))
+      into.topology = static_cast<ir::OutputTopology>(joined - ir::kOutputTopologies);
+    else
+      reading.Refuse(fmt::format("`{}`: `{}` is not a word of [partitioning] or [outputtopology]",
+                                 AsWritten(reading, value), word));
+  }
+}
+
 // Without a value it is glslang's -D, which says that the text is HLSL.
 void Define(Reading& reading, const std::string& value) {
   if (!value.empty()) reading.command.request.defines.push_back(value);
@@ -279,8 +297,13 @@ constexpr Option kOwnOptions[] = {
      "write it too: HLSL, by default of the same file; a file, or .frag beside the other"},
     {"--pixel-profile", kEquals, Set<&ShaderSource::profile>},
     {"--geometry-entry", kEquals, SetMiddle<Stage::kGeometry, &MiddleShader::entry>, "<N>",
-     "a geometry shader before it, for --geometry-output=FILE; --planes-in-last-stage clips there"},
+     "a stage before it, to --geometry-output=FILE; so too hull, domain; --planes-in-last-stage"},
     {"--geometry-output", kEquals, SetMiddle<Stage::kGeometry, &MiddleShader::output>},
+    {"--hull-entry", kEquals, SetMiddle<Stage::kHull, &MiddleShader::entry>},
+    {"--hull-output", kEquals, SetMiddle<Stage::kHull, &MiddleShader::output>},
+    {"--domain-entry", kEquals, SetMiddle<Stage::kDomain, &MiddleShader::entry>},
+    {"--domain-output", kEquals, SetMiddle<Stage::kDomain, &MiddleShader::output>},
+    {"--tessellation", kEquals, SetTessellation},
     {"--planes-in-last-stage", kFlag, Set<&PlaneOptions::in_last_stage>},
     {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
      "also those that it does not read"},

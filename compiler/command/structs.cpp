@@ -130,6 +130,7 @@ class Header {
     for (const BufferFact& buffer : facts_.buffers) AddBuffer(buffer);
     if (facts_.group) AddGroup(*facts_.group);
     if (facts_.emission) AddEmission(*facts_.emission);
+    if (facts_.tessellation) AddTessellation(*facts_.tessellation);
     return text_;
   }
 
@@ -258,6 +259,16 @@ class Header {
                    "{1}_instances = {6} }};\n",
                    facts_.entry, name, emission.input, emission.input_vertices, emission.output,
                    emission.max_vertices, emission.instances);
+  }
+
+  // The patches that a draw call must give to a hull shader, or a hull shader to a domain shader.
+  void AddTessellation(const TessellationFact& patch) {
+    const std::string name = NewName(facts_.entry);
+    fmt::format_to(std::back_inserter(text_),
+                   "\n// {0}, of the domain {2}, {3} and {4}\n"
+                   "enum {{ {1}_input_points = {5}, {1}_output_points = {6} }};\n",
+                   facts_.entry, name, patch.domain, patch.partitioning, patch.topology,
+                   patch.input_points, patch.output_points);
   }
 
   // The type of an array's elements, which are structs.

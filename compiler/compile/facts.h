@@ -171,6 +171,16 @@ struct EmissionFact {
   friend bool operator==(const EmissionFact&, const EmissionFact&) = default;
 };
 
+// A stage that makes or reads patches. The words are HLSL's.
+struct TessellationFact {
+  std::string domain;                  // "tri"
+  std::string partitioning, topology;  // "integer", "triangle_cw"
+  std::uint32_t input_points = 0;      // the control points that it reads
+  std::uint32_t output_points = 0;     // and those that it writes
+  std::optional<float> max_factor;
+  friend bool operator==(const TessellationFact&, const TessellationFact&) = default;
+};
+
 struct StageFacts {
   std::string entry = {}, profile = {};
   std::string stage = {};  // "pixel"
@@ -183,6 +193,7 @@ struct StageFacts {
   HostFact host = {};
   std::optional<GroupFact> group = {};
   std::optional<EmissionFact> emission = {};
+  std::optional<TessellationFact> tessellation = {};
   bool tests_early = false;
   friend bool operator==(const StageFacts&, const StageFacts&) = default;
 };

@@ -70,8 +70,19 @@ class FactsPrinter {
     json_.ListOf("resources", facts.resources, [&](const ResourceFact& fact) { Resource(fact); });
     if (facts.draws_pixels) json_.Object("host", [&] { Host(facts.host); });
     if (facts.group) json_.Object("group", [&] { Group(*facts.group); });
+    if (facts.tessellation)
+      json_.Object("tessellation", [&] { Tessellation(*facts.tessellation); });
     if (facts.emission) json_.Object("emission", [&] { Emission(*facts.emission); });
     Flag(facts.tests_early, "earlyTests");
+  }
+
+  void Tessellation(const TessellationFact& fact) {
+    json_.Member("domain", fact.domain);
+    json_.Member("partitioning", fact.partitioning);
+    json_.Member("topology", fact.topology);
+    json_.Member("inputPoints", fact.input_points);
+    if (fact.output_points > 0) json_.Member("outputPoints", fact.output_points);
+    if (fact.max_factor) json_.Member("maxFactor", *fact.max_factor);
   }
 
   void Emission(const EmissionFact& fact) {

@@ -34,7 +34,8 @@ std::string KeyOf(const std::string& glsl, const glsl::Target& target, Stage sta
 }  // namespace
 
 ir::Program KnownText::Check(const CheckOptions& options, Diagnostics& diagnostics) {
-  std::string key = options.profile.name + '\n' + options.entry + '\n' + options.planes_entry;
+  std::string key = options.profile.name + '\n' + options.entry;
+  for (const std::string& entry : options.planes_entries) key += '\n' + entry;
   if (const auto known = checked_.find(key); known != checked_.end()) {
     diagnostics = known->second.messages;
     return known->second.program;

@@ -39,7 +39,7 @@ struct KnownText {
     ir::Program program;
     Diagnostics messages;
   };
-  std::map<std::string, Checked> checked_;  // by profile, entry and planes_entry
+  std::map<std::string, Checked> checked_;  // by profile, entry and planes_entries
   std::size_t exprs_ = 0;                   // of all programs
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "compiler/compile/check_lowering.h"
+#include "compiler/compile/fit_tessellation.h"
 #include "compiler/compile/link_program.h"
 #include "compiler/compile/write_spirv.h"
 #include "ir/print.h"
@@ -58,8 +59,11 @@ LowerOptions OptionsOf(Job& job, std::size_t number, ir::VarId position_input, s
     options.needs = SpirvNeeds(options.target);
   passes::PipelineOptions& passes = options.passes;
   passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
-  // A stage that another one follows gives it the position as Direct3D has it.
-  if (number >= request.PlaneStage()) passes.clip_space = request.style.clip_space;
+  // A stage that another one follows gives it the position as Direct3D has it, and one follows what
+  // makes patches.
+  const auto& stage = job.plan.check.profile.stage;
+  const bool is_last = number >= request.PlaneStage() && !(stage && InfoOf(*stage).makes_patches);
+  if (is_last) passes.clip_space = request.style.clip_space;
   passes.precise_outputs = request.style.precise;
   static_cast<ir::PassOptions&>(passes) = PassesOf(job, dump);
   return options;
@@ -99,6 +103,7 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
                                            CompileResult& result) {
   const ProgramRequest& request = jobs.front().request;
   LoweredProgram lowered;
+  FitTessellation(jobs, programs);
   for (std::size_t i = jobs.size(); i-- > 0;) {
     Job& job = jobs[i];
     ir::Program& program = programs[i];

@@ -36,6 +36,19 @@ RegisterFact FactOf(const ir::Register& reg) {
 using PlacedMember = std::pair<ir::VarId, const GlslInfo::UniformMember*>;
 
 // What is said of one stage.
+TessellationFact FactOf(const ir::Tessellation& patch, const StageInfo& stage) {
+  TessellationFact fact;
+  if (patch.domain) fact.domain = ir::InfoOf(*patch.domain).name;
+  if (patch.partitioning)
+    fact.partitioning = ir::kPartitionings[static_cast<std::size_t>(*patch.partitioning)];
+  if (patch.topology)
+    fact.topology = ir::kOutputTopologies[static_cast<std::size_t>(*patch.topology)];
+  fact.input_points = stage.makes_patches ? patch.input_points : patch.output_points;
+  if (stage.makes_patches) fact.output_points = patch.output_points;
+  fact.max_factor = patch.max_factor;
+  return fact;
+}
+
 EmissionFact FactOf(const ir::Emission& emission) {
   const ir::PrimitiveInfo& output = ir::InfoOf(emission.output);
   const bool is_strip = output.vertices > 1;
@@ -74,6 +87,8 @@ class Describer {
       facts.group = {program_.group_size, ir::SharedBytes(program_)};
       AddAccess(facts.resources);
     }
+    if (traits.makes_patches || traits.reads_patches)
+      facts.tessellation = FactOf(program_.tessellation, traits);
     if (traits.emits_vertices) facts.emission = FactOf(program_.emission);
     facts.tests_early = program_.tests_early;
     return facts;

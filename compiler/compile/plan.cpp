@@ -107,6 +107,22 @@ void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
   if (!debug.stop_after.empty()) check(debug.stop_after);
 }
 
+// Reports a program with one of a hull and a domain shader, which work together.
+void CheckPartners(const ProgramRequest& request, Diagnostics& diagnostics) {
+  if (request.shaders.size() == 1) return;
+  const ShaderSource *maker = nullptr, *reader = nullptr;
+  for (const ShaderSource& shader : request.shaders) {
+    const auto profile = ir::ParseProfile(shader.profile);
+    if (!profile || !profile->stage) continue;
+    if (InfoOf(*profile->stage).makes_patches) maker = &shader;
+    if (InfoOf(*profile->stage).reads_patches) reader = &shader;
+  }
+  const bool begins = reader == &request.first(), ends = maker == &request.shaders.back();
+  if (!maker != !reader && !begins && !ends)
+    diagnostics.Report({}, diag::StageWithoutPartner, (maker ? maker : reader)->entry,
+                       maker ? "hull" : "domain", maker ? "domain" : "hull");
+}
+
 // Reports options about planes and the next stage, which a program that begins with this profile
 // cannot have.
 void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
@@ -119,6 +135,7 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
                                          request.shaders.size() > 2 ? "program" : "pair")
                            : fmt::format("this is a {} shader", InfoOf(*profile.stage).name));
   }
+  CheckPartners(request, diagnostics);
   if (profile.stage && InfoOf(*profile.stage).runs_in_groups && request.shaders.size() > 1)
     diagnostics.Report({}, diag::StageAlone, profile.name, InfoOf(*profile.stage).name);
   if (!profile.stage || InfoOf(*profile.stage).has_stage_after) return;
@@ -147,8 +164,8 @@ void CheckBindingsHave(const glsl::BindingRules& rules, const ir::Profile& profi
 void CheckPlaneSpace(const ProgramRequest& request, std::size_t number, const Plan& plan,
                      Diagnostics& diagnostics) {
   const ir::Profile& profile = plan.check.profile;
-  const bool emits = profile.stage && InfoOf(*profile.stage).emits_vertices;
-  if (emits && number == request.PlaneStage() && request.planes.space == PlaneSpace::kObject)
+  const bool has_vertices = profile.stage && InfoOf(*profile.stage).reads_vertices;
+  if (has_vertices && number == request.PlaneStage() && request.planes.space == PlaneSpace::kObject)
     diagnostics.Report({}, diag::OptionOfStage, "--plane-space=object", profile.name,
                        InfoOf(*profile.stage).name);
 }
@@ -193,10 +210,10 @@ void CheckNext(const ProgramRequest& request, std::size_t number, const Plan& pl
                Diagnostics& diagnostics) {
   if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
   const ir::Profile& profile = plan.check.profile;
-  const bool is_last = number + 1 == request.shaders.size();
-  const bool emits = profile.stage && InfoOf(*profile.stage).emits_vertices;
-  const bool is_between = emits && (!is_last || request.shaders.size() == 2);
-  if (!diagnostics.has_errors() && profile.stage != Stage::kPixel && !is_between) {
+  const auto before = ir::ParseProfile(request.shaders[number - 1].profile);
+  const bool is_after = profile.stage && before && before->stage &&
+                        InfoOf(*before->stage).place < InfoOf(*profile.stage).place;
+  if (!diagnostics.has_errors() && !is_after) {
     diagnostics.Report({}, diag::UnknownProfile, profile.name,
                        " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
   }
@@ -221,7 +238,8 @@ Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& dia
   plan.check.entry = shader.entry;
   plan.check.entry_call = shader.entry_call;
   if (request.planes.in_last_stage && number > 0 && number == request.PlaneStage())
-    plan.check.planes_entry = request.first().entry;
+    for (std::size_t i = 0; i < number; ++i)
+      plan.check.planes_entries.push_back(request.shaders[i].entry);
   plan.write = WriteOptionsOf(request.style, diagnostics);
   plan.lowering = LoweringOf(request, number, plan.check.profile);
   if (number == 0) {

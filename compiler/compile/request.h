@@ -126,6 +126,13 @@ struct StyleOptions {
   std::string names;
 };
 
+// What the hull shader of a domain shader says that is compiled without it. Where neither this nor
+// the file says it, the first of each is assumed, with a warning.
+struct TessellationOptions {
+  std::optional<ir::Partitioning> partitioning;
+  std::optional<ir::OutputTopology> topology;
+};
+
 // How the outputs of a stage and the inputs of the next one are made to fit.
 struct LinkOptions {
   bool keep_outputs = false;    // keep outputs that the next stage does not read
@@ -178,6 +185,7 @@ struct ProgramRequest {
   PlaneOptions planes;  // of the shader that PlaneStage names
   StyleOptions style;
   LinkOptions link;
+  TessellationOptions tessellation;
   HlslOptions hlsl;
   OutputOptions outputs;
   WarningOptions warnings;

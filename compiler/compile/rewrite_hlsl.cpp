@@ -243,9 +243,10 @@ void RewriteHlsl(std::span<Job> jobs, CompileResult& result) {
     if (!MayHaveClipPlanes(main->file, main->entries[i])) continue;
     std::optional<rewrite::Entry> entry = ReadEntry(*main, i);
     if (!entry || entry->planes == 0) continue;
-    if (entry->point.program.stage != Stage::kVertex) {
-      job.diagnostics.Report(entry->point.definition, diag::Unsupported,
-                             "`--target=hlsl` for the clip planes of a geometry shader");
+    if (const StageInfo& stage = InfoOf(entry->point.program.stage); stage.emits_vertices) {
+      job.diagnostics.Report(
+          entry->point.definition, diag::Unsupported,
+          fmt::format("`--target=hlsl` for the clip planes of a {} shader", stage.name));
       continue;
     }
     PlanPlanes(job, *entry);

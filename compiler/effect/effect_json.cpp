@@ -93,14 +93,10 @@ class EffectPrinter {
       json_.ListOf("choices", fact.choices, [&](const EffectChoice& it) { Choice(it); });
     Text(pass.vertex.text, "vertexShader");
     Text(pass.pixel.text, "pixelShader");
+    Text(pass.hull.text, "hullShader");
+    Text(pass.domain.text, "domainShader");
     Text(pass.geometry.text, "geometryShader");
     Text(pass.compute.text, "computeShader");
-    if (!pass.other_shaders.empty()) {
-      json_.ListOf("otherShaders", pass.other_shaders, [&](const ast::NamedText& shader) {
-        json_.Member("name", shader.name);
-        json_.Member("value", shader.value);
-      });
-    }
     json_.ListOf("states", pass.states, [&](const ast::EffectState& state) { State(state); });
     if (facts_.is_for_vulkan) Vulkan(ReadVulkanStates(facts_, pass));
     Texts(pass.not_read, "notRead");

@@ -78,12 +78,16 @@ class ProgramFinder {
     added.pass = number;
     for (const std::string& text : pass.not_read)
       diagnostics_.Report(pass.span, diag::EffectNotRead, text, pass.name);
-    for (const auto& [name, value] : pass.other_shaders) LeaveOut(added, pass, name, value);
     const std::vector<StageShaders> drawing = {
         ShadersOf(added, pass, Stage::kVertex, pass.vertex),
+        ShadersOf(added, pass, Stage::kHull, pass.hull),
+        ShadersOf(added, pass, Stage::kDomain, pass.domain),
         ShadersOf(added, pass, Stage::kGeometry, pass.geometry),
         ShadersOf(added, pass, Stage::kPixel, pass.pixel)};
-    if (!drawing[1].IsNull() && drawing[0].IsNull() && !added.is_left_out)
+    const std::span<const StageShaders> between = std::span(drawing).subspan(1, 3);
+    const bool has_between =
+        std::ranges::any_of(between, [](const StageShaders& shaders) { return !shaders.IsNull(); });
+    if (has_between && drawing[0].IsNull() && !added.is_left_out)
       LeaveOut(added, pass, StateOf(Stage::kVertex), "NULL");
     const std::vector<StageShaders> computing = {
         ShadersOf(added, pass, Stage::kCompute, pass.compute)};

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "compiler/command/command_line.h"
+
 namespace clipc {
 namespace {
 
@@ -93,7 +95,8 @@ class GlEffectMaker {
       return std::ranges::find(shaders, stage, &EffectShaderFact::stage) != shaders.end();
     };
     const auto draws = [&](const EffectProgramFact& program) {
-      return has(program, Stage::kVertex) && !has(program, Stage::kGeometry);
+      return has(program, Stage::kVertex) &&
+             std::ranges::none_of(kMiddleStages, [&](Stage stage) { return has(program, stage); });
     };
     for (const EffectProgramFact& program : fact.programs) {
       if (!program.is_compiled || draws(program)) continue;

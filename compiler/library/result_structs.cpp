@@ -56,6 +56,15 @@ class ReflectionStructs::Printer {
       shader.max_vertices = facts.emission->max_vertices;
       shader.instances = facts.emission->instances;
     }
+    shader.domain = shader.partitioning = shader.topology = "";
+    if (const auto& patch = facts.tessellation) {
+      shader.domain = patch->domain.c_str();
+      shader.partitioning = patch->partitioning.c_str();
+      shader.topology = patch->topology.c_str();
+      shader.input_points = patch->input_points;
+      shader.output_points = patch->output_points;
+      shader.max_factor = patch->max_factor.value_or(0);
+    }
     return shader;
   }
 

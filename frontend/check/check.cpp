@@ -30,16 +30,18 @@ namespace {
 // none, a stage before it that the options name.
 std::pair<FunctionInfoId, AttributeLists> PlanesOf(Context& context, FunctionInfoId entry,
                                                    const AttributeLists& attributes) {
-  const std::string& name = context.options.planes_entry;
-  const FunctionInfoId other = name.empty() ? FunctionInfoId{} : FindEntry(context, name);
-  if (!other) return {entry, attributes};
-  AttributeLists of_other = AttributesOf(context, other);
-  if (!HasAttribute(context, attributes, kClipPlanesAttribute)) return {other, of_other};
-  if (const ast::Attr* second = FindAttribute(context, of_other, kClipPlanesAttribute)) {
-    const ast::Attr* first = FindAttribute(context, attributes, kClipPlanesAttribute);
-    context.Report(first->span, diag::ClipPlanesTwice).Note(second->span, diag::FirstGivenHere);
+  std::pair<FunctionInfoId, AttributeLists> owner{entry, attributes};
+  for (const std::string& name : context.options.planes_entries) {
+    const FunctionInfoId other = FindEntry(context, name);
+    if (!other) continue;
+    AttributeLists of_other = AttributesOf(context, other);
+    const ast::Attr* second = FindAttribute(context, of_other, kClipPlanesAttribute);
+    const ast::Attr* first = FindAttribute(context, owner.second, kClipPlanesAttribute);
+    if (first && second)
+      context.Report(first->span, diag::ClipPlanesTwice).Note(second->span, diag::FirstGivenHere);
+    if (!first) owner = {other, std::move(of_other)};
   }
-  return {entry, attributes};
+  return owner;
 }
 
 // Checks the entry function and makes `main`; without bodies only what the signature and the clip
@@ -59,6 +61,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   FinishBuffers(context);
   for (CbufferId id : program.cbuffers.ids())
     LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
+  CheckTessellation(context, entry, attributes);
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckUniformCalls(context);
   JudgeEnds(context);
@@ -66,7 +69,6 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
     program.tests_early = HasAttribute(context, attributes, "earlydepthstencil");
   CheckGroupSize(context, entry, attributes);
   CheckEmission(context, entry, attributes);
-  CheckTessellation(context, entry, attributes);
   CheckClipPlanes(context, planes_of, planes);
 }
 

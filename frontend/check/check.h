@@ -26,9 +26,9 @@ struct CheckOptions {
 
   ir::Profile profile;
   std::string entry = "main";  // may be qualified: "NS::main"
-  // The function whose `[clipplanes]` the entry has in place of its own, that of a stage before in
-  // the same file; empty: there is none.
-  std::string planes_entry = {};
+  // The functions whose `[clipplanes]` the entry has in place of its own, those of the stages
+  // before in the same file.
+  std::vector<std::string> planes_entries = {};
   // "Main(true, 4)", as a technique of the file compiles the entry: the arguments are the values of
   // its `uniform` parameters. Empty: these are uniforms.
   std::string entry_call;

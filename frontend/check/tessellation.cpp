@@ -52,6 +52,39 @@ std::vector<std::string_view> DomainWords() {
   return words;
 }
 
+// The word of the attribute in the list; empty without one that is a string.
+std::string_view PlainWord(const Context& context, List<ast::Attr> attributes,
+                           std::string_view name) {
+  for (const ast::Attr& attribute : context[attributes]) {
+    if (!EqualIgnoringCase(context[attribute.name], name)) continue;
+    const auto arguments = context[attribute.arguments];
+    if (arguments.size() == 1) return StringOf(context, arguments[0]).value_or("");
+  }
+  return {};
+}
+
+// The value that the hull shaders of the file with the domain give an attribute; nullopt if there
+// are none, or if they differ.
+template <typename Value>
+std::optional<Value> OfHullShaders(const Context& context, std::string_view name,
+                                   std::span<const std::string_view> words) {
+  std::optional<Value> found;
+  const std::optional<Domain>& domain = context.program.tessellation.domain;
+  for (const ast::DeclId id : context.file.decls.ids()) {
+    const auto* function = context.GetIf<ast::FunctionDecl>(id);
+    if (!function) continue;
+    const std::string_view word = PlainWord(context, function->attributes, name);
+    const std::string_view of = PlainWord(context, function->attributes, "domain");
+    if (word.empty() || !domain || !EqualIgnoringCase(of, InfoOf(*domain).name)) continue;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (!EqualIgnoringCase(words[i], word)) continue;
+      if (found && *found != static_cast<Value>(i)) return std::nullopt;
+      found = static_cast<Value>(i);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 bool ReadPatch(Context& context, const ast::VarDecl& var, const Parameter& parameter) {
@@ -85,6 +118,11 @@ void CheckTessellation(Context& context, FunctionInfoId entry, const AttributeLi
   } else if (const auto domain = WordIn(context, attributes, "domain", DomainWords())) {
     program.tessellation.domain = static_cast<Domain>(*domain);
   }
+  if (!stage.reads_patches) return;
+  program.tessellation.partitioning =
+      OfHullShaders<Partitioning>(context, "partitioning", kPartitionings);
+  program.tessellation.topology =
+      OfHullShaders<OutputTopology>(context, "outputtopology", kOutputTopologies);
 }
 
 }  // namespace clipc::check

@@ -4,8 +4,8 @@
 #include "frontend/check/clip_planes.h"
 #include "frontend/check/context.h"
 
-// What hull and domain shaders say of a patch: "Tessellation Stages" and the pages of the attributes
-// in Microsoft's HLSL reference; the Direct3D 11.3 functional specification, 10 to 12.
+// What hull and domain shaders say of a patch: "Tessellation Stages" and the pages of the
+// attributes in Microsoft's HLSL reference; the Direct3D 11.3 functional specification, 10 to 12.
 namespace clipc::check {
 
 // Reads a parameter of the entry point that is a patch, `const OutputPatch<Point, 3> patch`, into
@@ -13,7 +13,8 @@ namespace clipc::check {
 bool ReadPatch(Context& context, const ast::VarDecl& var, const Parameter& parameter);
 
 // Reads [domain(..)] and the like of the entry point into program.tessellation, and reports what is
-// wrong with it. Requires that BuildMain ran. Does nothing in other stages.
+// wrong with it. A domain shader gets the partitioning and the topology that the hull shaders of
+// the file with its domain have, if they agree. Does nothing in other stages.
 void CheckTessellation(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
 }  // namespace clipc::check

@@ -55,8 +55,7 @@ struct EffectPass {
   std::string name;
   Span span;
   std::vector<Annotation> annotations;
-  EffectShader vertex, geometry, pixel, compute;
-  std::vector<NamedText> other_shaders;  // SetHullShader and the like, unless NULL
+  EffectShader vertex, hull, domain, geometry, pixel, compute;
   std::vector<EffectState> states;
   std::vector<std::string> not_read;  // statements of no known form
   std::vector<Span> unended;          // the last tokens of statements without a `;` before the next

@@ -227,22 +227,21 @@ class EffectReader {
   }
 
   void AddStatement(EffectPass& pass, Statement statement) const {
-    constexpr std::string_view kOthers[] = {"hullshader", "domainshader"};
+    struct OfStage {
+      std::string_view name;
+      EffectShader EffectPass::* shader;
+    };
+    constexpr OfStage kOfStages[] = {
+        {"vertexshader", &EffectPass::vertex}, {"hullshader", &EffectPass::hull},
+        {"domainshader", &EffectPass::domain}, {"geometryshader", &EffectPass::geometry},
+        {"pixelshader", &EffectPass::pixel},   {"computeshader", &EffectPass::compute}};
     std::string name = ToLower(statement.text.name);
     if (name.ends_with("shader") && name.starts_with("set")) name.erase(0, 3);
+    const auto* const stage = std::ranges::find(kOfStages, name, &OfStage::name);
     if (name.empty()) {
       pass.not_read.push_back(std::move(statement.text.value));
-    } else if (name == "vertexshader") {
-      pass.vertex = ReadShader(statement.value);
-    } else if (name == "pixelshader") {
-      pass.pixel = ReadShader(statement.value);
-    } else if (name == "geometryshader") {
-      pass.geometry = ReadShader(statement.value);
-    } else if (name == "computeshader") {
-      pass.compute = ReadShader(statement.value);
-    } else if (std::ranges::find(kOthers, name) != std::end(kOthers)) {
-      if (ReadShader(statement.value).kind != EffectShader::Kind::kNone)
-        pass.other_shaders.push_back(std::move(statement.text));
+    } else if (stage != std::end(kOfStages)) {
+      pass.*stage->shader = ReadShader(statement.value);
     } else {
       pass.states.push_back(State(std::move(statement)));
     }

@@ -50,7 +50,9 @@ void ReportOutput(const Program& program, const IoVar& output, const WrittenComp
                   std::uint16_t mask, Diagnostics& diagnostics) {
   const Span span = program.vars[output.var].span;
   const std::string path = PathOf(program, output);
-  const bool is_position = output.builtin == Builtin::kPosition;
+  // X4580 is of vertex shaders; the position of a stage after that is an output like any other.
+  const bool is_position =
+      output.builtin == Builtin::kPosition && !clipc::InfoOf(program.stage).has_stage_before;
   const std::string how = HowMuch((written.may & mask) != 0);
   if ((written.may & mask) == mask) {
     if (is_position)

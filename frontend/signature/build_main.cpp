@@ -12,6 +12,7 @@
 #include "frontend/signature/attribute_reads.h"
 #include "frontend/signature/distances.h"
 #include "frontend/signature/interface_vars.h"
+#include "frontend/signature/patch_inputs.h"
 #include "frontend/signature/pixel_inputs.h"
 #include "frontend/signature/semantic_check.h"
 #include "frontend/signature/signature_leaves.h"
@@ -38,6 +39,7 @@ class MainBuilder {
     body_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
     leaves_.SetByRow(signature_.stages_match_by_row && stage_.has_stage_before);
+    vars_.SetOfPatch(stage_.reads_patches);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CenterPositions();
@@ -47,12 +49,14 @@ class MainBuilder {
     attributes_.Finish();
     vertices_.Finish();
     CallEntry();
+    vars_.SetOfPatch(false);
     leaves_.SetByRow(signature_.stages_match_by_row);
     if (stage_.emits_vertices)
       WriteStreams();
     else
       WriteOutputs();
     vars_.CheckDistances();
+    vars_.PlaceConstants();
     leaves_.ReportMissing();
     semantics_.CheckPosition(signature_.has_later_stage);
     for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
@@ -133,6 +137,7 @@ class MainBuilder {
     const VarId local = builder_.Local(program_.vars[id].name, whole.type);
     whole.part = leaves_.Whole(local);
     body_.push_back(builder_.Stmt(Declare{local, {}}));
+    vars_.SetOfPatch(false);
     const Type type = program_.types[whole.type];
     for (std::uint32_t i = 0; i < type.count; ++i) {
       Carrier vertex = whole;
@@ -141,6 +146,7 @@ class MainBuilder {
       vertices_.Start(i);
       ReadInto(vertex, {}, true);
     }
+    vars_.SetOfPatch(stage_.reads_patches);
     arguments_.push_back(builder_.Ref(local));
   }
 
@@ -206,8 +212,9 @@ class MainBuilder {
 
   // The input's value in the leaf's own type; none after an error.
   ExprId Input(const Carrier& leaf) {
-    const SystemValue value = semantics_.LookUp(leaf, Direction::kInput);
-    if (stage_.has_stage_before) semantics_.CheckInterpolation(leaf);
+    const auto side = stage_.reads_patches ? Direction::kPatchConstant : Direction::kInput;
+    const SystemValue value = semantics_.LookUp(leaf, side);
+    if (stage_.draws_pixels || stage_.emits_vertices) semantics_.CheckInterpolation(leaf);
     if (stage_.emits_vertices && value.builtin != Builtin::kPrimitiveId &&
         value.builtin != Builtin::kEmitterId && value.builtin != Builtin::kViewId &&
         value.use != SystemValue::Use::kRefused) {
@@ -222,7 +229,7 @@ class MainBuilder {
       if (const VarId shared = SharedInput(leaf))
         return Fit(program_, builder_, builder_.Ref(shared), leaf.type);
     }
-    if (value.use == Use::kRefused || !semantics_.MayAdd(leaf, Direction::kInput, value)) return {};
+    if (value.use == Use::kRefused || !semantics_.MayAdd(leaf, side, value)) return {};
     const bool is_lacking =
         stage_.draws_pixels && !program_.is_interface_only && semantics_.Lacks(leaf.cursor, value);
     if (value.use == Use::kBuiltin && !is_lacking) return BuiltinInput(leaf, value);
@@ -237,7 +244,7 @@ class MainBuilder {
   // The input that a pixel shader has already for the same semantic and type; from 4.0 to 5.1 both
   // read it (vkd3d's entry-point-semantics.shader_test, checked against fxc).
   VarId SharedInput(const Carrier& leaf) {
-    const bool shares = stage_.has_stage_before && !program_.is_interface_only &&
+    const bool shares = stage_.draws_pixels && !program_.is_interface_only &&
                         program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
     if (!shares) return {};
     const VarId input = attributes_.InputOf(leaf.cursor.semantic);
@@ -262,6 +269,7 @@ class MainBuilder {
     Builtin builtin = value.builtin;
     if (builtin == Builtin::kClipDistanceInput || builtin == Builtin::kCullDistanceInput)
       return DistanceInput(leaf, builtin);
+    if (IsOfTessellator(builtin)) return patch_.Read(leaf, builtin, diagnostics_);
     if (builtin == Builtin::kBarycentrics) {
       if (leaf.cursor.interpolation == Interpolation::kNoPerspective)
         builtin = Builtin::kBarycentricsNoPerspective;
@@ -473,6 +481,7 @@ class MainBuilder {
   AttributeReads attributes_{program_, builder_};
   InterfaceVars vars_{program_, diagnostics_};
   VertexInputs vertices_{program_, builder_, semantics_, vars_};
+  PatchInputs patch_{program_, builder_, semantics_, vars_};
 };
 
 }  // namespace

@@ -18,7 +18,8 @@ InterfaceVars::InterfaceVars(Program& program, Diagnostics& diagnostics)
     : program_(program),
       stage_(InfoOf(program.stage)),
       diagnostics_(diagnostics),
-      locations_{{"outputs", diagnostics}, {"inputs", diagnostics}} {}
+      locations_{{"outputs", diagnostics}, {"inputs", diagnostics}},
+      of_patch_{{"outputs", diagnostics}, {"inputs", diagnostics}} {}
 
 VarId InterfaceVars::Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId type,
                          Builtin builtin) {
@@ -45,8 +46,8 @@ VarId InterfaceVars::Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId t
   if (is_target && is_matched)
     place = TargetNumber(leaf);
   else if (builtin == Builtin::kNone)
-    place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
-                                      path, leaf.span);
+    place = (is_of_patch_ ? of_patch_ : locations_)[is_input].Next(
+        is_matched ? location : std::nullopt, program_.types[type], path, leaf.span);
   list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                   sample, semantic.has_index, is_matched && location,
                   leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
@@ -83,6 +84,20 @@ VarId InterfaceVars::AddDistances(Builtin builtin, std::size_t count, Span span)
   const VarId array = Add(is_input ? program_.inputs : program_.outputs, leaf, leaf.type, builtin);
   program_.vars[array].name = leaf.name;
   return array;
+}
+
+void InterfaceVars::PlaceConstants() {
+  for (auto* list : {&program_.inputs, &program_.outputs}) {
+    std::uint32_t end = 0;
+    for (const IoVar& io : *list) {
+      if (io.builtin == Builtin::kNone && !io.is_of_patch)
+        end =
+            std::max(end, io.location + LocationCount(program_.types[program_.vars[io.var].type]));
+    }
+    for (IoVar& io : *list) {
+      if (io.builtin == Builtin::kNone && io.is_of_patch && !io.is_placed) io.location += end;
+    }
+  }
 }
 
 void InterfaceVars::CheckDistances() {

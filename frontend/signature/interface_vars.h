@@ -30,6 +30,9 @@ class InterfaceVars {
   VarId AddDistances(Builtin builtin, std::size_t count, Span span);
   // Reports inputs, and outputs, with more distances than GLSL's arrays have.
   void CheckDistances();
+  // Moves the locations of what is of the whole patch after those of the control points, in both
+  // stages alike, whatever the order of the parameters is.
+  void PlaceConstants();
 
  private:
   VarId Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin);
@@ -46,6 +49,7 @@ class InterfaceVars {
   Diagnostics& diagnostics_;
   bool is_of_patch_ = false;
   Locations locations_[2];      // of outputs and of inputs
+  Locations of_patch_[2];       // the same, of the whole patch
   DistanceCount distances_[2];  // of outputs and of inputs
 };
 

@@ -13,6 +13,9 @@ export interface CompileOptions {
   lower?: string;
   /** `--geometry-entry`: the geometry shader of the same text is compiled too, between the other two. */
   geometryEntry?: string;
+  /** `--hull-entry` and `--domain-entry`: so are the hull and the domain shader. */
+  hullEntry?: string;
+  domainEntry?: string;
   /** `--pixel-entry`: the pixel shader of the same text is compiled too, and both fit each other. */
   pixelEntry?: string;
   /** `--pixel-shader`: the pixel shader is in the text that `readInclude` gives for this name. */
@@ -50,7 +53,7 @@ export interface Diagnostic extends Place {
 
 /** A shader of a program. */
 export interface Shader {
-  /** "vertex", "geometry", "pixel" or "compute" */
+  /** "vertex", "hull", "domain", "geometry", "pixel" or "compute" */
   stage: string;
   /** GLSL, or with `target: "hlsl"` HLSL */
   text: string;

@@ -25,7 +25,11 @@ const QUERY_KEYS = [
   'options',
 ];
 // The stages between the first shader and the pixel shader, and the extension of their GLSL.
-export const MIDDLE = [{ stage: 'geometry', extension: '.geom' }];
+export const MIDDLE = [
+  { stage: 'hull', extension: '.tesc' },
+  { stage: 'domain', extension: '.tese' },
+  { stage: 'geometry', extension: '.geom' },
+];
 // What vite adds to the query of a module: its time and version, and how it is imported.
 const OF_VITE = ['import', 't', 'v'];
 

@@ -26,6 +26,7 @@ float4 vs(float4 p : POSITION) : SV_Position { return p + SHIFT; }
 float4 plain(float4 p : POSITION) : POSITION { return p; }
 float4 unclipped(float4 p : POSITION) : SV_Position { return p; }
 [maxvertexcount(1)] void points(point float4 p[1] : SV_Position, inout PointStream<float4> s : SV_Position) { s.Append(p[0]); }
+[domain("tri")] float4 tess(const OutputPatch<float4, 3> p : POSITION, float3 at : SV_DomainLocation) : SV_Position { return p[0] * at.x; }
 float4 pixel(float4 p : SV_Position) : SV_Target { return p; }
 Texture2D image : register(t0);
 SamplerState linear_sampler : register(s0);
