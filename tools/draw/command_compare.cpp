@@ -10,6 +10,7 @@
 #include "tools/draw/compare_flags.h"
 #include "tools/draw/draw_call.h"
 #include "tools/draw/opengl/compare.h"
+#include "tools/draw/opengl/domain.h"
 #include "tools/draw/vulkan/compare.h"
 #include "tools/harness/options.h"
 
@@ -66,6 +67,8 @@ class Runner {
       options_.targets = {"glsl430", "glsl450", "essl310", "vulkan"};
     if (Stage().emits_vertices && options_.targets == CompareOptions().targets)
       options_.targets = {"glsl150", "glsl410", "glsl450", "essl320", "vulkan"};
+    if (Stage().reads_patches && options_.targets == CompareOptions().targets)
+      options_.targets = {"glsl400", "glsl410", "glsl450", "essl320"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }
@@ -120,7 +123,8 @@ class Runner {
 
   void Compare(const Shader& shader, const BuildOptions& build, const RandomOptions& random,
                const std::string& name) {
-    const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
+    RandomInputs inputs = MakeRandomInputs(shader.typed, random);
+    if (Stage().reads_patches) inputs.points = PointsOf(OpenGl(), shader, inputs);
     const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
     const Comparison found =
         Run(build.target, {shader, expected, inputs, random, options_.tolerance});
@@ -138,8 +142,12 @@ class Runner {
       if (!vulkan_) vulkan_.emplace();
       return vulkan::CompareWithVulkan(*vulkan_, trial);
     }
+    return CompareWithOpenGl(OpenGl(), trial);
+  }
+
+  harness::OpenGl& OpenGl() {
     if (!opengl_) opengl_.emplace();
-    return CompareWithOpenGl(*opengl_, trial);
+    return *opengl_;
   }
 
   void Add(const Comparison& found) {

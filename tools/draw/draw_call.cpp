@@ -15,7 +15,7 @@ void ChooseInstances(const Shader& shader, RandomOptions& draw) {
 
 void ChooseDraw(const Shader& shader, RandomOptions& draw) {
   const StageInfo& stage = clipc::InfoOf(shader.typed.stage);
-  if (stage.draws_pixels || stage.emits_vertices) return;
+  if (stage.draws_pixels || stage.reads_vertices) return;
   ChooseInstances(shader, draw);
   const auto& inputs = shader.info.inputs;
   // Before GLSL 1.50 there are no draw calls with a base vertex.

@@ -14,7 +14,8 @@ using namespace ir;
 void GiveAttributes(const Program& program, const GlslInfo& info, const RandomInputs& random,
                     Inputs& inputs) {
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    if (program.inputs[i].builtin != Builtin::kNone || !program.emission.streams.empty()) continue;
+    if (program.inputs[i].builtin != Builtin::kNone || clipc::InfoOf(program.stage).reads_vertices)
+      continue;
     const GlslInfo::Variable& written = info.inputs.at(i);
     const Type& type = program.types[program.vars[program.inputs[i].var].type];
     const Scalar kind = BaseOf(type.scalar);

@@ -15,32 +15,17 @@ WordKind KindOf(Scalar scalar) {
                                 : WordKind::kUint;
 }
 
-// GLSL's name of a scalar or vector type.
-std::string TypeText(const Type& type) {
-  const Scalar kind = BaseOf(type.scalar);
-  const bool is_float = kind == Scalar::kFloat, is_int = kind == Scalar::kInt;
-  if (type.Components() == 1) return is_float ? "float" : is_int ? "int" : "uint";
-  const std::string letter = is_float ? "" : is_int ? "i" : "u";
-  return letter + "vec" + std::to_string(type.Components());
-}
-
-std::string QualifierOf(const IoVar& input, Scalar kind) {
-  if (BaseOf(kind) != Scalar::kFloat || input.interpolation == Interpolation::kNoInterpolation)
-    return "flat ";
-  if (input.interpolation == Interpolation::kNoPerspective) return "noperspective ";
-  return input.centroid ? "centroid " : input.sample ? "sample " : "";
-}
-
 // Whether the draw call gives the input, and no vertex has it.
 bool IsOfPrimitive(Builtin builtin) {
-  return builtin == Builtin::kPrimitiveId || builtin == Builtin::kEmitterId;
+  return builtin == Builtin::kPrimitiveId || builtin == Builtin::kEmitterId ||
+         builtin == Builtin::kControlPointId || builtin == Builtin::kUntranslated;
 }
 
 // Makes the vertex shader that passes the inputs on, and gives it their values.
 class PassOnWriter {
  public:
-  PassOnWriter(const Trial& trial, PassOnFor api)
-      : shader_(trial.shader), program_(trial.shader.lowered), random_(trial.inputs), api_(api) {}
+  PassOnWriter(const Shader& shader, const RandomInputs& random, PassOnFor api)
+      : shader_(shader), program_(shader.lowered), random_(random), api_(api) {}
 
   PassedOn Write() && {
     for (std::size_t i = 0; i < program_.inputs.size(); ++i) {
@@ -112,17 +97,29 @@ class PassOnWriter {
 
 }  // namespace
 
-PassedOn PassOn(const Trial& trial, PassOnFor api) {
-  PassedOn made = PassOnWriter(trial, api).Write();
-  const Emission& emission = trial.shader.lowered.emission;
+std::string TypeText(const Type& type) {
+  const Scalar kind = BaseOf(type.scalar);
+  const bool is_float = kind == Scalar::kFloat, is_int = kind == Scalar::kInt;
+  if (type.Components() == 1) return is_float ? "float" : is_int ? "int" : "uint";
+  const std::string letter = is_float ? "" : is_int ? "i" : "u";
+  return letter + "vec" + std::to_string(type.Components());
+}
+
+std::string QualifierOf(const IoVar& input, Scalar kind) {
+  if (BaseOf(kind) != Scalar::kFloat || input.interpolation == Interpolation::kNoInterpolation)
+    return "flat ";
+  if (input.interpolation == Interpolation::kNoPerspective) return "noperspective ";
+  return input.centroid ? "centroid " : input.sample ? "sample " : "";
+}
+
+PassedOn PassOn(const Shader& shader, const RandomInputs& random, PassOnFor api) {
+  return PassOnWriter(shader, random, api).Write();
+}
+
+int MostEmitted(const Emission& emission, int vertices) {
   const auto size = static_cast<int>(InfoOf(emission.input).vertices);
-  const std::size_t all = trial.inputs.vertices.size();
-  made.vertices = static_cast<int>(all) / size * size;
-  made.most_vertices = made.vertices / size * static_cast<int>(emission.instances) *
-                       static_cast<int>(emission.max_vertices);
-  for (PassedOn::Attribute& attribute : made.attributes)
-    attribute.words.resize(attribute.words.size() / all * static_cast<std::size_t>(made.vertices));
-  return made;
+  return vertices / size * static_cast<int>(emission.instances) *
+         static_cast<int>(emission.max_vertices);
 }
 
 }  // namespace clipc::draw

@@ -47,8 +47,8 @@ void MakeVertices(const Program& program, const RandomOptions& options, RandomVa
     std::vector<IoBits>& attributes = inputs.vertices.emplace_back();
     for (const IoVar& input : program.inputs) attributes.push_back(ValueOf(program, input, values));
   }
-  // The vertices that a geometry shader reads have no values of the draw call.
-  if (clipc::InfoOf(program.stage).emits_vertices) return;
+  // The vertices of a primitive or of a patch have no values of the draw call.
+  if (clipc::InfoOf(program.stage).reads_vertices) return;
   for (int run = 0; run < options.vertices * options.instances; ++run) {
     if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
     SetBuiltins(program, options, run, inputs.vertices[run]);

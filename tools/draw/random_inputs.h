@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,11 +14,23 @@
 
 namespace clipc::draw {
 
+// A point for which a domain shader runs.
+struct DomainPoint {
+  std::uint32_t patch = 0;
+  std::array<std::uint32_t, 3> at = {};  // SV_DomainLocation, the bits of floats
+};
+// The factors of each patch that a domain shader is tested with.
+inline constexpr float kEdgeFactors[4] = {2, 3, 4, 2};
+inline constexpr float kInsideFactors[2] = {3, 2};
+
 // Random values for all that a shader reads.
 struct RandomInputs {
   // By vertex, or by pixel of `surface`, then by index into Program::inputs.
   std::vector<std::vector<ir::IoBits>> vertices;
-  Surface surface;              // of a pixel shader
+  Surface surface;  // of a pixel shader
+  // Of a domain shader. Its vertices are control points; the constants of a patch are with the
+  // first of it.
+  std::vector<DomainPoint> points;
   std::vector<Bytes> cbuffers;  // by CbufferId
   Textures textures;
   Buffers buffers;

@@ -61,6 +61,38 @@ void EmitAll(const Program& program, const EvalInputs& of_all, const RandomInput
   }
 }
 
+// The value of an input that a domain shader does not read at each control point.
+IoBits InputAt(const DomainPoint& point, const IoVar& input, const IoBits& of_patch) {
+  IoBits bits{};
+  switch (input.builtin) {
+    case Builtin::kPrimitiveId: bits[0] = point.patch; return bits;
+    case Builtin::kDomainLocation: std::ranges::copy(point.at, bits.begin()); return bits;
+    case Builtin::kTessFactorInput:
+      std::ranges::transform(kEdgeFactors, bits.begin(), [](float each) { return BitsOf(each); });
+      return bits;
+    case Builtin::kInsideFactorInput:
+      std::ranges::transform(kInsideFactors, bits.begin(), [](float each) { return BitsOf(each); });
+      return bits;
+    default: return of_patch;
+  }
+}
+
+// Runs the program for each point of a domain.
+void EvaluatePoints(const Program& program, const EvalInputs& of_all, const RandomInputs& inputs,
+                    const EvalOptions& options, std::vector<EvalOutputs>& outputs) {
+  const std::size_t size = std::max(1u, program.tessellation.output_points);
+  for (const DomainPoint& point : inputs.points) {
+    const auto first = inputs.vertices.begin() + static_cast<std::ptrdiff_t>(point.patch * size);
+    EvalInputs of_one = of_all;
+    of_one.vertices.assign(first, first + static_cast<std::ptrdiff_t>(size));
+    for (std::size_t i = 0; i < program.inputs.size(); ++i)
+      of_one.values.push_back(InputAt(point, program.inputs[i], of_one.vertices[0][i]));
+    EvalResult result = RunMain(program, of_one, options);
+    if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
+    outputs.push_back(std::move(result.outputs));
+  }
+}
+
 Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
   Buffers buffers;
@@ -75,6 +107,13 @@ Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined
               in_double ? runs.in_double : runs.in_float);
     if (runs.in_float.size() != runs.in_double.size())
       throw EvaluatorStops("rounding decides how many vertices the shader emits");
+    return runs;
+  }
+  if (clipc::InfoOf(program.stage).reads_patches) {
+    for (const bool in_double : {false, true})
+      EvaluatePoints(program, {{}, {}, inputs.cbuffers, use, start}, inputs,
+                     {.in_double = in_double, .undefined = undefined},
+                     in_double ? runs.in_double : runs.in_float);
     return runs;
   }
   const std::size_t size = clipc::InfoOf(program.stage).has_neighbours ? kQuadPixels : 1;

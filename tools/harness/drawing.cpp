@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/harness/drawing.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "tools/harness/offscreen.h"
@@ -9,18 +10,25 @@ namespace clipc::harness {
 
 namespace {
 
-// Links shaders of several stages, each with its name in messages.
-struct ShaderText {
+struct Stage {
   GLenum stage;
-  const char* name;
-  const std::string& text;
+  const char* name;  // in messages
 };
-GLuint Link(std::initializer_list<ShaderText> shaders,
-            const std::function<void(GLuint program)>& before_linking) {
+constexpr Stage kStages[] = {{GL_VERTEX_SHADER, "vertex"},
+                             {GL_TESS_CONTROL_SHADER, "tessellation control"},
+                             {GL_TESS_EVALUATION_SHADER, "tessellation evaluation"},
+                             {GL_GEOMETRY_SHADER, "geometry"},
+                             {GL_FRAGMENT_SHADER, "fragment"},
+                             {GL_COMPUTE_SHADER, "compute"}};
+
+}  // namespace
+
+GLuint LinkStages(std::span<const StageText> shaders,
+                  const std::function<void(GLuint program)>& before_linking) {
   const GLuint program = glCreateProgram();
   GLint ok = 0;
   char log[4096] = "";
-  for (const auto& [stage, name, source] : shaders) {
+  for (const auto& [stage, source] : shaders) {
     if (source.empty()) continue;
     const GLuint shader = glCreateShader(stage);
     const char* text = source.c_str();
@@ -29,8 +37,9 @@ GLuint Link(std::initializer_list<ShaderText> shaders,
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     glGetShaderInfoLog(shader, sizeof log, nullptr, log);
     if (!ok)
-      throw DrawError(std::string("OpenGL refuses the ") + name + " shader:\n" + log + "\n" +
-                      source);
+      throw DrawError(std::string("OpenGL refuses the ") +
+                      std::ranges::find(kStages, stage, &Stage::stage)->name + " shader:\n" + log +
+                      "\n" + source);
     glAttachShader(program, shader);
     glDeleteShader(shader);
   }
@@ -42,25 +51,15 @@ GLuint Link(std::initializer_list<ShaderText> shaders,
   return program;
 }
 
-}  // namespace
-
 GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                    const std::function<void(GLuint program)>& before_linking) {
-  return Link({{GL_VERTEX_SHADER, "vertex", vertex}, {GL_FRAGMENT_SHADER, "fragment", fragment}},
-              before_linking);
-}
-
-GLuint LinkProgram(const std::string& vertex, const std::string& geometry,
-                   const std::string& fragment,
-                   const std::function<void(GLuint program)>& before_linking) {
-  return Link({{GL_VERTEX_SHADER, "vertex", vertex},
-               {GL_GEOMETRY_SHADER, "geometry", geometry},
-               {GL_FRAGMENT_SHADER, "fragment", fragment}},
-              before_linking);
+  const StageText stages[] = {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}};
+  return LinkStages(stages, before_linking);
 }
 
 GLuint LinkComputeProgram(const std::string& compute) {
-  return Link({{GL_COMPUTE_SHADER, "compute", compute}}, {});
+  const StageText stages[] = {{GL_COMPUTE_SHADER, compute}};
+  return LinkStages(stages);
 }
 
 GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes) {

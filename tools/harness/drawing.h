@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string>
 
 #include <epoxy/gl.h>
@@ -21,10 +22,13 @@ namespace clipc::harness {
 GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                    const std::function<void(GLuint program)>& before_linking = {});
 
-// The same with a geometry shader between the two.
-GLuint LinkProgram(const std::string& vertex, const std::string& geometry,
-                   const std::string& fragment,
-                   const std::function<void(GLuint program)>& before_linking);
+// The same of shaders of any stages; a text may be empty.
+struct StageText {
+  GLenum stage = GL_VERTEX_SHADER;
+  std::string text;
+};
+GLuint LinkStages(std::span<const StageText> shaders,
+                  const std::function<void(GLuint program)>& before_linking = {});
 
 // The same of a compute shader.
 GLuint LinkComputeProgram(const std::string& compute);

@@ -130,9 +130,30 @@ std::vector<Captured> CaptureGeometry(const GeometryRun& run, std::span<const st
                                       const Inputs& inputs) {
   const harness::Framebuffer framebuffer(1, 1);
   return CaptureAll(names, [&](std::span<const std::string> some) {
-    GlProgram program(run.vertex, run.geometry, EmptyFragmentFor(VersionOf(run.geometry)), some);
+    const harness::StageText stages[] = {
+        {GL_VERTEX_SHADER, run.vertex},
+        {GL_GEOMETRY_SHADER, run.geometry},
+        {GL_FRAGMENT_SHADER, EmptyFragmentFor(VersionOf(run.geometry))}};
+    GlProgram program(stages, some);
     return CapturePoints(program, some.size(), inputs, run.most_vertices,
                          [&] { glDrawArrays(run.primitive, 0, inputs.vertices); });
+  });
+}
+
+std::vector<Captured> CapturePatches(const PatchRun& run, std::span<const std::string> names,
+                                     const Inputs& inputs) {
+  const harness::Framebuffer framebuffer(1, 1);
+  return CaptureAll(names, [&](std::span<const std::string> some) {
+    const harness::StageText stages[] = {
+        {GL_VERTEX_SHADER, run.vertex},
+        {GL_TESS_CONTROL_SHADER, run.control},
+        {GL_TESS_EVALUATION_SHADER, run.evaluation},
+        {GL_FRAGMENT_SHADER, EmptyFragmentFor(VersionOf(run.control))}};
+    GlProgram program(stages, some);
+    return CapturePoints(program, some.size(), inputs, run.most_points, [&] {
+      glPatchParameteri(GL_PATCH_VERTICES, run.patch_vertices);
+      glDrawArrays(GL_PATCHES, 0, inputs.vertices);
+    });
   });
 }
 

@@ -4,6 +4,7 @@
 #include "tools/draw/dispatch.h"
 #include "tools/draw/feed.h"
 #include "tools/draw/opengl/dispatch.h"
+#include "tools/draw/opengl/domain.h"
 #include "tools/draw/opengl/geometry.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/opengl/surface.h"
@@ -62,6 +63,7 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
         : stage.runs_in_groups
             ? Chosen(CapturedMemory(trial.shader, trial.inputs, Dispatch(of, inputs)), outputs)
         : stage.emits_vertices ? Emit(of, names, trial, inputs)
+        : stage.reads_patches  ? Evaluate(of, names, trial, inputs)
                                : Capture(of, names, inputs),
         trial.tolerance);
   };

@@ -19,25 +19,39 @@ std::string WithPoints(std::string text) {
 
 }  // namespace
 
+void TakePrimitives(const RandomInputs& random, int size, Inputs& inputs) {
+  inputs.attributes.clear();
+  inputs.first_vertex = inputs.base_instance = 0;
+  inputs.instances = 1;
+  inputs.vertices = static_cast<int>(random.vertices.size()) / size * size;
+}
+
+std::string PassOnText(const Version& version, const Shader& shader, const RandomInputs& random,
+                       Inputs& inputs) {
+  const PassedOn passed =
+      PassOn(shader, random, version.es ? PassOnFor::kOpenGlEs : PassOnFor::kOpenGl);
+  for (const PassedOn::Attribute& attribute : passed.attributes) {
+    const std::size_t words = attribute.words.size() / random.vertices.size();
+    inputs.attributes.push_back({attribute.name, attribute.words});
+    inputs.attributes.back().words.resize(words * static_cast<std::size_t>(inputs.vertices));
+  }
+  const std::string extension =
+      version.es && version.number < 320 ? "#extension GL_EXT_shader_io_blocks : enable\n" : "";
+  return version.Line() + extension + passed.text;
+}
+
 std::vector<Captured> Emit(const std::string& geometry, std::span<const std::string> names,
                            const Trial& trial, Inputs inputs) {
   constexpr std::array<GLenum, 5> kModes = {GL_POINTS, GL_LINES, GL_TRIANGLES, GL_LINES_ADJACENCY,
                                             GL_TRIANGLES_ADJACENCY};
-  const Version version = VersionOf(geometry);
-  const PassedOn passed = PassOn(trial, version.es ? PassOnFor::kOpenGlEs : PassOnFor::kOpenGl);
-  inputs.attributes.clear();
-  for (const PassedOn::Attribute& attribute : passed.attributes)
-    inputs.attributes.push_back({attribute.name, attribute.words});
-  inputs.first_vertex = inputs.base_instance = 0;
-  inputs.instances = 1;
-  inputs.vertices = passed.vertices;
-  const std::string extension =
-      version.es && version.number < 320 ? "#extension GL_EXT_shader_io_blocks : enable\n" : "";
+  const Emission& emission = trial.shader.lowered.emission;
+  const auto size = static_cast<int>(InfoOf(emission.input).vertices);
+  TakePrimitives(trial.inputs, size, inputs);
   GeometryRun run;
-  run.vertex = version.Line() + extension + passed.text;
+  run.vertex = PassOnText(VersionOf(geometry), trial.shader, trial.inputs, inputs);
   run.geometry = WithPoints(geometry);
-  run.primitive = kModes[static_cast<std::size_t>(trial.shader.lowered.emission.input)];
-  run.most_vertices = passed.most_vertices;
+  run.primitive = kModes[static_cast<std::size_t>(emission.input)];
+  run.most_vertices = MostEmitted(emission, inputs.vertices);
   return CaptureGeometry(run, names, inputs);
 }
 

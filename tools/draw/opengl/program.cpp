@@ -124,9 +124,9 @@ GlProgram::GlProgram(const std::string& vertex, const std::string& fragment,
   glGenVertexArrays(1, &vertex_array_);
 }
 
-GlProgram::GlProgram(const std::string& vertex, const std::string& geometry,
-                     const std::string& fragment, std::span<const std::string> captured)
-    : program_(harness::LinkProgram(vertex, geometry, fragment, [&](GLuint program) {
+GlProgram::GlProgram(std::span<const harness::StageText> stages,
+                     std::span<const std::string> captured)
+    : program_(harness::LinkStages(stages, [&](GLuint program) {
         std::vector<const char*> names;
         for (const std::string& name : captured) names.push_back(name.c_str());
         glTransformFeedbackVaryings(program, static_cast<GLsizei>(names.size()), names.data(),

@@ -9,6 +9,7 @@
 
 #include "base/not_copied.h"
 #include "tools/draw/inputs.h"
+#include "tools/harness/drawing.h"
 
 namespace clipc::draw {
 
@@ -56,9 +57,9 @@ class GlProgram : NotCopied {
   GlProgram(const std::string& vertex, const std::string& fragment,
             std::span<const std::string> captured,
             const std::function<void(GLuint program)>& before_linking = {});
-  // The same with a geometry shader between the two, whose outputs are captured.
-  GlProgram(const std::string& vertex, const std::string& geometry, const std::string& fragment,
-            std::span<const std::string> captured);
+  // The same of shaders of any stages. The outputs of the last before the fragment shader are
+  // captured.
+  GlProgram(std::span<const harness::StageText> stages, std::span<const std::string> captured);
   // Links a compute shader.
   explicit GlProgram(const std::string& compute);
   ~GlProgram();
@@ -102,6 +103,17 @@ struct GeometryRun {
 // `names` of all vertices that it emits, in their order.
 std::vector<Captured> CaptureGeometry(const GeometryRun& run, std::span<const std::string> names,
                                       const Inputs& inputs);
+
+// How the shaders of patches run: after a vertex shader, for patches of so many vertices.
+struct PatchRun {
+  std::string vertex, control, evaluation;
+  int patch_vertices = 1;
+  int most_points = 0;  // that the tessellator makes of all patches together
+};
+// Runs the shaders, of which the last gives points, without a later stage, and returns its outputs
+// `names` for all points, in their order.
+std::vector<Captured> CapturePatches(const PatchRun& run, std::span<const std::string> names,
+                                     const Inputs& inputs);
 
 // Runs the vertex shader without any other stage, on points, and returns the outputs `names` in
 // their order. A context that VersionOf(vertex) names must be current.

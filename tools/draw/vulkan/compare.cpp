@@ -28,19 +28,24 @@ std::string Capturable(const std::string& glsl) {
 // The outputs of the vertices that a geometry shader emits.
 std::vector<Captured> Emitted(const Runner& runner, const Spirv& spirv, const Trial& trial,
                               const std::vector<const Expected*>& outputs, DrawCall call) {
-  PassedOn passed = PassOn(trial, PassOnFor::kVulkan);
-  call.vertices = passed.vertices;
+  PassedOn passed = PassOn(trial.shader, trial.inputs, PassOnFor::kVulkan);
+  const ir::Emission& emission = trial.shader.lowered.emission;
+  const auto all = static_cast<int>(trial.inputs.vertices.size());
+  call.vertices = all - all % static_cast<int>(InfoOf(emission.input).vertices);
   call.instances = 1;
   call.first_vertex = call.base_instance = 0;
   for (PassedOn::Attribute& attribute : passed.attributes) {
+    const std::size_t words = attribute.words.size() / static_cast<std::size_t>(all);
+    attribute.words.resize(words * static_cast<std::size_t>(call.vertices));
     call.attributes.push_back({static_cast<std::uint32_t>(call.attributes.size()), attribute.kind,
                                std::move(attribute.words)});
   }
   const Spirv vertex = SpirvOfGlsl("#version 450\n" + passed.text);
   const Spirv points = WithPoints(spirv);
-  const auto primitive = static_cast<int>(trial.shader.lowered.emission.input);
-  return runner.CaptureEmitted({vertex, points, primitive, passed.most_vertices},
-                               FindOutputs(spirv, outputs), call);
+  const auto primitive = static_cast<int>(emission.input);
+  const int most = MostEmitted(emission, call.vertices);
+  return runner.CaptureEmitted({vertex, points, primitive, most}, FindOutputs(spirv, outputs),
+                               call);
 }
 
 // The outputs' values in one run of the shader.
