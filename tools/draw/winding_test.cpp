@@ -53,7 +53,8 @@ std::string Domain(const std::string& shape, const std::string& topology, bool f
   return shader.glsl;
 }
 
-// Whether a pixel at the left edge, which all triangles here cover, is of one that faces the viewer.
+// Whether a pixel at the left edge, which all triangles here cover, is of one that faces the
+// viewer.
 bool IsFront(const std::string& evaluation, int points) {
   const harness::StageText stages[] = {
       {GL_VERTEX_SHADER, kCorners},
