@@ -163,7 +163,7 @@ bool HasComparison(ObjectOp op, ObjectKind kind, const StageInfo& stage) {
 }
 
 const Requirement* RequirementOf(Builtin builtin, const StageInfo& stage) {
-  if (stage.emits_vertices) {
+  if (stage.emits_vertices || (builtin == Builtin::kPrimitiveId && stage.reads_vertices)) {
     if (const Requirement* requirement = Find(kBuiltinsOfEmission, builtin))
       return requirement->feature == Feature::kGeometryShaders ? nullptr : requirement;
   }

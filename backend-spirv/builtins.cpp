@@ -101,6 +101,10 @@ constexpr Row kOutputs[] = {
     {Builtin::kViewportIndex, In::ViewportIndex, "gl_ViewportIndex", Scalar::kInt,
      Cap::ShaderViewportIndexLayerEXT, kLayers},
     {Builtin::kPrimitiveIdOutput, In::PrimitiveId, "gl_PrimitiveID", Scalar::kInt, Cap::Geometry},
+    {Builtin::kTessFactor, In::TessLevelOuter, "gl_TessLevelOuter", Scalar::kFloat,
+     Cap::Tessellation},
+    {Builtin::kInsideFactor, In::TessLevelInner, "gl_TessLevelInner", Scalar::kFloat,
+     Cap::Tessellation},
     {Builtin::kDepth, In::FragDepth, "gl_FragDepth"},
     {Builtin::kDepthGreaterEqual, In::FragDepth, "gl_FragDepth"},
     {Builtin::kDepthLessEqual, In::FragDepth, "gl_FragDepth"},
@@ -150,11 +154,10 @@ Ref Writer::DeclareBuiltin(Builtin input, Ref type) {
   if (!row) row = RowOf(kInputs, input);
   if (!row) return Lack("an input that no module has");
   if (row->capability == Cap::FragmentBarycentricKHR) RequireBarycentrics();
-  Row needed = *row;
+  // A stage of patches has the number of the patch without more.
   const StageInfo& stage = InfoOf(program_.stage);
-  if (needed.capability == Cap::Geometry && (stage.makes_patches || stage.reads_patches))
-    needed.capability = Cap::Tessellation;
-  Require(module_, needed);
+  if (input != Builtin::kPrimitiveId || !stage.reads_vertices || stage.emits_vertices)
+    Require(module_, *row);
   const bool is_new = !builtins_.contains({row->which, spv::StorageClass::Input});
   const Ref variable = BuiltinVariable(row->which, spv::StorageClass::Input, type, row->name);
   // Vulkan asks for it, as of every integer that a pixel shader reads.
@@ -244,13 +247,23 @@ bool Writer::DeclareBuiltinOutput(const IoVar& output, std::string_view name) {
     needed.extension = {};
   }
   Require(module_, needed);
-  Ref type = types_.Of((*this)[output.var].type);
+  const bool is_outer = row->which == In::TessLevelOuter;
+  const bool is_factor = is_outer || row->which == In::TessLevelInner;
+  // SPIR-V has so many factors whatever the domain is.
+  Ref type = is_factor ? module_.Type(spv::Op::OpTypeArray,
+                                      {types_.Of(Scalar::kFloat), types_.Uint(is_outer ? 4 : 2)})
+                       : types_.Of((*this)[output.var].type);
   if (row->which == In::SampleMask) {
     type = module_.Type(spv::Op::OpTypeArray, {type, types_.Uint(1)});
     part_indices_[output.var.index] = {types_.Int(0)};
     name = row->name;
   }
+  if (IsOfPoint(output)) {
+    type = OfPoints(type);
+    part_indices_[output.var.index] = {types_.Int(0)};
+  }
   const Ref variable = BuiltinVariable(row->which, spv::StorageClass::Output, type, name);
+  if (is_factor) module_.Decorate(variable, spv::Decoration::Patch);
   NameSemantic(variable, output);
   pointers_[output.var.index] = variable;
   if (output.builtin == Builtin::kPosition && options_.invariant)

@@ -72,9 +72,14 @@ void Writer::DeclareOutputs() {
 }
 
 // Runs before the statements of `main`: gives the static variables their first values, and the
-// depth that of the primitive, which a path that does not write it has.
+// depth that of the primitive, which a path that does not write it has; finds the control point.
 void Writer::StartMain() {
   for (const VarId id : late_) Store(PlaceOfVariable(id), Value((*this)[id].init));
+  // The outputs are arrays of all control points, of which `main` writes its own.
+  const bool makes_patches = InfoOf(program_.stage).makes_patches;
+  const Ref point = makes_patches ? LoadBuiltin(Builtin::kControlPointId) : Ref{0};
+  for (const IoVar& output : program_.outputs)
+    if (IsOfPoint(output)) part_indices_[output.var.index].front() = point;
   for (const IoVar& output : program_.outputs) {
     const bool is_depth = output.builtin == Builtin::kDepth ||
                           output.builtin == Builtin::kDepthGreaterEqual ||

@@ -45,23 +45,30 @@ Ref Writer::Interpolant(const IntrinsicCall& node) {
   return Components(value, ShapeAt(input), std::span(swizzle->components).first(swizzle->count));
 }
 
-// Reads an input at a vertex of the primitive, or emits one.
+// Reads an input at a vertex of the primitive or of the patch, or makes such.
 Ref Writer::Vertices(const IntrinsicCall& node) {
   const auto arguments = (*this)[node.arguments];
-  if (node.op != ir::Intrinsic::kInputOfVertex && program_.emission.streams.size() > 1) {
+  if (node.op == ir::Intrinsic::kEndPoints) {
+    Do(spv::Op::OpControlBarrier, {types_.Uint(NumberOf(spv::Scope::Workgroup)),
+                                   types_.Uint(NumberOf(spv::Scope::Invocation)), types_.Uint(0)});
+    return 0;
+  }
+  if (node.op == ir::Intrinsic::kIsFirstPoint)
+    return Emit(spv::Op::OpIEqual, types_.Of(Scalar::kBool),
+                {LoadBuiltin(Builtin::kControlPointId), types_.Int(0)});
+  if (node.op == ir::Intrinsic::kInputOfVertex || node.op == ir::Intrinsic::kOutputOfPoint) {
+    Place place = PlaceOfVariable(As<VarRef>(arguments[0])->var);
+    place.indices[0] = Value(arguments[1]);
+    return Load(place);
+  }
+  const bool emits = node.op == ir::Intrinsic::kEmitVertex;
+  if (program_.emission.streams.size() > 1) {
     module_.Require(spv::Capability::GeometryStreams);
-    Do(node.op == ir::Intrinsic::kEmitVertex ? spv::Op::OpEmitStreamVertex
-                                             : spv::Op::OpEndStreamPrimitive,
-       {Value(arguments[0])});
-    return 0;
+    Do(emits ? spv::Op::OpEmitStreamVertex : spv::Op::OpEndStreamPrimitive, {Value(arguments[0])});
+  } else {
+    Do(emits ? spv::Op::OpEmitVertex : spv::Op::OpEndPrimitive, {});
   }
-  if (node.op != ir::Intrinsic::kInputOfVertex) {
-    Do(node.op == ir::Intrinsic::kEmitVertex ? spv::Op::OpEmitVertex : spv::Op::OpEndPrimitive, {});
-    return 0;
-  }
-  Place place = PlaceOfVariable(As<VarRef>(arguments[0])->var);
-  place.indices[0] = Value(arguments[1]);
-  return Load(place);
+  return 0;
 }
 
 }  // namespace clipc::spirv

@@ -75,14 +75,25 @@ std::uint32_t Writer::VerticesOfInputs() const {
   return IsPixelShader() ? 3 : VerticesRead(program_);
 }
 
+// Whether each control point that a shader makes has its own value of the output.
+bool Writer::IsOfPoint(const IoVar& output) const {
+  return InfoOf(program_.stage).makes_patches && !output.is_of_patch;
+}
+
+Ref Writer::OfPoints(Ref type) {
+  return module_.Type(spv::Op::OpTypeArray,
+                      {type, types_.Uint(program_.tessellation.output_points)});
+}
+
 // Declares what an input or an output is, or is a part of. Inputs that are read at each vertex are
 // arrays of them.
 void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
                            spv::StorageClass storage) {
   const bool is_input = storage == spv::StorageClass::Input;
   const bool is_per_vertex = is_input && per_vertex_.contains(io.var.index);
+  const bool is_of_point = !is_input && IsOfPoint(io);
   std::vector<Ref>& indices = part_indices_[io.var.index];
-  if (is_per_vertex) indices.push_back(types_.Int(0));
+  if (is_per_vertex || is_of_point) indices.push_back(types_.Int(0));
   std::uint32_t location = *place.location;
   Ref type = types_.Of((*this)[io.var].type);
   std::string_view name = place.name;
@@ -99,6 +110,7 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
   if (variable == 0) {
     if (is_per_vertex)
       type = module_.Type(spv::Op::OpTypeArray, {type, types_.Uint(VerticesOfInputs())});
+    if (is_of_point) type = OfPoints(type);
     variable = module_.Variable(types_.Pointer(storage, type), storage);
     module_.Name(variable, name);
     module_.Decorate(variable, spv::Decoration::Location, {location});
@@ -111,6 +123,8 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
     if (is_per_vertex && IsPixelShader()) {
       RequireBarycentrics();
       module_.Decorate(variable, spv::Decoration::PerVertexKHR);
+    } else if (io.is_of_patch) {
+      module_.Decorate(variable, spv::Decoration::Patch);
     } else if (is_input == IsPixelShader()) {
       const Scalar scalar = program_.types[(*this)[io.var].type].scalar;
       for (const spv::Decoration decoration :

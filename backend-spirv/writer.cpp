@@ -45,6 +45,7 @@ void AddTessellation(Module& module, const Tessellation& patch, bool is_opengl) 
   constexpr spv::ExecutionMode kSpacings[] = {
       spv::ExecutionMode::SpacingEqual, spv::ExecutionMode::SpacingEqual,
       spv::ExecutionMode::SpacingFractionalEven, spv::ExecutionMode::SpacingFractionalOdd};
+  module.Require(spv::Capability::Tessellation);
   module.Execution(kShapes[static_cast<std::size_t>(*patch.domain)]);
   module.Execution(
       kSpacings[static_cast<std::size_t>(patch.partitioning.value_or(Partitioning::kInteger))]);
@@ -53,6 +54,34 @@ void AddTessellation(Module& module, const Tessellation& patch, bool is_opengl) 
   module.Execution(is_clockwise == !is_opengl ? spv::ExecutionMode::VertexOrderCw
                                               : spv::ExecutionMode::VertexOrderCcw);
   if (patch.topology == OutputTopology::kPoint) module.Execution(spv::ExecutionMode::PointMode);
+}
+
+// A domain shader of another tool may have nothing of these but the domain. OpenGL links what each
+// shader says, and has it of the domain shader.
+constexpr spv::ExecutionMode kDomainModes[] = {
+    spv::ExecutionMode::Triangles, spv::ExecutionMode::Quads, spv::ExecutionMode::Isolines};
+static_assert(std::size(kDomainModes) == std::size(kDomains));
+
+void AddPatches(Module& module, const Tessellation& patches, bool is_opengl) {
+  module.Require(spv::Capability::Tessellation);
+  module.Execution(spv::ExecutionMode::OutputVertices, {patches.output_points});
+  if (is_opengl) return;
+  module.Execution(kDomainModes[static_cast<std::size_t>(*patches.domain)]);
+  switch (*patches.partitioning) {
+    case Partitioning::kFractionalEven:
+      module.Execution(spv::ExecutionMode::SpacingFractionalEven);
+      break;
+    case Partitioning::kFractionalOdd:
+      module.Execution(spv::ExecutionMode::SpacingFractionalOdd);
+      break;
+    default: module.Execution(spv::ExecutionMode::SpacingEqual); break;
+  }
+  switch (*patches.topology) {
+    case OutputTopology::kPoint: module.Execution(spv::ExecutionMode::PointMode); break;
+    case OutputTopology::kTriangleCw: module.Execution(spv::ExecutionMode::VertexOrderCw); break;
+    case OutputTopology::kTriangleCcw: module.Execution(spv::ExecutionMode::VertexOrderCcw); break;
+    default: break;
+  }
 }
 
 // The invocations of a pixel, or of a sample, come one after the other.
@@ -112,7 +141,7 @@ Written Writer::Run() {
     module_.Execution(spv::ExecutionMode::LocalSize, {x, y, z});
   }
   if (stage.emits_vertices) AddEmission(module_, program_.emission);
-  if (stage.makes_patches || stage.reads_patches) module_.Require(spv::Capability::Tessellation);
+  if (stage.makes_patches) AddPatches(module_, program_.tessellation, options_.is_opengl);
   if (stage.reads_patches) AddTessellation(module_, program_.tessellation, options_.is_opengl);
   if (has_order_) RequireOrder(module_, program_);
   if (program_.tests_early) module_.Execution(spv::ExecutionMode::EarlyFragmentTests);

@@ -31,6 +31,8 @@ class Writer : private Emitter {
   void DeclareInputs();
   std::vector<std::size_t> OrderOfOutputs() const;
   std::uint32_t VerticesOfInputs() const;
+  bool IsOfPoint(const ir::IoVar& output) const;
+  Ref OfPoints(Ref type);
   void DeclareOutputs();
   void DeclareGlobals();
   void DeclareStatic(ir::VarId id);

@@ -38,8 +38,6 @@ struct StageInfo {
   bool makes_patches = false;
   // The stage runs for the points that the tessellator makes in a patch, whose constants it reads.
   bool reads_patches = false;
-  // Whether clipc translates the stage's shaders.
-  bool is_translated = true;
   // The stage may order what it stores for other invocations.
   bool orders_memory = false;
 };
@@ -89,8 +87,7 @@ inline constexpr StageInfo kStages[] = {
      .has_stage_before = true,
      .has_stage_after = true,
      .reads_vertices = true,
-     .makes_patches = true,
-     .is_translated = false},
+     .makes_patches = true},
     {.prefix = "ds",
      .number = 4,
      .name = "domain",

@@ -15,7 +15,8 @@ bool IsStore(const Program& program, ExprId expr) {
   return (call && WritesObject(call->op)) ||
          (intrinsic && (CategoryOf(intrinsic->op) == IntrinsicCategory::kMemory ||
                         intrinsic->op == CommonIntrinsic::kEmitVertex ||
-                        intrinsic->op == CommonIntrinsic::kEndPrimitive));
+                        intrinsic->op == CommonIntrinsic::kEndPrimitive ||
+                        intrinsic->op == CommonIntrinsic::kEndPoints));
 }
 
 // Whether the node itself writes something, without its operands and, for a call, without the body
@@ -205,7 +206,7 @@ std::span<const StmtId> BodyOf(const Program& program, FunctionId function) {
       .stmt_lists[std::get<Block>(program.stmts[program.functions[function].body].node).body];
 }
 
-ExprId EntryCall(const Program& program, StmtId stmt) {
+ExprId CallIn(const Program& program, StmtId stmt, FunctionId function) {
   const auto* declare = As<Declare>(program, stmt);
   const auto* evaluate = As<Evaluate>(program, stmt);
   const Assign* assign = AsAssignment(program, stmt);
@@ -214,7 +215,16 @@ ExprId EntryCall(const Program& program, StmtId stmt) {
                        : evaluate ? evaluate->expr
                                   : ExprId{};
   const auto* call = As<Call>(program, value);
-  return call && call->function == program.entry ? value : ExprId{};
+  return call && call->function == function ? value : ExprId{};
+}
+
+StmtId PatchBlock(const Program& program) {
+  for (const StmtId stmt : MainBody(program)) {
+    const auto* branch = As<If>(program, stmt);
+    const auto* asks = branch ? As<IntrinsicCall>(program, branch->condition) : nullptr;
+    if (asks && asks->op == CommonIntrinsic::kIsFirstPoint) return branch->then;
+  }
+  return {};
 }
 
 FunctionId OutputFunction(const Program& program) {

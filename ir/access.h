@@ -199,9 +199,15 @@ std::int64_t ScalarsOfVertex(const Program& program);
 inline constexpr std::int64_t kMostScalarsEmitted = 1024;
 // Adds statements to the end of OutputFunction, before the vertex is emitted.
 void AppendToOutputs(Program& program, std::span<const StmtId> stmts);
-// The call of the entry function that a statement of `main` consists of: `T result = entry(...);`,
-// `output = entry(...);` or `entry(...);`; none for every other statement.
-ExprId EntryCall(const Program& program, StmtId stmt);
+// The call of the function that a statement consists of: `T result = function(...);`,
+// `output = function(...);` or `function(...);`; none for every other statement.
+ExprId CallIn(const Program& program, StmtId stmt, FunctionId function);
+// The same of the entry function, in `main`.
+inline ExprId EntryCall(const Program& program, StmtId stmt) {
+  return CallIn(program, stmt, program.entry);
+}
+// The block of `main` that writes the constants of the patch, in a stage that makes patches.
+StmtId PatchBlock(const Program& program);
 // Replaces the statements of `main`. `body` may be a span of the old ones.
 void SetMainBody(Program& program, std::span<const StmtId> body);
 // Replaces the statements of a function. `body` may be a span of the old ones.

@@ -281,6 +281,23 @@ EvalResult RunMain(const Program& program, const EvalInputs& inputs, const EvalO
   return Machine(program, inputs, options).Run();
 }
 
+PatchResult RunPatch(const Program& program, const EvalInputs& inputs, const EvalOptions& options) {
+  const std::uint32_t count = program.tessellation.output_points;
+  EvalInputs of_point = inputs;
+  of_point.values.resize(program.inputs.size());
+  of_point.points.assign(count, {});
+  for (std::uint32_t i = count; i-- > 0;) {
+    of_point.point = i;
+    for (std::size_t k = 0; k < program.inputs.size(); ++k) {
+      if (program.inputs[k].builtin == Builtin::kControlPointId) of_point.values[k][0] = i;
+    }
+    EvalResult result = Machine(program, of_point, options).Run();
+    if (!result) return {{}, result.error};
+    of_point.points[i] = std::move(result.outputs);
+  }
+  return {std::move(of_point.points)};
+}
+
 GroupResult RunGroup(const Program& program, const EvalInputs& inputs, const GroupRun& run,
                      const EvalOptions& options) {
   const auto& [x, y, z] = program.group_size;

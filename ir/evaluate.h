@@ -66,6 +66,13 @@ struct ObjectRequest {
   }
 };
 
+struct EvalOutputs {
+  std::vector<IoBits> values;        // by index into Program::outputs; floats rounded to float
+  std::vector<IoNumbers> numbers;    // `values` as numbers, unrounded with in_double
+  bool wrote_out_of_bounds = false;  // an assignment was dropped
+  bool is_discarded = false;         // the pixel is not drawn: the outputs do not matter
+};
+
 struct EvalInputs {
   // The inputs by index into Program::inputs; a missing one is zero.
   std::vector<IoBits> values;
@@ -80,6 +87,9 @@ struct EvalInputs {
   std::function<void(const ObjectRequest&, std::span<std::uint64_t> result)> read_object;
   // Called before `main` begins: RunQuad runs it several times. It may be empty.
   std::function<void()> start;
+  // In a stage that makes patches, the control point that runs, and what the others wrote.
+  std::uint32_t point = 0;
+  std::vector<EvalOutputs> points = {};
 };
 
 struct EvalOptions {
@@ -95,13 +105,6 @@ struct EvalOptions {
   // depending on this value. Comparing two runs with different values shows which outputs depend on
   // undefined values.
   double undefined = 0;
-};
-
-struct EvalOutputs {
-  std::vector<IoBits> values;        // by index into Program::outputs; floats rounded to float
-  std::vector<IoNumbers> numbers;    // `values` as numbers, unrounded with in_double
-  bool wrote_out_of_bounds = false;  // an assignment was dropped
-  bool is_discarded = false;         // the pixel is not drawn: the outputs do not matter
 };
 
 // A vertex that a shader emits, with the outputs that it has then.
@@ -129,6 +132,16 @@ inline constexpr std::size_t kQuadPixels = 4;
 std::array<EvalResult, kQuadPixels> RunQuad(const Program& program,
                                             const std::array<EvalInputs, kQuadPixels>& pixels,
                                             const EvalOptions& options = {});
+
+struct PatchResult {
+  std::vector<EvalOutputs> points;  // by control point; the first has the constants of the patch
+  std::string error = {};           // empty if all ran to the end
+  explicit operator bool() const { return error.empty(); }
+};
+// Runs Program::main for the control points of a patch, of a stage that makes patches. The first
+// control point is the last that runs: it reads what the others wrote.
+PatchResult RunPatch(const Program& program, const EvalInputs& inputs,
+                     const EvalOptions& options = {});
 
 // A group that a dispatch runs.
 struct GroupRun {

@@ -58,7 +58,7 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
     return;
   }
   if (category == IntrinsicCategory::kAtomic) return EvalAtomic(node);
-  if (category == IntrinsicCategory::kVertices) return EvalVertexCall(expr, node);
+  if (category == IntrinsicCategory::kVertices) return EvalVertexCall(node);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
   const bool asks_quad =
       category == IntrinsicCategory::kNeighbours || category == IntrinsicCategory::kQuad;
@@ -105,27 +105,50 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   stack_.insert(stack_.end(), result.begin(), result.begin() + words);
 }
 
+// Pushes an input at a vertex of the primitive, or at a control point of the patch.
+void Machine::PushInputOf(std::uint32_t vertex, VarId var) {
+  const auto input = static_cast<std::size_t>(std::ranges::find(program_.inputs, var, &IoVar::var) -
+                                              program_.inputs.begin());
+  const std::vector<Scalar> kinds = KindsOf(program_.types, program_.vars[var].type);
+  const bool is_given = vertex < inputs_.vertices.size() && input < inputs_.vertices[vertex].size();
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    stack_.push_back(is_given ? FromBits(inputs_.vertices[vertex][input][i], kinds[i]) : 0);
+}
+
+// Pushes what a control point wrote to an output.
+void Machine::PushOutputOf(std::uint32_t point, VarId var) {
+  const TypeId type = program_.vars[var].type;
+  if (point == inputs_.point) return PushFrom({.address = address_[var.index]}, type);
+  if (point >= inputs_.points.size() || inputs_.points[point].values.empty())
+    return PushUndefined(type);
+  const auto output = static_cast<std::size_t>(
+      std::ranges::find(program_.outputs, var, &IoVar::var) - program_.outputs.begin());
+  const EvalOutputs& of_point = inputs_.points[point];
+  const std::vector<Scalar> kinds = KindsOf(program_.types, type);
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const bool is_double = RepOf(kinds[i]) == Scalar::kDouble;
+    stack_.push_back(is_double ? BitsOf(of_point.numbers[output][i])
+                               : FromBits(of_point.values[output][i], kinds[i]));
+  }
+}
+
 // Reads an input at a vertex, emits a vertex or ends a strip. Vertices after the most that the
 // shader may emit are dropped, as Direct3D does (Direct3D 11.3 functional specification, 13.8).
-void Machine::EvalVertexCall(ExprId expr, const IntrinsicCall& node) {
+void Machine::EvalVertexCall(const IntrinsicCall& node) {
   const auto number = [&](std::uint32_t argument) {
     Eval(program_.expr_lists[node.arguments][argument]);
     const std::uint32_t value = UintOf(stack_.back());
     stack_.pop_back();
     return value;
   };
-  if (node.op == Intrinsic::kInputOfVertex) {
+  if (node.op == Intrinsic::kEndPoints) return;
+  if (node.op == Intrinsic::kIsFirstPoint) return stack_.push_back(inputs_.point == 0 ? 1 : 0);
+  if (node.op == Intrinsic::kInputOfVertex || node.op == Intrinsic::kOutputOfPoint) {
     const auto* ref = As<VarRef>(program_, program_.expr_lists[node.arguments][0]);
     CLIPC_CHECK(ref);
-    const auto input = static_cast<std::size_t>(
-        std::ranges::find(program_.inputs, ref->var, &IoVar::var) - program_.inputs.begin());
     const std::uint32_t vertex = number(1);
-    const std::vector<Scalar> kinds = KindsOf(program_.types, program_.exprs[expr].type);
-    const bool is_given =
-        vertex < inputs_.vertices.size() && input < inputs_.vertices[vertex].size();
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-      stack_.push_back(is_given ? FromBits(inputs_.vertices[vertex][input][i], kinds[i]) : 0);
-    return;
+    return node.op == Intrinsic::kInputOfVertex ? PushInputOf(vertex, ref->var)
+                                                : PushOutputOf(vertex, ref->var);
   }
   const std::uint32_t stream = number(0);
   starts_strip_.resize(std::max<std::size_t>(starts_strip_.size(), stream + 1), true);

@@ -141,7 +141,9 @@ class Machine {
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);
   void EvalAtomic(const IntrinsicCall& node);
-  void EvalVertexCall(ExprId expr, const IntrinsicCall& node);
+  void EvalVertexCall(const IntrinsicCall& node);
+  void PushInputOf(std::uint32_t vertex, VarId var);
+  void PushOutputOf(std::uint32_t point, VarId var);
 
   // evaluate_quad.cpp
   void EvalDerivative(ExprId expr, const IntrinsicCall& node);

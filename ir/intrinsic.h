@@ -14,9 +14,9 @@ enum class Intrinsic : std::uint8_t;  // ir/intrinsic_list.h has the enumerators
 // The functions that sources without the enumerators name.
 struct CommonIntrinsic {
   static const Intrinsic kAll, kAny, kAsDouble, kAsFloat, kAsUint, kAttributeAtVertex,
-      kCheckAccessFullyMapped, kClip, kDot, kEmitVertex, kEndPrimitive, kFloor, kInputOfVertex,
-      kIsNan, kMad, kMax, kMul, kNonUniform, kPow, kSaturate, kSign, kSmoothstep, kTranspose,
-      kWaveReadLaneFirst;
+      kCheckAccessFullyMapped, kClip, kDot, kEmitVertex, kEndPoints, kEndPrimitive, kFloor,
+      kInputOfVertex, kIsFirstPoint, kIsNan, kMad, kMax, kMin, kMul, kNonUniform, kOutputOfPoint,
+      kPow, kSaturate, kSign, kSmoothstep, kTranspose, kWaveReadLaneFirst;
 };
 
 // One argument, or the result, of a signature.
@@ -45,7 +45,7 @@ enum class IntrinsicCategory : std::uint8_t {
   kInterpolants,  // the first argument, an input, at another place of the pixel
   kMemory,        // without arguments or value: the order of stores for other invocations
   kAtomic,        // the first argument is changed in one step
-  kVertices,      // a vertex of the primitive is read, or one is emitted to the stream of a number
+  kVertices,      // the vertices or control points that the stage reads or makes
 };
 
 // The requirements that an intrinsic makes of a GLSL target.

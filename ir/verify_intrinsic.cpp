@@ -109,7 +109,7 @@ bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
   const Type& result = types[result_id];
   if (arguments.empty()) return false;
   const Type& first = types[arguments[0]];
-  if (op == Intrinsic::kInputOfVertex)
+  if (op == Intrinsic::kInputOfVertex || op == Intrinsic::kOutputOfPoint)
     return arguments.size() == 2 && result_id == arguments[0] &&
            types[arguments[1]].kind == TypeKind::kScalar && IsInteger(types[arguments[1]].scalar);
   if (op == Intrinsic::kMul)

@@ -41,7 +41,7 @@ class Applier {
         Output(output, pixel_.inputs[*input], *input, matches_.outputs[i].element);
         end = std::max(end, EndOf(pixel_.inputs[*input], output.location));
       } else if (output.builtin == Builtin::kNone && !options_.keep_outputs &&
-                 StreamOf(program_, output.var) == 0) {
+                 StreamOf(program_, output.var) == 0 && !IsReadBack(output.var)) {
         RemoveWrites(output.var);
         continue;
       }
@@ -162,15 +162,40 @@ class Applier {
     const Scalar kind = program_.types[type].scalar;
     if (program_.vars[var].type == type) return;
     program_.vars[var].type = type;
-    for (const StmtId id : OutputBody(program_)) {
-      const ExprId evaluated = WriteOf(id, var);
-      if (!evaluated) continue;
-      Assign assign = *As<Assign>(program_, evaluated);
-      program_.exprs[assign.target].type = type;
-      assign.value = Fitted(assign.value, type, kind, wanted.components);
-      program_.exprs[evaluated].node = assign;
-      program_.exprs[evaluated].type = type;
+    for (const StmtId block : OutputBlocks()) {
+      for (const StmtId id : StmtsOf(block)) {
+        const ExprId evaluated = WriteOf(id, var);
+        if (!evaluated) continue;
+        Assign assign = *As<Assign>(program_, evaluated);
+        program_.exprs[assign.target].type = type;
+        assign.value = Fitted(assign.value, type, kind, wanted.components);
+        program_.exprs[evaluated].node = assign;
+        program_.exprs[evaluated].type = type;
+      }
     }
+  }
+
+  // The blocks whose statements write outputs: a hull shader writes the constants of the patch in
+  // one of their own.
+  std::vector<StmtId> OutputBlocks() const {
+    std::vector<StmtId> blocks{program_.functions[OutputFunction(program_)].body};
+    if (const StmtId patch = PatchBlock(program_)) blocks.push_back(patch);
+    return blocks;
+  }
+
+  std::vector<StmtId> StmtsOf(StmtId block) const {
+    const auto stmts = program_.stmt_lists[As<Block>(program_, block)->body];
+    return {stmts.begin(), stmts.end()};
+  }
+
+  // Whether a hull shader reads the output of its control points itself.
+  bool IsReadBack(VarId output) const {
+    const StmtId patch = PatchBlock(program_);
+    return patch && AnyExpr(program_, patch, [&](ExprId id) {
+             const auto* call = As<IntrinsicCall>(program_, id);
+             return call && call->op == CommonIntrinsic::kOutputOfPoint &&
+                    RootOf(program_, program_.expr_lists[call->arguments][0]) == output;
+           });
   }
 
   ExprId Fitted(ExprId value, TypeId type, Scalar kind, std::uint32_t components) {
@@ -194,11 +219,11 @@ class Applier {
   }
 
   void RemoveWrites(VarId output) {
-    std::vector<StmtId> body;
-    for (const StmtId id : OutputBody(program_)) {
-      if (!WriteOf(id, output)) body.push_back(id);
+    for (const StmtId block : OutputBlocks()) {
+      std::vector<StmtId> body = StmtsOf(block);
+      std::erase_if(body, [&](StmtId id) { return bool{WriteOf(id, output)}; });
+      program_.stmts[block].node = Block{program_.stmt_lists.Add(std::span<const StmtId>(body))};
     }
-    SetBody(program_, OutputFunction(program_), body);
   }
 
   static void Loose(Cbuffer& cbuffer, const Matches::Buffer& match) {

@@ -17,6 +17,8 @@ void AdjustClipSpace(Program& program, const ClipSpaceOptions& options) {
   program.form = Form::kTargetClipSpace;
   const VarId position = FindOutput(program, Builtin::kPosition);
   if (!position) return;  // legal: a stage after the vertex shader writes it
+  // Control points are not drawn.
+  if (clipc::InfoOf(program.stage).makes_patches) return;
 
   Builder b(program);
   const auto component = [&](int index) { return b.Swizzled(b.Ref(position), {index}); };

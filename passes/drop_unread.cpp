@@ -2,6 +2,7 @@
 #include "passes/drop_unread.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/invariant.h"
@@ -13,15 +14,20 @@ using namespace ir;
 
 namespace {
 
-// The search for unread variables, which looks at the statements directly in `main`, its lines.
+// The search for unread variables, which looks at the statements directly in a block, its lines:
+// that of `main`, or the one in it that writes the constants of a patch.
 class Dropper {
  public:
-  explicit Dropper(Program& program)
-      : program_(program), reads_(program.vars.size()), lines_of_(program.vars.size()) {}
+  Dropper(Program& program, StmtId block)
+      : program_(program),
+        block_(block),
+        reads_(program.vars.size()),
+        lines_of_(program.vars.size()) {}
 
   void Run() {
-    lines_.reserve(MainBody(program_).size());
-    for (const StmtId id : MainBody(program_)) AddLine(id);
+    const auto body = program_.stmt_lists[As<Block>(program_, block_)->body];
+    lines_.reserve(body.size());
+    for (const StmtId id : body) AddLine(id);
     FindUnread();
     if (unread_.empty()) return;
     DropLines();
@@ -30,7 +36,7 @@ class Dropper {
     for (const Line& line : lines_) {
       if (line.stmt) left.push_back(line.stmt);
     }
-    SetMainBody(program_, left);
+    program_.stmts[block_].node = Block{program_.stmt_lists.Add(std::span<const StmtId>(left))};
   }
 
  private:
@@ -119,8 +125,9 @@ class Dropper {
   }
 
   Program& program_;
+  StmtId block_;
   std::vector<std::int32_t> reads_;      // by VarId; a change that must be kept counts as a read
-  std::vector<Line> lines_;              // the statements of main
+  std::vector<Line> lines_;              // the statements of the block
   std::vector<std::uint32_t> lines_of_;  // by VarId: its last line, from 1; 0: none
   std::vector<std::uint32_t> unread_;
 };
@@ -129,7 +136,9 @@ class Dropper {
 
 void DropUnread(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
-  Dropper(program).Run();
+  // What the block declares is read in it alone.
+  if (const StmtId patch = PatchBlock(program)) Dropper(program, patch).Run();
+  Dropper(program, program.functions[program.main].body).Run();
 }
 
 }  // namespace clipc::passes

@@ -2,6 +2,7 @@
 #include "passes/inline_entry.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "base/invariant.h"
@@ -17,15 +18,18 @@ namespace {
 
 class Inliner {
  public:
-  explicit Inliner(Program& program)
+  // Puts the body of `callee` in the place of its call, a statement of `block`.
+  Inliner(Program& program, FunctionId callee, StmtId block)
       : program_(program),
+        callee_(callee),
+        block_(block),
         builder_(program, program.functions[program.main].span),
         renamed_(program.vars.size()) {}
 
   MainParts Run() {
-    const auto body = MainBody(program_);
+    const auto body = program_.stmt_lists[std::get<Block>(program_.stmts[block_].node).body];
     const auto call = std::find_if(body.begin(), body.end(), [&](StmtId id) {
-      call_ = EntryCall(program_, id);
+      call_ = CallIn(program_, id, callee_);
       return static_cast<bool>(call_);
     });
     if (call == body.end()) return {};
@@ -33,36 +37,36 @@ class Inliner {
                           static_cast<std::size_t>(body.end() - call) - 1};
     if (ReturnsAtTheEnd()) {
       TakeBody({body.begin(), call}, *call, {call + 1, body.end()});
-      EmptyEntry();
+      EmptyCallee();
     }
     return parts;
   }
 
  private:
   bool ReturnsAtTheEnd() {
-    const Function& entry = program_.functions[program_.entry];
+    const Function& callee = program_.functions[callee_];
     int returns = 0;
-    ForEachStmt(program_, entry.body,
+    ForEachStmt(program_, callee.body,
                 [&](StmtId id) { returns += As<Return>(program_, id) != nullptr; });
-    const auto body = BodyOf(program_, program_.entry);
+    const auto body = BodyOf(program_, callee_);
     const auto* last = body.empty() ? nullptr : As<Return>(program_, body.back());
     if (last) returned_ = last->value;
     has_return_ = last != nullptr;
-    return returns == (last ? 1 : 0) && (returned_ || entry.return_type == program_.types.Void());
+    return returns == (last ? 1 : 0) && (returned_ || callee.return_type == program_.types.Void());
   }
 
   // Replaces a parameter by its argument if that is a local variable of `main`, or if it is a
   // uniform or an input that is not built in, and the parameter is neither precise nor assigned to.
   // Any other parameter becomes a local variable that starts as the argument.
-  void Parameters(const Function& entry, std::vector<StmtId>& body) {
+  void Parameters(const Function& callee, std::vector<StmtId>& body) {
     const List<ExprId> arguments = std::get<Call>(program_.exprs[call_].node).arguments;
     std::vector<bool> assigned;  // by VarId; filled at the first question
     const auto is_assigned = [&](VarId var) {
-      if (assigned.empty()) assigned = AssignedIn(program_, {&entry.body, 1});
+      if (assigned.empty()) assigned = AssignedIn(program_, {&callee.body, 1});
       return assigned[var.index];
     };
     for (std::uint32_t i = 0; i < arguments.size; ++i) {
-      const VarId parameter = entry.parameters[i];
+      const VarId parameter = callee.parameters[i];
       const ExprId argument = program_.expr_lists[arguments][i];
       const auto* ref = As<VarRef>(program_, argument);
       const bool is_local = ref && program_.vars[ref->var].storage == Storage::kLocal;
@@ -84,20 +88,20 @@ class Inliner {
     return program_.vars[var].storage == Storage::kUniform || IsPlainInput(program_, var);
   }
 
-  // Puts the entry function's statements in the place of its call, under the names of `main`. `all`
+  // Puts the function's statements in the place of its call, under the names of `main`. `all`
   // has the statements before the call, `outputs` those after it.
   void TakeBody(std::vector<StmtId> all, StmtId call, const std::vector<StmtId>& outputs) {
-    Parameters(program_.functions[program_.entry], all);
-    const auto body = BodyOf(program_, program_.entry);
+    Parameters(program_.functions[callee_], all);
+    const auto body = BodyOf(program_, callee_);
     all.insert(all.end(), body.begin(), body.end());
     if (has_return_) all.pop_back();
     if (Result(call, outputs)) all.push_back(call);
     all.insert(all.end(), outputs.begin(), outputs.end());
     Rename();
-    SetMainBody(program_, all);
+    program_.stmts[block_].node = Block{program_.stmt_lists.Add(std::span<const StmtId>(all))};
   }
 
-  // Makes the statement of the call take the value that the entry point returns. Returns whether
+  // Makes the statement of the call take the value that the function returns. Returns whether
   // that statement is still needed.
   bool Result(StmtId call, const std::vector<StmtId>& outputs) {
     auto& node = program_.stmts[call].node;
@@ -126,7 +130,7 @@ class Inliner {
            !AssignedIn(program_, outputs)[result.index];
   }
 
-  // Only the entry function and `main` name what is renamed.
+  // Only the function and `main` name what is renamed.
   void Rename() {
     for (const ExprId id : program_.exprs.ids()) {
       auto* ref = std::get_if<VarRef>(&program_.exprs[id].node);
@@ -135,27 +139,46 @@ class Inliner {
     }
   }
 
-  // Removes all of the entry function but its name.
-  void EmptyEntry() {
-    Function& entry = program_.functions[program_.entry];
-    entry.body = builder_.BlockOf({});
-    entry.parameters.clear();
-    entry.return_type = program_.types.Void();
+  // Removes all of the function but its name.
+  void EmptyCallee() {
+    Function& callee = program_.functions[callee_];
+    callee.body = builder_.BlockOf({});
+    callee.parameters.clear();
+    callee.return_type = program_.types.Void();
   }
 
   Program& program_;
+  FunctionId callee_;
+  StmtId block_;
   Builder builder_;
   ExprId call_, returned_;
   bool has_return_ = false;
   std::vector<VarId> renamed_;  // by VarId
 };
 
+bool IsCalledOnce(const Program& program, FunctionId callee) {
+  int calls = 0;
+  for (const FunctionId function : program.functions.ids()) {
+    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
+      const auto* call = As<Call>(program, id);
+      calls += call && call->function == callee ? 1 : 0;
+    });
+  }
+  return calls == 1;
+}
+
 }  // namespace
 
 MainParts InlineEntry(Program& program) {
   CLIPC_CHECK(program.form == Form::kTargetClipSpace);
   program.form = Form::kInlined;
-  return Inliner(program).Run();
+  const MainParts parts =
+      Inliner(program, program.entry, program.functions[program.main].body).Run();
+  // The function of the patch's constants has its place in `main` too.
+  const FunctionId constants = program.tessellation.patch_function;
+  if (const StmtId block = PatchBlock(program); block && IsCalledOnce(program, constants))
+    Inliner(program, constants, block).Run();
+  return parts;
 }
 
 }  // namespace clipc::passes

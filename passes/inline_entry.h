@@ -25,7 +25,7 @@ struct MainParts {
 //   gl_Position = o.position;
 //
 // An entry point that returns early keeps its function and its call. The outputs keep their values,
-// bit for bit.
+// bit for bit. The same happens to the function of a patch's constants.
 //
 // Requires Form::kTargetClipSpace. Ensures Form::kInlined.
 MainParts InlineEntry(ir::Program& program);

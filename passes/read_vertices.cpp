@@ -65,21 +65,34 @@ class Reader {
 
   void Run() {
     for (const StmtId id : body_) Collect(id);
+    const StmtId patch = PatchBlock(program_);
+    const List<StmtId> of_patch = patch ? As<Block>(program_, patch)->body : List<StmtId>{};
+    for (const StmtId id : program_.stmt_lists[of_patch]) Collect(id);
     if (arrays_.empty()) return;
     ForEachExpr(program_, program_.functions[program_.main].body, [&](ExprId id) { Count(id); });
+    // A hull shader often passes a control point on.
+    if (clipc::InfoOf(program_.stage).makes_patches) FindElements();
     for (auto& [var, array] : arrays_) {
       // Each name of the array is in a write that is known, or in a read of what it wrote.
       if (array.names == array.writes + array.reads.size()) Replace(array);
     }
-    std::erase_if(body_, [&](StmtId id) { return removed_.contains(id); });
-    SetMainBody(program_, body_);
+    Remove(program_.functions[program_.main].body);
+    if (patch) Remove(patch);
   }
 
  private:
+  void Remove(StmtId block) {
+    const auto body = program_.stmt_lists[As<Block>(program_, block)->body];
+    std::vector<StmtId> left(body.begin(), body.end());
+    std::erase_if(left, [&](StmtId id) { return removed_.contains(id); });
+    program_.stmts[block].node = Block{program_.stmt_lists.Add(std::span<const StmtId>(left))};
+  }
+
   struct Array {
     std::size_t names = 0, writes = 0;
     // The value of vertex 0, by the steps to the part.
     std::map<std::vector<std::uint32_t>, ExprId> values;
+    ExprId element;  // the value of vertex 0 as a whole, where a read needs it
     std::vector<std::pair<ExprId, VertexPath>> reads;
     std::vector<StmtId> stmts;
   };
@@ -89,7 +102,9 @@ class Reader {
   void Collect(StmtId id) {
     if (const auto* declare = As<Declare>(program_, id)) {
       const Type& type = program_.types[program_.vars[declare->var].type];
-      const bool is_array = type.kind == TypeKind::kArray && type.count == VerticesRead(program_);
+      const bool is_array =
+          type.kind == TypeKind::kArray && (type.count == VerticesRead(program_) ||
+                                            type.count == program_.tessellation.output_points);
       if (is_array && !declare->init) arrays_[declare->var].stmts.push_back(id);
       return;
     }
@@ -105,17 +120,58 @@ class Reader {
     written_.insert(assign->target);
   }
 
+  static bool ReadsVertex(Intrinsic op) {
+    return op == CommonIntrinsic::kInputOfVertex || op == CommonIntrinsic::kOutputOfPoint;
+  }
+
+  // Finds the reads of whole elements, of which no part is taken, and makes their values.
+  void FindElements() {
+    std::set<ExprId> parts;  // what another expression takes a part of
+    const StmtId main = program_.functions[program_.main].body;
+    ForEachExpr(program_, main, [&](ExprId id) {
+      if (const ExprId whole = WholeOf(program_, id)) parts.insert(whole);
+    });
+    ForEachExpr(program_, main, [&](ExprId id) {
+      auto path = parts.contains(id) || written_.contains(id) ? std::nullopt : PathOf(program_, id);
+      const auto found = path && path->steps.empty() ? arrays_.find(path->array) : arrays_.end();
+      if (found == arrays_.end() || found->second.values.contains({})) return;
+      Array& array = found->second;
+      if (!array.element) array.element = ElementOf(array, program_.exprs[id].type, {});
+      if (array.element && IsPlain(path->vertex)) array.reads.emplace_back(id, std::move(*path));
+    });
+    for (auto& [var, array] : arrays_)
+      if (array.element) array.values.try_emplace({}, array.element);
+  }
+
+  // The value of vertex 0, or of the part of it that the steps lead to; none if a part has none.
+  ExprId ElementOf(const Array& array, TypeId id, std::vector<std::uint32_t> steps) {
+    const auto known = array.values.find(steps);
+    if (known != array.values.end()) return Clone(program_, known->second);
+    const Type type = program_.types[id];
+    if (type.kind != TypeKind::kStruct && type.kind != TypeKind::kArray) return {};
+    std::vector<ExprId> values;
+    steps.push_back(0);
+    for (; steps.back() < program_.types.PartCount(id); ++steps.back()) {
+      values.push_back(ElementOf(array, program_.types.PartType(id, steps.back()), steps));
+      if (!values.back()) return {};
+    }
+    return Builder(program_).ConstructOf(id, values);
+  }
+
   // Whether the value is made of inputs of the vertex and of nothing else that varies.
   bool IsOfVertex(ExprId value, std::uint32_t vertex) const {
     bool reads = false;
     const bool other = AnyExpr(program_, value, [&](ExprId id) {
       const auto* call = As<IntrinsicCall>(program_, id);
-      if (call && call->op == CommonIntrinsic::kInputOfVertex) {
+      if (call && ReadsVertex(call->op)) {
         reads = true;
         return LiteralOf(program_, program_.expr_lists[call->arguments][1]) != vertex;
       }
       const auto* ref = As<VarRef>(program_, id);
-      if (ref) return program_.vars[ref->var].storage != Storage::kInput;
+      if (ref) {
+        const Storage storage = program_.vars[ref->var].storage;
+        return storage != Storage::kInput && storage != Storage::kOutput;
+      }
       const auto& node = program_.exprs[id].node;
       return !std::holds_alternative<Literal>(node) && !std::holds_alternative<Convert>(node) &&
              !std::holds_alternative<Construct>(node) && !std::holds_alternative<Index>(node) &&
@@ -132,13 +188,15 @@ class Reader {
     auto path = written_.contains(id) ? std::nullopt : PathOf(program_, id);
     const auto found = path ? arrays_.find(path->array) : arrays_.end();
     if (found == arrays_.end() || !found->second.values.contains(path->steps)) return;
-    // The number of the vertex may be repeated; another vertex in it would be replaced too.
-    const bool is_plain =
-        IsPure(program_, path->vertex) && !AnyExpr(program_, path->vertex, [&](ExprId part) {
-          const auto* name = As<VarRef>(program_, part);
-          return name && arrays_.contains(name->var);
-        });
-    if (is_plain) found->second.reads.emplace_back(id, std::move(*path));
+    if (IsPlain(path->vertex)) found->second.reads.emplace_back(id, std::move(*path));
+  }
+
+  // Whether the number of a vertex may be repeated; another vertex in it would be replaced too.
+  bool IsPlain(ExprId vertex) const {
+    return IsPure(program_, vertex) && !AnyExpr(program_, vertex, [&](ExprId part) {
+             const auto* name = As<VarRef>(program_, part);
+             return name && arrays_.contains(name->var);
+           });
   }
 
   void Replace(const Array& array) {
@@ -167,7 +225,7 @@ class Reader {
     std::vector<List<ExprId>> calls;
     ForEachExpr(program_, value, [&](ExprId id) {
       const auto* call = As<IntrinsicCall>(program_, id);
-      if (call && call->op == CommonIntrinsic::kInputOfVertex) calls.push_back(call->arguments);
+      if (call && ReadsVertex(call->op)) calls.push_back(call->arguments);
     });
     for (const List<ExprId> arguments : calls) {
       const ExprId number = Clone(program_, vertex);

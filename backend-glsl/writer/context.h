@@ -36,8 +36,10 @@ struct TextureUse {
 struct Names {
   // The text in place of a variable: its name, or a built-in variable of GLSL, converted. Local
   // variables are named when they are declared.
-  std::vector<std::string> vars;                 // by VarId
-  std::vector<std::string> attributes;           // beside Program::inputs; empty: built in
+  std::vector<std::string> vars;        // by VarId
+  std::vector<std::string> attributes;  // beside Program::inputs; empty: built in
+  // Beside Program::outputs, in a stage that makes patches: the arrays of all control points.
+  std::vector<std::string> outputs;
   std::vector<std::string> functions;            // by FunctionId
   std::vector<std::string> structs;              // by StructId
   std::vector<std::vector<std::string>> fields;  // by StructId

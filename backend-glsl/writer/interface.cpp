@@ -9,6 +9,7 @@
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/output_groups.h"
+#include "backend-glsl/writer/outputs.h"
 #include "backend-glsl/writer/types.h"
 #include "base/invariant.h"
 #include "ir/access.h"
@@ -168,20 +169,6 @@ bool IsIntegerAsFloat(const WriterContext& context, const IoVar& input) {
          !InfoOf(context.program.stage).has_stage_before;
 }
 
-// Appends the declaration of an output, or of the matrix or array that it is a part of: "vec2 uv";
-// "mat3 tangents", whose first column the output is. An input of a stage with a stage before is
-// declared alike.
-void AppendVarying(WriterContext& context, std::string& text, const IoVar& io, Shape shape,
-                   std::string_view name) {
-  if (!io.reader || io.reader->IsWhole()) return AppendDeclaration(context, text, shape, name);
-  if (io.reader->columns > 1) {
-    shape.kind = Shape::kMatrix;
-    shape.rows = static_cast<std::uint8_t>(io.reader->columns);
-  }
-  AppendDeclaration(context, text, shape, name.substr(0, name.find('[')));
-  for (const std::uint32_t dimension : io.reader->dimensions) Append(text, "[", dimension, "]");
-}
-
 // Whether the shader reads the input, or another row of the matrix that the input begins.
 bool IsDeclared(const WriterContext& context, const IoVar& input) {
   if (!input.reader || input.reader->IsWhole()) return context.reached.Has(input.var);
@@ -195,12 +182,6 @@ bool IsDeclared(const WriterContext& context, const IoVar& input) {
 bool IsPerVertex(const WriterContext& context, VarId input) {
   const auto& inputs = context.reached.per_vertex;
   return std::ranges::find(inputs, input) != inputs.end();
-}
-
-// The input of this name, "normals[1]", at one vertex: "normals[v][1]".
-std::string AtVertex(std::string_view name, std::string_view vertex) {
-  const std::size_t end = std::min(name.find('['), name.size());
-  return Concat(name.substr(0, end), "[", vertex, "]", name.substr(end));
 }
 
 // Declares an input that is an output of the stage before, in the same words.
@@ -280,105 +261,23 @@ std::uint32_t LayVarying(const WriterContext& context, const IoVar& output,
   return location + (is_part ? 1 : LocationCount(context.TypeOf(output.var)));
 }
 
-void WriteVarying(WriterContext& context, const IoVar& output, const GlslInfo::Variable& info,
-                  std::string& text) {
-  const auto& reader = output.reader;
-  // It is declared with its block, or with the first of its elements.
-  if (reader && (reader->group || reader->element > 0)) return;
-  const Shape shape = context.ShapeAt(output.var);
-  if (context.program.emission.streams.size() > 1)
-    Append(text, "layout(stream = ", StreamOf(context.program, output.var), ") ");
-  Append(text, LocationText{info.location}, PreciseText(context, context[output.var].precise),
-         InterpolationText(context,
-                           {shape.scalar, output.interpolation, output.centroid, output.sample}),
-         context.Has(Feature::kInAndOut) ? "out " : "varying ", PrecisionText(context, output));
-  AppendVarying(context, text, output, shape, info.name);
-  Append(text, ";", SemanticComment{output, info.name});
-}
-
-// Declares an output to a render target; GLSL without `out` has gl_FragData in its place.
-void WriteTarget(WriterContext& context, const IoVar& output, const GlslInfo::Variable& info,
-                 std::string& text) {
-  if (!context.Has(Feature::kInAndOut)) {
-    if (output.location > 0) context.Require(Feature::kSeveralTargets);
-    return;
-  }
-  if (output.blend_index > 0) {
-    context.Require(Feature::kBlendIndices);
-    Append(text, "layout(location = ", output.location, ", index = ", output.blend_index, ") ");
-  } else {
-    AppendPart(text, LocationText{info.location});
-  }
-  Append(text, "out ", PrecisionText(context, output));
-  AppendDeclaration(context, text, context.ShapeAt(output.var), info.name);
-  Append(text, ";", SemanticComment{output, info.name});
-}
-
-// The elements of an output array that the shader assigns, one bit for each; all if it assigns the
-// whole array or an element whose index is not constant. The array is only the target of
-// statements, a promise of ir/verify.h.
-std::uint32_t WrittenElements(const WriterContext& context, VarId array) {
-  const std::uint32_t count = context.TypeOf(array).count;
-  const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;
-  std::uint32_t mask = 0;
-  const FunctionId writer = OutputFunction(context.program);
-  ForEachStmt(context.program, context[writer].body, [&](StmtId stmt) {
-    const Assign* assign = AsAssignment(context.program, stmt);
-    if (!assign || RootOf(context.program, assign->target) != array) return;
-    const auto* index = context.As<Index>(assign->target);
-    const auto* element = index ? context.As<Literal>(index->index) : nullptr;
-    mask |= element ? 1u << (UintOf(element->bits) & 31) : all;
-  });
-  return mask & all;
-}
-
-// Declares clip and cull distances anew, since they have no size of their own: as members of
-// gl_PerVertex where the interface between separate stages is built from it, otherwise as arrays
-// alone.
-void WritePerVertex(WriterContext& context, const GlslInfo& info, std::string& text) {
-  if (!InfoOf(context.program.stage).has_stage_after) return;  // its outputs are no vertex's
-  const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
-  const bool has_block = is_vulkan || (!is_es && context.target.version() >= 410);
-  const bool in_block = has_block && (is_vulkan || context.options.separable);
-  std::string comments, arrays;
-  const auto declare = [&](Builtin builtin, const char* what, std::uint32_t mask) {
-    const auto output = std::ranges::find(context.program.outputs, builtin, &IoVar::builtin);
-    if (output == context.program.outputs.end()) return;
-    comments += fmt::format("// {} distances written: 0x{:x}\n", what, mask);
-    Append(arrays, in_block ? "    " : "", PreciseText(context, context[output->var].precise),
-           in_block ? ""
-           : is_es  ? "out highp "
-                    : "out ",
-           "float ", BuiltinOutput(builtin, context.target), Dimensions(context, output->var),
-           ";\n");
-  };
-  declare(Builtin::kClipDistance, "clip", info.clip_distance_mask);
-  declare(Builtin::kCullDistance, "cull", info.cull_distance_mask);
-  const bool is_asked = in_block && (context.options.separable || !arrays.empty());
-  Append(text, comments,
-         is_asked ? "out gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n" : "",
-         arrays, is_asked ? "};\n" : "");
-}
-
-// Writes the qualifiers of built-in outputs that are not declared anew.
-void QualifyBuiltins(WriterContext& context, std::string& text) {
-  for (const IoVar& output : context.program.outputs) {
-    const bool is_less = output.builtin == Builtin::kDepthLessEqual;
-    if ((is_less || output.builtin == Builtin::kDepthGreaterEqual) &&
-        context.Has(Feature::kConservativeDepth)) {
-      context.Require(Feature::kConservativeDepth);
-      Append(text, "layout(depth_", is_less ? "less" : "greater", ") out float gl_FragDepth;\n");
-    }
-    const bool is_position = output.builtin == Builtin::kPosition;
-    if (!is_position && output.builtin != Builtin::kPointSize) continue;
-    const std::string_view name = BuiltinOutput(output.builtin, context.target);
-    const std::string_view precise = PreciseText(context, context[output.var].precise);
-    if (!precise.empty()) Append(text, precise, name, ";\n");
-    if (is_position && context.options.invariant) Append(text, "invariant ", name, ";\n");
-  }
-}
-
 }  // namespace
+
+std::string AtVertex(std::string_view name, std::string_view vertex) {
+  const std::size_t end = std::min(name.find('['), name.size());
+  return Concat(name.substr(0, end), "[", vertex, "]", name.substr(end));
+}
+
+void AppendVarying(WriterContext& context, std::string& text, const IoVar& io, Shape shape,
+                   std::string_view name) {
+  if (!io.reader || io.reader->IsWhole()) return AppendDeclaration(context, text, shape, name);
+  if (io.reader->columns > 1) {
+    shape.kind = Shape::kMatrix;
+    shape.rows = static_cast<std::uint8_t>(io.reader->columns);
+  }
+  AppendDeclaration(context, text, shape, name.substr(0, name.find('[')));
+  for (const std::uint32_t dimension : io.reader->dimensions) Append(text, "[", dimension, "]");
+}
 
 std::string InputText(const WriterContext& context, const IoVar& input,
                       const std::string& attribute) {
@@ -412,39 +311,6 @@ bool IsPixelPosition(const WriterContext& context, VarId var) {
          });
 }
 
-std::string_view BuiltinOutput(Builtin builtin, const Target& target) {
-  switch (builtin) {
-    case Builtin::kPosition: return "gl_Position";
-    case Builtin::kClipVertex: return "gl_ClipVertex";
-    case Builtin::kClipDistance: return "gl_ClipDistance";
-    case Builtin::kCullDistance: return "gl_CullDistance";
-    case Builtin::kPointSize: return "gl_PointSize";
-    case Builtin::kLayer: return "gl_Layer";
-    case Builtin::kViewportIndex: return "gl_ViewportIndex";
-    case Builtin::kPrimitiveIdOutput: return "gl_PrimitiveID";
-    case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
-    case Builtin::kDepth:
-    case Builtin::kDepthGreaterEqual:
-    case Builtin::kDepthLessEqual:
-      return target.HasInCore(Feature::kDepthOutput) ? "gl_FragDepth" : "gl_FragDepthEXT";
-    case Builtin::kCoverage: return "gl_SampleMask[0]";
-    case Builtin::kStencilRef: return "gl_FragStencilRefARB";
-    default: return "";
-  }
-}
-
-bool IsIntOutput(Builtin builtin) {
-  switch (builtin) {
-    case Builtin::kShadingRate:
-    case Builtin::kLayer:
-    case Builtin::kViewportIndex:
-    case Builtin::kPrimitiveIdOutput:
-    case Builtin::kCoverage:
-    case Builtin::kStencilRef: return true;
-    default: return false;
-  }
-}
-
 void LayInterface(const WriterContext& context, GlslInfo& info) {
   const Program& program = context.program;
   info.inputs.reserve(program.inputs.size());
@@ -473,27 +339,6 @@ std::string WriteInputs(WriterContext& context, const GlslInfo& info) {
   for (std::size_t i = 0; i < info.inputs.size(); ++i)
     WriteInput(context, context.program.inputs[i], info.inputs[i], text);
   if (InfoOf(context.program.stage).reads_vertices) WriteVertices(context, text);
-  return text;
-}
-
-std::string WriteOutputs(WriterContext& context, const GlslInfo& info) {
-  std::string text;
-  text.reserve(512);
-  text += GroupsText(context);
-  const bool has_stage_after = InfoOf(context.program.stage).has_stage_after;
-  for (std::size_t i = 0; i < info.outputs.size(); ++i) {
-    const IoVar& output = context.program.outputs[i];
-    if (const Requirement* requirement =
-            RequirementOf(output.builtin, InfoOf(context.program.stage)))
-      context.Require(requirement->feature);
-    if (output.builtin != Builtin::kNone) continue;
-    if (has_stage_after)
-      WriteVarying(context, output, info.outputs[i], text);
-    else
-      WriteTarget(context, output, info.outputs[i], text);
-  }
-  WritePerVertex(context, info, text);
-  QualifyBuiltins(context, text);
   return text;
 }
 

@@ -8,14 +8,13 @@
 
 #include "backend-glsl/writer/context.h"
 
-// Inputs, outputs and built-in variables.
+// Inputs and their built-in variables, and where inputs and outputs lie.
 namespace clipc::glsl {
 
 // Lays the inputs and outputs at their locations.
 void LayInterface(const WriterContext& context, GlslInfo& info);
-// The declarations of what is laid so.
+// The declarations of the inputs that are laid so.
 std::string WriteInputs(WriterContext& context, const GlslInfo& info);
-std::string WriteOutputs(WriterContext& context, const GlslInfo& info);
 
 // The text in place of an input: the attribute of this name, or a built-in variable of GLSL,
 // converted to the input's type.
@@ -23,13 +22,15 @@ std::string InputText(const WriterContext& context, const ir::IoVar& input,
                       const std::string& attribute);
 // The text of an input, of which the shader reads the vertices, at one of them.
 std::string AtVertex(const WriterContext& context, ir::VarId input, std::string_view vertex);
-// The built-in variable of the target's GLSL that an output is.
-std::string_view BuiltinOutput(ir::Builtin builtin, const Target& target);
+// The name, "normals[1]", of an input or output at one vertex or control point: "normals[v][1]".
+std::string AtVertex(std::string_view name, std::string_view vertex);
+// Appends the declaration of an output, or of the matrix or array that it is a part of: "vec2 uv";
+// "mat3 tangents", whose first column the output is. An input of a stage with a stage before is
+// declared alike.
+void AppendVarying(WriterContext& context, std::string& text, const ir::IoVar& io, Shape shape,
+                   std::string_view name);
 
 // Whether the variable is Direct3D's position of a pixel, gl_FragCoord with another w.
 bool IsPixelPosition(const WriterContext& context, ir::VarId var);
-
-// Whether GLSL has the output as an int, which is a uint in HLSL.
-bool IsIntOutput(ir::Builtin builtin);
 
 }  // namespace clipc::glsl

@@ -8,6 +8,7 @@
 #include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/operand.h"
+#include "backend-glsl/writer/outputs.h"
 #include "backend-glsl/writer/types.h"
 #include "backend-glsl/writer/wave_call.h"
 #include "base/invariant.h"
@@ -165,10 +166,15 @@ Binding WriteBarrier(Code& code, Intrinsic op) {
   return Binding::kPostfix;
 }
 
-// Writes an input at a vertex of the primitive, or what emits one.
+// Writes an input at a vertex of the primitive or of the patch, or what makes such.
 Binding WriteVertexCall(Code& code, Intrinsic op, std::span<const ExprId> arguments) {
   const bool emits = op == Intrinsic::kEmitVertex;
-  if (op == Intrinsic::kInputOfVertex)
+  if (op == Intrinsic::kIsFirstPoint) return code.Put("gl_InvocationID == 0"), Binding::kEquality;
+  if (op == Intrinsic::kEndPoints)
+    code.Put("barrier()");
+  else if (op == Intrinsic::kOutputOfPoint)
+    code.Put(AtPoint(code, code.As<VarRef>(arguments[0])->var, IndexValue(code, arguments[1])));
+  else if (op == Intrinsic::kInputOfVertex)
     code.Put(AtVertex(code, code.As<VarRef>(arguments[0])->var, IndexValue(code, arguments[1])));
   else if (code.program.emission.streams.size() > 1)
     code.Put(emits ? "EmitStreamVertex(" : "EndStreamPrimitive(", IndexValue(code, arguments[0]),

@@ -9,6 +9,7 @@
 #include "backend-glsl/requirements.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/interface.h"
+#include "backend-glsl/writer/outputs.h"
 #include "backend-glsl/writer/types.h"
 #include "base/spelling.h"
 

@@ -12,6 +12,7 @@
 #include "backend-glsl/writer/lay_blocks.h"
 #include "backend-glsl/writer/naming.h"
 #include "backend-glsl/writer/objects.h"
+#include "backend-glsl/writer/outputs.h"
 #include "backend-glsl/writer/stmt.h"
 #include "backend-glsl/writer/types.h"
 
@@ -111,6 +112,8 @@ std::string Header(const WriterContext& context) {
   if (InfoOf(context.program.stage).reads_patches)
     Append(text, "\nlayout(", TessellatorText(context.program.tessellation, context.target),
            ") in;\n");
+  if (InfoOf(context.program.stage).makes_patches)
+    Append(text, "\nlayout(vertices = ", context.program.tessellation.output_points, ") out;\n");
   if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
   if (context.has_order) {
     const bool is_per_sample = std::ranges::any_of(context.program.inputs, [](const IoVar& input) {
@@ -132,6 +135,7 @@ StageWriter::StageWriter(const Program& program, const Target& target, const Wri
   info_.blocks = LayBlocks(code_);
   info_.objects = LayObjects(code_);
   LayInterface(code_, info_);
+  NameAtPoint(code_, info_);
   info_.framebuffer_height = code_.names.framebuffer_height;
 }
 

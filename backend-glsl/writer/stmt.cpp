@@ -9,6 +9,7 @@
 #include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/intrinsic_call.h"
+#include "backend-glsl/writer/outputs.h"
 #include "backend-glsl/writer/types.h"
 #include "base/overloaded.h"
 

@@ -93,9 +93,10 @@ void SetStage(Reading& reading, const std::string& value) {
     if (value == kStages[i].name) reading.stage = static_cast<Stage>(i);
   }
   if (value == "fragment") reading.stage = Stage::kPixel;
-  if (!reading.stage || !InfoOf(*reading.stage).is_translated)
+  if (!reading.stage)
     reading.Refuse(
-        fmt::format("`{}`: clipc compiles vertex, geometry, pixel and compute shaders; use dxc or "
+        fmt::format("`{}`: clipc compiles vertex, hull, domain, geometry, pixel and compute "
+                    "shaders; use dxc or "
                     "glslang for other ones",
                     AsWritten(reading, value)));
 }

@@ -25,9 +25,7 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
 
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
                   const ir::PassOptions& passes, const std::function<bool(const Tokens&)>& wants) {
-  const auto& stage = options.profile.stage;
-  if (!stage ||
-      !InfoOf(*stage).is_translated) {  // the next errors would be about another stage's shader
+  if (!options.profile.stage) {  // the next errors would be about another stage's shader
     diagnostics.Report({}, diag::OtherStageProfile, options.profile.name,
                        options.profile.name.starts_with("fx_")
                            ? "`--effect` compiles the shaders of an effect"

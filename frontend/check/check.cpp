@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/check.h"
 
+#include <memory>
 #include <utility>
 
 #include "frontend/check/body.h"
@@ -13,6 +14,7 @@
 #include "frontend/check/entry_point.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
+#include "frontend/check/hull.h"
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/check/static_local.h"
@@ -50,12 +52,16 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
                 EntryBodies bodies) {
   Program& program = context.program;
   program.entry = Reach(context, entry);
-  const EntrySignature signature = SignatureOf(context, entry);
+  EntrySignature signature = SignatureOf(context, entry);
+  CheckTessellation(context, entry, attributes);
+  if (InfoOf(program.stage).makes_patches)
+    signature.patch = std::make_shared<const EntrySignature>(ReadHull(context, entry, attributes));
   const auto [planes_of, planes] = PlanesOf(context, entry, attributes);
   ReachClipPlanes(context, planes_of, planes);
   if (bodies == EntryBodies::kCheck) {
     CheckBodies(context);
     CheckRecursion(context);
+    CheckHull(context);
     if (context.options.keeps_bindings) ReachAllBindings(context);
   }
   FinishBuffers(context);
@@ -82,6 +88,7 @@ void Run(Context& context, const ir::PassOptions& passes) {
   CheckUnusedClipPlanes(context, attributes);
   if (!context.diagnostics.has_errors()) SettleStaticLocals(context);
   FinishGlobals(context);
+  ResetStatics(context);
   resolve::Resolve(program,
                    {.is_specialised = !context.options.entry_call.empty(),
                     .has_preshader = context.options.has_preshader,
@@ -93,20 +100,6 @@ void Run(Context& context, const ir::PassOptions& passes) {
 
 }  // namespace
 }  // namespace check
-
-CheckOptions CheckOptions::For(ir::Profile profile, LanguageVersion language) {
-  CheckOptions options;
-  const bool has_versions = profile.IsAtLeast(6, 0);
-  options.language = language;
-  options.has_templates = !has_versions || language >= LanguageVersion::k2021;
-  options.has_enums = !has_versions || language >= LanguageVersion::k2017;
-  options.casts_structs = has_versions && language >= LanguageVersion::k2021;
-  options.scopes_loops = has_versions && language >= LanguageVersion::k2021;
-  options.short_circuits = has_versions && language >= LanguageVersion::k2021;
-  options.stores_any_type = has_versions && language >= LanguageVersion::k2018;
-  options.profile = std::move(profile);
-  return options;
-}
 
 EntryPoint CheckEntryPoint(const ast::File& file, const CheckOptions& options, EntryBodies bodies,
                            Diagnostics& diagnostics) {

@@ -232,7 +232,8 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
 bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];
-  if (!InfoOf(program.stage).has_stage_after || program.profile.IsDirect3D9()) {
+  const StageInfo& stage = InfoOf(program.stage);
+  if (!stage.has_stage_after || stage.makes_patches || program.profile.IsDirect3D9()) {
     const bool is_direct3d9 = program.stage == Stage::kVertex;
     context.Report(attribute.span, diag::ClipPlanesProfile, program.profile.name,
                    is_direct3d9 ? "; `-T vs_4_0_level_9_1` is for the same hardware" : "");

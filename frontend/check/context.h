@@ -12,7 +12,7 @@
 
 #include "base/diagnostics.h"
 #include "base/not_copied.h"
-#include "frontend/check/check.h"
+#include "frontend/check/check_options.h"
 #include "frontend/check/overloads.h"
 #include "frontend/check/scope_table.h"
 #include "frontend/check/symbols.h"

@@ -42,16 +42,6 @@ std::vector<SymbolId> EntriesIn(const Context& context, ScopeId scope, Name name
   return found;
 }
 
-// The name of the symbol with its scopes: "NS::main".
-std::string ScopedName(const Context& context, SymbolId id) {
-  std::string text(context[context[id].name]);
-  for (ScopeId scope = context[id].scope; scope && scope != context.names.global();
-       scope = context[scope].parent) {
-    text = fmt::format("{}::{}", context[context[scope].name], text);
-  }
-  return text;
-}
-
 // Whether a struct with the type's name, in any scope, has a field with a semantic.
 bool HasSemantics(const Context& context, ast::TypeId type) {
   const auto has_semantic = [&](ast::DeclId member) {
@@ -127,6 +117,15 @@ void ReportNoEntry(Context& context, const std::string& entry) {
 }
 
 }  // namespace
+
+std::string ScopedName(const Context& context, SymbolId id) {
+  std::string text(context[context[id].name]);
+  for (ScopeId scope = context[id].scope; scope && scope != context.names.global();
+       scope = context[scope].parent) {
+    text = fmt::format("{}::{}", context[context[scope].name], text);
+  }
+  return text;
+}
 
 bool MayBeEntry(const Context& context, const ast::FunctionDecl& decl) {
   const auto has_semantics = [&](ast::DeclId id) {

@@ -11,6 +11,9 @@ namespace clipc::check {
 // also found when exactly one namespace has it. Prototypes do not count.
 FunctionInfoId FindEntry(Context& context, const std::string& entry);
 
+// The name of the symbol with its scopes: "NS::main".
+std::string ScopedName(const Context& context, SymbolId id);
+
 // Whether the function may be the entry point of another shader in the same file: its parameters or
 // its result have semantics, their own or those of a struct's fields.
 bool MayBeEntry(const Context& context, const ast::FunctionDecl& decl);

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "frontend/check/check.h"
+#include "base/diagnostics.h"
+#include "frontend/check/check_options.h"
+#include "frontend/parse/ast.h"
 #include "ir/program.h"
 
 // The entry point alone, for a tool that leaves the rest of the file as it is.

@@ -194,24 +194,6 @@ void ReadVertices(Context& context, const ast::VarDecl& var, const Parameter& pa
   emission.takes_primitive = true;
 }
 
-// The number that the attribute has, from 1 to `most`; nullopt after an error, and without the
-// attribute.
-std::optional<std::uint32_t> NumberIn(Context& context, const AttributeLists& attributes,
-                                      std::string_view name, std::int64_t most) {
-  const ast::Attr* attribute = FindAttribute(context, attributes, name);
-  if (!attribute) return std::nullopt;
-  const auto arguments = context[attribute->arguments];
-  if (arguments.size() != 1) {
-    context.Report(attribute->span, diag::EmissionArguments, name, arguments.size());
-    return std::nullopt;
-  }
-  const auto number = ConstantInteger(context, arguments[0]);
-  if (!number) return std::nullopt;
-  if (*number >= 1 && *number <= most) return static_cast<std::uint32_t>(*number);
-  context.Report(context[arguments[0]].span, diag::EmissionRange, name, *number, most);
-  return std::nullopt;
-}
-
 // Reports a stream that may not be one of several, which are of points ("Stream-Output Object" of
 // Microsoft's HLSL reference).
 void CheckStream(Context& context, const Stream& stream) {
@@ -266,6 +248,45 @@ bool ReadEmission(Context& context, const ast::VarDecl& var, const Parameter& pa
 
 }  // namespace
 
+std::optional<std::uint32_t> NumberIn(Context& context, const AttributeLists& attributes,
+                                      std::string_view name, std::int64_t most,
+                                      std::int64_t least) {
+  const ast::Attr* attribute = FindAttribute(context, attributes, name);
+  if (!attribute) return std::nullopt;
+  const auto arguments = context[attribute->arguments];
+  if (arguments.size() != 1) {
+    context.Report(attribute->span, diag::EmissionArguments, name, arguments.size());
+    return std::nullopt;
+  }
+  const auto number = ConstantInteger(context, arguments[0]);
+  if (!number) return std::nullopt;
+  if (*number >= least && *number <= most) return static_cast<std::uint32_t>(*number);
+  context.Report(context[arguments[0]].span, diag::EmissionRange, name, *number, most);
+  return std::nullopt;
+}
+
+EntryParameter Described(Context& context, const ast::VarDecl& var) {
+  EntryParameter parameter;
+  parameter.semantic = context[var.semantic.name];
+  parameter.semantic_span = var.semantic.span;
+  ReadInterpolation(var.qualifiers, parameter);
+  ReadVulkan(context, var.attributes, parameter);
+  parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
+  parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
+  return parameter;
+}
+
+EntryParameter DescribedResult(Context& context, const ast::FunctionDecl& decl) {
+  EntryParameter result;
+  result.semantic = context[decl.return_semantic.name];
+  result.semantic_span = decl.return_semantic.span;
+  ReadInterpolation(decl.qualifiers, result);
+  ReadVulkan(context, decl.attributes, result);
+  result.precise = (decl.qualifiers & ast::kPrecise) != 0;
+  result.row_major = IsRowMajor(context, decl.qualifiers);
+  return result;
+}
+
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   const FunctionInfo& info = context[entry];
   const ast::FunctionDecl& decl = DeclOf(context, info);
@@ -276,13 +297,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   for (const Parameter& parameter :
        std::vector<Parameter>(context[info.parameters].begin(), context[info.parameters].end())) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
-    EntryParameter entry_parameter;
-    entry_parameter.semantic = context[var.semantic.name];
-    entry_parameter.semantic_span = var.semantic.span;
-    ReadInterpolation(var.qualifiers, entry_parameter);
-    ReadVulkan(context, var.attributes, entry_parameter);
-    entry_parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
-    entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
+    EntryParameter entry_parameter = Described(context, var);
     if (!(var.qualifiers & ast::kUniform) && IsPatch(context, var)) {
       entry_parameter.is_of_vertices = ReadPatch(context, var, parameter);
     } else if (ReadEmission(context, var, parameter, entry_parameter)) {
@@ -313,12 +328,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     context.Report(decl.name_span, diag::EntryArguments, context.options.entry_call,
                    WithCount(arguments.size(), "argument"), context[decl.name],
                    WithCount(wanted, names_all ? "parameter" : "`uniform` parameter"));
-  signature.result.semantic = context[decl.return_semantic.name];
-  signature.result.semantic_span = decl.return_semantic.span;
-  ReadInterpolation(decl.qualifiers, signature.result);
-  ReadVulkan(context, decl.attributes, signature.result);
-  signature.result.precise = (decl.qualifiers & ast::kPrecise) != 0;
-  signature.result.row_major = IsRowMajor(context, decl.qualifiers);
+  signature.result = DescribedResult(context, decl);
   signature.stages_match_by_row = context.options.stages_match_by_row;
   return signature;
 }

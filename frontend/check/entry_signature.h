@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
 #include "frontend/check/clip_planes.h"
 #include "frontend/check/context.h"
 #include "frontend/signature/build_main.h"
@@ -10,6 +14,14 @@ namespace clipc::check {
 // Returns the semantics and modifiers of the entry point. Makes variables of its `uniform`
 // parameters.
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry);
+// The semantic and the modifiers of a parameter, and of a function's result.
+EntryParameter Described(Context& context, const ast::VarDecl& var);
+EntryParameter DescribedResult(Context& context, const ast::FunctionDecl& decl);
+// The number that the attribute has, from `least` to `most`; nullopt after an error, and without
+// the attribute.
+std::optional<std::uint32_t> NumberIn(Context& context, const AttributeLists& attributes,
+                                      std::string_view name, std::int64_t most,
+                                      std::int64_t least = 1);
 // Sets how a value is interpolated, in an EntryParameter or an ir::Field.
 void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
   if (qualifiers & ast::kLinear) into.interpolation = Interpolation::kLinear;

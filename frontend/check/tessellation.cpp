@@ -16,17 +16,13 @@
 #include "frontend/signature/semantics.h"
 
 namespace clipc::check {
-namespace {
 
-// The text of a string; nullopt for every other expression.
 std::optional<std::string_view> StringOf(const Context& context, ast::ExprId id) {
   const auto* literal = context.GetIf<ast::Literal>(id);
   if (!literal || literal->kind != LiteralKind::kString) return std::nullopt;
   return context[Name{static_cast<std::uint32_t>(literal->bits)}];
 }
 
-// The number of the word that the attribute has among `words`; nullopt after an error, and without
-// the attribute. fxc compares words without case.
 std::optional<std::size_t> WordIn(Context& context, const AttributeLists& attributes,
                                   std::string_view name, std::span<const std::string_view> words) {
   const ast::Attr* attribute = FindAttribute(context, attributes, name);
@@ -46,15 +42,15 @@ std::optional<std::size_t> WordIn(Context& context, const AttributeLists& attrib
   return std::nullopt;
 }
 
-std::vector<std::string_view> DomainWords() {
+static std::vector<std::string_view> DomainWords() {
   std::vector<std::string_view> words;
   for (const DomainInfo& info : kDomains) words.push_back(info.name);
   return words;
 }
 
 // The word of the attribute in the list; empty without one that is a string.
-std::string_view PlainWord(const Context& context, List<ast::Attr> attributes,
-                           std::string_view name) {
+static std::string_view PlainWord(const Context& context, List<ast::Attr> attributes,
+                                  std::string_view name) {
   for (const ast::Attr& attribute : context[attributes]) {
     if (!EqualIgnoringCase(context[attribute.name], name)) continue;
     const auto arguments = context[attribute.arguments];
@@ -66,8 +62,8 @@ std::string_view PlainWord(const Context& context, List<ast::Attr> attributes,
 // The value that the hull shaders of the file with the domain give an attribute; nullopt if there
 // are none, or if they differ.
 template <typename Value>
-std::optional<Value> OfHullShaders(const Context& context, std::string_view name,
-                                   std::span<const std::string_view> words) {
+static std::optional<Value> OfHullShaders(const Context& context, std::string_view name,
+                                          std::span<const std::string_view> words) {
   std::optional<Value> found;
   const std::optional<Domain>& domain = context.program.tessellation.domain;
   for (const ast::DeclId id : context.file.decls.ids()) {
@@ -84,8 +80,6 @@ std::optional<Value> OfHullShaders(const Context& context, std::string_view name
   }
   return found;
 }
-
-}  // namespace
 
 bool ReadPatch(Context& context, const ast::VarDecl& var, const Parameter& parameter) {
   const StageInfo& stage = InfoOf(context.program.stage);

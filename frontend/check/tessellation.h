@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
 #include "frontend/check/clip_planes.h"
 #include "frontend/check/context.h"
 
 // What hull and domain shaders say of a patch: "Tessellation Stages" and the pages of the
 // attributes in Microsoft's HLSL reference; the Direct3D 11.3 functional specification, 10 to 12.
 namespace clipc::check {
+
+// The text of a string; nullopt for every other expression.
+std::optional<std::string_view> StringOf(const Context& context, ast::ExprId id);
+// The number of the word that the attribute has among `words`; nullopt after an error, and without
+// the attribute. fxc compares words without case.
+std::optional<std::size_t> WordIn(Context& context, const AttributeLists& attributes,
+                                  std::string_view name, std::span<const std::string_view> words);
 
 // Reads a parameter of the entry point that is a patch, `const OutputPatch<Point, 3> patch`, into
 // program.tessellation. Returns whether the stage reads such a patch; reports it otherwise.

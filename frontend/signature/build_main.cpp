@@ -10,9 +10,10 @@
 
 #include "base/spelling.h"
 #include "frontend/signature/attribute_reads.h"
-#include "frontend/signature/distances.h"
+#include "frontend/signature/distance_vars.h"
 #include "frontend/signature/interface_vars.h"
 #include "frontend/signature/patch_inputs.h"
+#include "frontend/signature/patch_outputs.h"
 #include "frontend/signature/pixel_inputs.h"
 #include "frontend/signature/semantic_check.h"
 #include "frontend/signature/signature_leaves.h"
@@ -43,18 +44,17 @@ class MainBuilder {
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CenterPositions();
-    const bool reads_gaps = FitWithGaps(clip_reads_, cull_reads_);
-    ReadDistances(Builtin::kClipDistanceInput, clip_reads_, reads_gaps);
-    ReadDistances(Builtin::kCullDistanceInput, cull_reads_, reads_gaps);
+    distances_.FinishReads();
     attributes_.Finish();
-    vertices_.Finish();
-    CallEntry();
+    CallFunction(program_.entry, signature_);
     vars_.SetOfPatch(false);
     leaves_.SetByRow(signature_.stages_match_by_row);
     if (stage_.emits_vertices)
       WriteStreams();
     else
       WriteOutputs();
+    if (signature_.patch && program_.tessellation.patch_function) WritePatch(*signature_.patch);
+    vertices_.Finish();
     vars_.CheckDistances();
     vars_.PlaceConstants();
     leaves_.ReportMissing();
@@ -70,9 +70,35 @@ class MainBuilder {
     for (const Carrier& output : pending_outputs_) {
       for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
     }
-    const bool has_gaps = FitWithGaps(clip_, cull_);
-    WriteDistances(Builtin::kClipDistance, clip_, has_gaps);
-    WriteDistances(Builtin::kCullDistance, cull_, has_gaps);
+    distances_.Write(body_);
+  }
+
+  // Writes the constants of the patch in the first control point, from the values that all have.
+  void WritePatch(const EntrySignature& signature) {
+    const Function function = program_.functions[program_.tessellation.patch_function];
+    std::vector<StmtId> main = std::exchange(body_, {});
+    arguments_.clear();
+    pending_outputs_.clear();
+    semantics_.NextFunction();
+    vertices_.NextFunction();
+    output_side_ = Direction::kPatchConstant;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+      PrepareParameter(function.parameters[i], signature.parameters[i]);
+    CallFunction(program_.tessellation.patch_function, signature);
+    vars_.SetOfPatch(true);
+    WriteOutputs();
+    const std::vector<StmtId> factors = patch_.WriteFactors(function.span);
+    vars_.SetOfPatch(false);
+    body_.insert(body_.end(), factors.begin(), factors.end());
+    const StmtId block = builder_.BlockOf(body_);
+    const bool waits = std::ranges::any_of(signature.parameters, &EntryParameter::is_of_points);
+    body_ = std::move(main);
+    if (waits)
+      body_.push_back(builder_.Eval(
+          builder_.IntrinsicOf(CommonIntrinsic::kEndPoints, program_.types.Void(), {})));
+    const ExprId is_first = builder_.IntrinsicOf(CommonIntrinsic::kIsFirstPoint,
+                                                 program_.types.Make(Scalar::kBool), {});
+    body_.push_back(builder_.Stmt(If{is_first, block, {}}));
   }
 
   // Makes the functions that emit the vertices of the streams.
@@ -91,7 +117,6 @@ class MainBuilder {
       pending_outputs_ = {{leaves_.Whole(vertex), type, object.name, object.span,
                            CursorOf(parameter), parameter.row_major}};
       WriteOutputs();
-      clip_ = cull_ = {};
       body_.push_back(builder_.Eval(builder_.IntrinsicOf(
           CommonIntrinsic::kEmitVertex, program_.types.Void(), {builder_.Uint(number)})));
       const FunctionId emit = program_.functions.Add({"append_" + object.name,
@@ -116,7 +141,8 @@ class MainBuilder {
     const bool reads = var.storage != Storage::kOut;
     const bool writes = var.storage != Storage::kIn;
     Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
-    if (parameter.is_of_vertices) return ReadVertices(id, whole);
+    if (parameter.is_of_vertices) return ReadElements(id, whole, Source::kVertices);
+    if (parameter.is_of_points) return ReadElements(id, whole, Source::kPoints);
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
       const std::span<const Carrier> leaves = leaves_.Of(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
@@ -132,8 +158,12 @@ class MainBuilder {
     if (writes) pending_outputs_.push_back(std::move(whole));
   }
 
-  // Reads the inputs of each vertex of the primitive, an element of the parameter.
-  void ReadVertices(VarId id, Carrier whole) {
+  // Where the leaves of a parameter have their values from.
+  enum class Source : std::uint8_t { kInputs, kVertices, kPoints };
+
+  // Reads the inputs of each vertex of the primitive, or what the control points wrote. Each is an
+  // element of the parameter.
+  void ReadElements(VarId id, Carrier whole, Source source) {
     const VarId local = builder_.Local(program_.vars[id].name, whole.type);
     whole.part = leaves_.Whole(local);
     body_.push_back(builder_.Stmt(Declare{local, {}}));
@@ -143,8 +173,9 @@ class MainBuilder {
       Carrier vertex = whole;
       vertex.type = type.element;
       vertex.part = leaves_.Inside(whole.part, i);
-      vertices_.Start(i);
-      ReadInto(vertex, {}, true);
+      number_ = i;
+      if (source == Source::kVertices) vertices_.Start(i);
+      ReadInto(vertex, {}, source);
     }
     vars_.SetOfPatch(stage_.reads_patches);
     arguments_.push_back(builder_.Ref(local));
@@ -152,13 +183,14 @@ class MainBuilder {
 
   // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once, and textures
   // and samplers from those of `objects`.
-  void ReadInto(const Carrier& whole, VarId objects, bool is_vertex = false) {
+  void ReadInto(const Carrier& whole, VarId objects, Source source = Source::kInputs) {
     std::vector<ExprId> columns;
     for (const Carrier& leaf : leaves_.Of(whole)) {
       const bool is_object = program_.types[leaf.type].kind == TypeKind::kObject;
-      ExprId value = is_object   ? InVar(leaves_.ValueOf(leaf.part), objects)
-                     : is_vertex ? vertices_.Read(leaf)
-                                 : Input(leaf);
+      ExprId value = is_object                     ? InVar(leaves_.ValueOf(leaf.part), objects)
+                     : source == Source::kVertices ? vertices_.Read(leaf)
+                     : source == Source::kPoints   ? patch_.ReadPoint(leaf, number_)
+                                                   : Input(leaf);
       if (!value) continue;
       PartNumber target = leaf.part;
       if (const Part part = leaves_[target]; part.columns > 0) {
@@ -182,23 +214,24 @@ class MainBuilder {
     return path;
   }
 
-  void CallEntry() {
-    const Function& entry = program_.functions[program_.entry];
-    if (arguments_.size() != entry.parameters.size()) return;  // an error was reported
-    const ExprId call = builder_.CallOf(program_.entry, arguments_);
-    if (entry.return_type == program_.types.Void()) {
+  void CallFunction(FunctionId id, const EntrySignature& signature) {
+    const Function& function = program_.functions[id];
+    if (arguments_.size() != function.parameters.size()) return;  // an error was reported
+    const ExprId call = builder_.CallOf(id, arguments_);
+    if (function.return_type == program_.types.Void()) {
       body_.push_back(builder_.Eval(call));
       return;
     }
-    const VarId result = builder_.Local("result", entry.return_type);
+    const VarId result = builder_.Local("result", function.return_type);
     body_.push_back(builder_.Stmt(Declare{result, call}));
-    pending_outputs_.push_back({leaves_.Whole(result), entry.return_type, entry.name, entry.span,
-                                ResultCursor(entry), signature_.result.row_major});
+    pending_outputs_.push_back({leaves_.Whole(result), function.return_type, function.name,
+                                function.span, ResultCursor(function, signature),
+                                signature.result.row_major});
   }
 
   // The cursor of the result. A pixel's result without a semantic can only be its colour.
-  Cursor ResultCursor(const Function& entry) {
-    Cursor cursor = CursorOf(signature_.result);
+  Cursor ResultCursor(const Function& entry, const EntrySignature& signature) {
+    Cursor cursor = CursorOf(signature.result);
     const bool is_colour = stage_.draws_pixels && !program_.is_interface_only && !cursor.given &&
                            program_.types[entry.return_type].IsScalarOrVector();
     if (!is_colour) return cursor;
@@ -221,6 +254,7 @@ class MainBuilder {
       diagnostics_.Report(leaf.span, diag::InputNotOfVertex, leaf.name);
       return {};
     }
+    if (stage_.makes_patches && !IsOfPatch(value)) return NoInputOfPatch(leaf, value);
     using Use = SystemValue::Use;
     // No output of the stage before matches what the rasterizer makes.
     const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
@@ -239,6 +273,24 @@ class MainBuilder {
     return Fit(program_, builder_,
                builder_.Ref(vars_.AddInput(leaf, StoredType(program_.types, leaf.type), builtin)),
                leaf.type);
+  }
+
+  // Whether a hull shader has the value beside its control points.
+  bool IsOfPatch(const SystemValue& value) const {
+    const bool is_point = value.builtin == Builtin::kControlPointId;
+    return value.use == SystemValue::Use::kRefused || value.builtin == Builtin::kPrimitiveId ||
+           value.builtin == Builtin::kViewId || (is_point && output_side_ == Direction::kOutput);
+  }
+
+  // A system value that the function does not have may be declared and not read.
+  ExprId NoInputOfPatch(const Carrier& leaf, const SystemValue& value) {
+    if (value.use != SystemValue::Use::kPlain)
+      return Fit(program_, builder_,
+                 builder_.Ref(vars_.AddInput(leaf, StoredType(program_.types, leaf.type),
+                                             Builtin::kUntranslated)),
+                 leaf.type);
+    diagnostics_.Report(leaf.span, diag::InputNotOfPatch, leaf.name);
+    return {};
   }
 
   // The input that a pixel shader has already for the same semantic and type; from 4.0 to 5.1 both
@@ -268,8 +320,8 @@ class MainBuilder {
     bool fits = IsInteger(kind) && type.Components() == 1;
     Builtin builtin = value.builtin;
     if (builtin == Builtin::kClipDistanceInput || builtin == Builtin::kCullDistanceInput)
-      return DistanceInput(leaf, builtin);
-    if (IsOfTessellator(builtin)) return patch_.Read(leaf, builtin, diagnostics_);
+      return distances_.Read(leaf, builtin);
+    if (IsOfTessellator(builtin)) return tessellator_.Read(leaf, builtin, diagnostics_);
     if (builtin == Builtin::kBarycentrics) {
       if (leaf.cursor.interpolation == Interpolation::kNoPerspective)
         builtin = Builtin::kBarycentricsNoPerspective;
@@ -354,10 +406,9 @@ class MainBuilder {
     // The outputs of a shader that is read for its interface match nothing.
     if (program_.is_interface_only)
       return WriteOutput(leaf, StoredType(program_.types, leaf.type), Builtin::kNone);
-    const SystemValue value = semantics_.LookUp(leaf, Direction::kOutput);
+    const SystemValue value = semantics_.LookUp(leaf, output_side_);
     if (stage_.has_stage_after) semantics_.CheckInterpolation(leaf);
-    if (value.use == SystemValue::Use::kRefused ||
-        !semantics_.MayAdd(leaf, Direction::kOutput, value))
+    if (value.use == SystemValue::Use::kRefused || !semantics_.MayAdd(leaf, output_side_, value))
       return;
     if (value.use == SystemValue::Use::kTarget && !semantics_.IsTarget(leaf)) return;
     // The first stream is the one that is drawn. Those after it are captured: all is data there.
@@ -373,7 +424,12 @@ class MainBuilder {
       case Builtin::kDepthGreaterEqual:
       case Builtin::kDepthLessEqual: WriteFloats(leaf, "a `float`", value.builtin); return;
       case Builtin::kClipDistance:
-      case Builtin::kCullDistance: AddDistance(leaf, value.builtin); return;
+      case Builtin::kCullDistance:
+        distances_.Add(leaf, value.builtin, [&] { return leaves_.ValueOf(leaf.part); });
+        return;
+      case Builtin::kTessFactor:
+      case Builtin::kInsideFactor:
+        return patch_.AddFactor(leaf, value.builtin, leaves_.ValueOf(leaf.part));
       default: WriteIndex(leaf, value.builtin); return;
     }
   }
@@ -409,63 +465,6 @@ class MainBuilder {
            program_.profile.IsAtLeast(4, 0) && !program_.profile.IsAtLeast(6, 0);
   }
 
-  // ---- clip and cull distances by hand
-
-  // A pixel shader's distances lie in the array as the vertex shader packs them, so the places of
-  // these components follow when all pieces are known.
-  ExprId DistanceInput(const Carrier& leaf, Builtin builtin) {
-    const std::uint32_t count = program_.types[leaf.type].Components();
-    if (!IsDistance(leaf)) return {};
-    std::vector<ExprId> values;
-    for (std::uint32_t i = 0; i < count; ++i) values.push_back(builder_.Float(0));
-    auto& pieces = builtin == Builtin::kClipDistanceInput ? clip_reads_ : cull_reads_;
-    pieces.Add(leaf.cursor.semantic.index, values, leaf.span);
-    const TypeId vector = program_.types.Vector(Scalar::kFloat, static_cast<int>(count));
-    return Fit(program_, builder_,
-               count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
-  }
-
-  void ReadDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
-    if (pieces.empty()) return;
-    const std::vector<ExprId> values = pieces.Packed(has_gaps);
-    const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
-    for (std::uint32_t i = 0; i < values.size(); ++i) {
-      const ExprId element = builder_.At(builder_.Ref(array), i);
-      if (values[i]) program_.exprs[values[i]].node = program_.exprs[element].node;
-    }
-  }
-
-  void AddDistance(const Carrier& leaf, Builtin builtin) {
-    if (!IsDistance(leaf)) return;
-    std::vector<ExprId> values;
-    for (std::uint32_t i = 0; i < program_.types[leaf.type].Components(); ++i) {
-      ExprId value = leaves_.ValueOf(leaf.part);
-      if (program_.types[leaf.type].kind != TypeKind::kScalar)
-        value = builder_.Swizzled(value, {static_cast<int>(i)});
-      values.push_back(builder_.ConvertTo(Scalar::kFloat, value));
-    }
-    auto& pieces = builtin == Builtin::kClipDistance ? clip_ : cull_;
-    pieces.Add(leaf.cursor.semantic.index, std::move(values), leaf.span);
-  }
-
-  // Writes the pieces. Distances in a gap are 0, which clips nothing.
-  void WriteDistances(Builtin builtin, Distances& pieces, bool has_gaps) {
-    if (pieces.empty()) return;
-    const std::vector<ExprId> values = pieces.Packed(has_gaps);
-    const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
-    for (std::uint32_t i = 0; i < values.size(); ++i) {
-      const ExprId value = values[i] ? values[i] : builder_.Float(0);
-      body_.push_back(builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), value)));
-    }
-  }
-
-  // Reports and returns false unless the leaf can be distances.
-  bool IsDistance(const Carrier& leaf) {
-    if (BaseOf(program_.types[leaf.type].scalar) == Scalar::kFloat) return true;
-    semantics_.Refuse(leaf, "a `float` scalar or vector");
-    return false;
-  }
-
   Program& program_;
   const StageInfo& stage_;
   const EntrySignature& signature_;
@@ -477,11 +476,14 @@ class MainBuilder {
   SignatureLeaves leaves_;
   std::vector<Carrier> pending_outputs_;
   std::vector<ExprId> center_reads_;  // of the position that is not the sample's
-  Distances clip_, cull_, clip_reads_, cull_reads_;
   AttributeReads attributes_{program_, builder_};
   InterfaceVars vars_{program_, diagnostics_};
+  DistanceVars distances_{program_, builder_, semantics_, vars_};
   VertexInputs vertices_{program_, builder_, semantics_, vars_};
-  PatchInputs patch_{program_, builder_, semantics_, vars_};
+  PatchInputs tessellator_{program_, builder_, semantics_, vars_};
+  PatchOutputs patch_{program_, builder_, semantics_, vars_, diagnostics_};
+  Direction output_side_ = Direction::kOutput;
+  std::uint32_t number_ = 0;  // of the element that ReadElements reads
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,14 +31,18 @@ struct EntryParameter {
   ExprId object;           // the object that a technique gives to it instead; none: it gives none
   bool is_stream = false;  // of vertices that the shader emits; is_uniform then
   bool is_of_vertices = false;  // an array of the vertices or control points that the stage reads
+  bool is_of_points = false;    // of the control points that the stage writes
   VarId
       objects;  // the variable that has the textures and samplers of the struct; none: it has none
 };
+// What is written at a function of the shader, the entry or that of a patch's constants.
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry
   EntryParameter result;
   // Whether matrices between two stages are taken apart by row, as DXC and glslang do.
   bool stages_match_by_row = false;
+  // Of program.tessellation.patch_function; none: there is no such function.
+  std::shared_ptr<const EntrySignature> patch = {};
   // Whether the file has a hull or geometry shader too, which may write the position.
   bool has_later_stage = false;
 };

@@ -25,6 +25,8 @@ class SemanticCheck {
   SystemValue LookUp(const Carrier& leaf, Direction direction);
   // The next outputs are those of another stream, which may have the same semantics.
   void NextStream() { seen_[static_cast<std::size_t>(Direction::kOutput)].clear(); }
+  // The next inputs are those of another function, which may have the same semantics.
+  void NextFunction() { seen_[static_cast<std::size_t>(Direction::kInput)].clear(); }
   // Whether the leaf may be an input or output beside those that were asked about before.
   bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value);
   // Whether the profile lacks the input of a pixel shader, which may be declared and is not read.

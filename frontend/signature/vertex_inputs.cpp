@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/signature/vertex_inputs.h"
 
+#include "base/spelling.h"
+
 namespace clipc::signature {
 
 void VertexInputs::Start(std::uint32_t vertex) {
@@ -22,9 +24,24 @@ ExprId VertexInputs::Read(const Carrier& leaf) {
   return Fit(program_, builder_, value, leaf.type);
 }
 
-// The input of a leaf of the first vertex. The number of the primitive, which the shader has too,
-// is data at a vertex.
+// The input of a leaf of the first vertex.
 VertexInputs::Input VertexInputs::Add(const Carrier& leaf) {
+  const SemanticName& semantic = leaf.cursor.semantic;
+  for (std::size_t i = 0; shares_ && i < inputs_.size(); ++i) {
+    const Input& known = inputs_[i];
+    if (known.type == leaf.type && known.semantic.index == semantic.index &&
+        EqualIgnoringCase(known.semantic.name, semantic.name))
+      return known;
+  }
+  Input input = Make(leaf);
+  input.semantic = semantic;
+  input.type = leaf.type;
+  return input;
+}
+
+// Makes the input. The number of the primitive, which the shader has too,
+// is data at a vertex.
+VertexInputs::Input VertexInputs::Make(const Carrier& leaf) {
   SystemValue value = semantics_.LookUp(leaf, Direction::kInput);
   semantics_.CheckInterpolation(leaf);
   using Use = SystemValue::Use;
@@ -61,7 +78,7 @@ std::vector<ExprId> VertexInputs::Placeholders(const Carrier& leaf) {
 
 ExprId VertexInputs::ReadDistances(const Input& input, const Carrier& leaf) {
   std::vector<ExprId> values = input.distances;
-  if (vertex_ > 0) {
+  if (vertex_ > 0 || shares_) {
     values = Placeholders(leaf);
     for (std::size_t i = 0; i < values.size() && i < input.distances.size(); ++i)
       later_.push_back({values[i], input.distances[i], vertex_});

@@ -25,6 +25,8 @@ class VertexInputs {
   void Start(std::uint32_t vertex);
   // The input's value at the vertex, in the leaf's own type; none after an error.
   ExprId Read(const Carrier& leaf);
+  // The next leaves are those of another function, whose inputs of the same semantic are the same.
+  void NextFunction() { shares_ = true; }
   // Makes the inputs of the distances, whose places follow when all are known.
   void Finish();
 
@@ -33,6 +35,8 @@ class VertexInputs {
   struct Input {
     VarId var;  // none: distances, or an error was reported
     std::vector<ExprId> distances;
+    SemanticName semantic = {};
+    TypeId type = {};
   };
   // A component of distances at a vertex after the first.
   struct Later {
@@ -41,6 +45,7 @@ class VertexInputs {
   };
 
   Input Add(const Carrier& leaf);
+  Input Make(const Carrier& leaf);
   std::vector<ExprId> Placeholders(const Carrier& leaf);
   ExprId ReadDistances(const Input& input, const Carrier& leaf);
   void Place(Builtin builtin, Distances& pieces, bool has_gaps);
@@ -53,6 +58,7 @@ class VertexInputs {
   std::vector<Input> inputs_;         // by leaf of vertex 0
   std::size_t first_ = 0, next_ = 0;  // of the parameter; of the next leaf
   std::uint32_t vertex_ = 0;
+  bool shares_ = false;
   Distances clip_, cull_;
   std::vector<Later> later_;
 };

@@ -62,12 +62,13 @@ class Runner {
 
   int Run() {
     // There is no position to lower or to move to another clip space.
-    if (!Stage().has_stage_after) options_.lowerings = {"none"};
+    if (!Stage().has_stage_after || Stage().makes_patches) options_.lowerings = {"none"};
     if (Stage().runs_in_groups && options_.targets == CompareOptions().targets)
       options_.targets = {"glsl430", "glsl450", "essl310", "vulkan"};
     if (Stage().emits_vertices && options_.targets == CompareOptions().targets)
       options_.targets = {"glsl150", "glsl410", "glsl450", "essl320", "vulkan"};
-    if (Stage().reads_patches && options_.targets == CompareOptions().targets)
+    if ((Stage().makes_patches || Stage().reads_patches) &&
+        options_.targets == CompareOptions().targets)
       options_.targets = {"glsl400", "glsl410", "glsl450", "essl320"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
@@ -99,6 +100,7 @@ class Runner {
         if (options_.direct3d && (negative_one_to_one || flip_y)) continue;
         if (!Stage().has_stage_after && negative_one_to_one) continue;
         if (Stage().runs_in_groups && flip_y) continue;
+        if (Stage().makes_patches && (flip_y || negative_one_to_one)) continue;
         build.clip_space = {negative_one_to_one, flip_y};
         try {
           RunOne(build, NameOf(name, build.clip_space));

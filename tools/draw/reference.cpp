@@ -93,6 +93,29 @@ void EvaluatePoints(const Program& program, const EvalInputs& of_all, const Rand
   }
 }
 
+// Runs the program for each patch. What a patch has once stands with each of its control points.
+void MakeAll(const Program& program, const EvalInputs& of_all, const RandomInputs& inputs,
+             const EvalOptions& options, std::vector<EvalOutputs>& outputs) {
+  const std::size_t size = std::max(program.tessellation.input_points, 1u);
+  for (std::size_t first = 0; first + size <= inputs.vertices.size(); first += size) {
+    EvalInputs of_one = of_all;
+    of_one.vertices.assign(inputs.vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                           inputs.vertices.begin() + static_cast<std::ptrdiff_t>(first + size));
+    for (const IoVar& input : program.inputs)
+      of_one.values.emplace_back()[0] = input.builtin == Builtin::kPrimitiveId ? first / size : 0;
+    PatchResult result = RunPatch(program, of_one, options);
+    if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
+    for (EvalOutputs& point : result.points) {
+      for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+        if (!program.outputs[i].is_of_patch) continue;
+        point.values[i] = result.points.front().values[i];
+        point.numbers[i] = result.points.front().numbers[i];
+      }
+      outputs.push_back(point);
+    }
+  }
+}
+
 Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
   Buffers buffers;
@@ -114,6 +137,13 @@ Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined
       EvaluatePoints(program, {{}, {}, inputs.cbuffers, use, start}, inputs,
                      {.in_double = in_double, .undefined = undefined},
                      in_double ? runs.in_double : runs.in_float);
+    return runs;
+  }
+  if (clipc::InfoOf(program.stage).makes_patches) {
+    for (const bool in_double : {false, true})
+      MakeAll(program, {{}, {}, inputs.cbuffers, use, start}, inputs,
+              {.in_double = in_double, .undefined = undefined},
+              in_double ? runs.in_double : runs.in_float);
     return runs;
   }
   const std::size_t size = clipc::InfoOf(program.stage).has_neighbours ? kQuadPixels : 1;
@@ -163,7 +193,8 @@ class Reference {
     std::vector<Expected> all;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       Expected expected = Empty(i);
-      if (outputs[i].builtin == Builtin::kPosition) {
+      const bool is_drawn = !clipc::InfoOf(shader_.typed.stage).makes_patches;
+      if (outputs[i].builtin == Builtin::kPosition && is_drawn) {
         FillPosition(expected, true);
       } else if (const std::optional<std::size_t> own = OwnOutput(outputs[i].var)) {
         Fill(expected, *own, typed_);

@@ -14,8 +14,8 @@
 namespace {
 
 constexpr std::array kProfiles = {
-    "vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_5_1", "vs_6_6", "vs_3_0",
-    "vs_4_0", "ps_5_0",           "ps_3_0",           "cs_5_0", "gs_5_0"};
+    "vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_5_1", "vs_6_6", "vs_3_0", "vs_4_0",
+    "ps_5_0", "ps_3_0",           "cs_5_0",           "gs_5_0", "hs_5_0", "ds_5_0"};
 constexpr std::array kTargets = {"glsl450", "vulkan",  "glsl330", "glsl120",
                                  "glsl130", "essl310", "glsl420", "essl300"};
 

@@ -28,9 +28,11 @@ PROFILES = {
     "ps": "ps_2_0 ps_2_b ps_3_0 ps_4_0 ps_4_0_level_9_1 ps_4_1 ps_5_0 ps_5_1 ps_6_0 ps_6_6".split(),
     "gs": "gs_4_0 gs_4_1 gs_5_0 gs_5_1 gs_6_0 gs_6_6".split(),
     "cs": "cs_4_0 cs_4_1 cs_5_0 cs_5_1 cs_6_0 cs_6_6".split(),
+    "hs": "hs_5_0 hs_5_1 hs_6_0 hs_6_6".split(),
+    "ds": "ds_5_0 ds_5_1 ds_6_0 ds_6_6".split(),
 }
 KEPT = re.compile(r"(?:^|\s)(-[TE]\s*\S+|-D\s*\S+|--lower=\S+|-I\s*\S+|--pixel-entry=\S+)")
-STAGE = re.compile(r"(?:-T)?(ps|cs|gs)_")
+STAGE = re.compile(r"(?:-T)?(ps|cs|gs|hs|ds)_")
 TOKEN = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\#[^\n]*|\s+|"[^"\n]*"|[A-Za-z_]\w*|0[xX][0-9a-fA-F]+[uUlL]*"""
     r"""|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[fFhHuUlL]*|<<=|>>=|[-+*/%&|^=!<>]=|&&|\|\||<<|>>|\+\+|--|::|.""",
@@ -44,13 +46,15 @@ MODIFIERS = (
 ).split()
 SEMANTICS = (
     "SV_Position SV_Target SV_Target1 SV_Depth SV_ClipDistance0 SV_CullDistance SV_VertexID SV_InstanceID SV_IsFrontFace "
-    "SV_DispatchThreadID SV_GroupID SV_GroupThreadID SV_GroupIndex SV_Coverage SV_SampleIndex SV_PrimitiveID SV_GSInstanceID SV_RenderTargetArrayIndex SV_ViewportArrayIndex TEXCOORD0 COLOR0 COLOR1 POSITION NORMAL FOG PSIZE VPOS VFACE DEPTH"
+    "SV_DispatchThreadID SV_GroupID SV_GroupThreadID SV_GroupIndex SV_Coverage SV_SampleIndex SV_PrimitiveID SV_GSInstanceID SV_RenderTargetArrayIndex SV_ViewportArrayIndex TEXCOORD0 COLOR0 COLOR1 POSITION NORMAL FOG PSIZE VPOS VFACE DEPTH "
+    "SV_OutputControlPointID SV_DomainLocation SV_TessFactor SV_InsideTessFactor"
 ).split()
 SCALARS = "float int uint bool half double min16float uint64_t".split()
 TYPES = (
     [scalar + size for scalar in SCALARS for size in ("", "1", "2", "3", "4", "2x2", "3x4", "4x4")]
     + "void Texture2D Texture3D TextureCube Texture2DArray Texture2DMS<float4> Buffer<float4> StructuredBuffer<float4>".split()
     + "RWTexture2D<float4> RWBuffer<uint> RWStructuredBuffer<int> ByteAddressBuffer SamplerState SamplerComparisonState".split()
+    + "InputPatch<float4,3> OutputPatch<float4,3>".split()
     + "sampler sampler2D samplerCUBE texture ConstantBuffer<float4> TextureBuffer<float> AppendStructuredBuffer<float>".split()
     + "PointStream<float4> LineStream<float4> TriangleStream<float4>".split()
 )

@@ -1,7 +1,7 @@
 // Forms of declarations that fxc and DXC refuse.
 // RUN: not %clipc -T vs_6_0 %s -o %t 2>&1 | FileCheck %s
 // RUN: not %clipc -T vs_6_0 -DLISTS %s -o %t 2>&1 | FileCheck %s --check-prefix=LISTS
-// RUN: not %clipc -T hs_5_0 -DPIXEL %s -o %t 2>&1 | FileCheck %s --check-prefix=PIXEL
+// RUN: not %clipc -T ms_6_5 -DPIXEL %s -o %t 2>&1 | FileCheck %s --check-prefix=PIXEL
 // AUTOUPDATE
 #if defined(LISTS)
 float4 main(float4 p : POSITION) : SV_Position {
@@ -29,4 +29,4 @@ enum Real : float { kOne };
 float4 main(float4 p : POSITION, Texture2D input : TEXTURE) : SV_Position { return p + kOne; }
 #endif
 
-// PIXEL: clipc: error: profile `hs_5_0` is for none of vertex, geometry, pixel and compute shaders; clipc compiles no others, use dxc or glslang for them [other-stage-profile]
+// PIXEL: clipc: error: profile `ms_6_5` is for none of vertex, hull, domain, geometry, pixel and compute shaders; clipc compiles no others, use dxc or glslang for them [other-stage-profile]

@@ -6,6 +6,7 @@
 #include "tools/draw/opengl/dispatch.h"
 #include "tools/draw/opengl/domain.h"
 #include "tools/draw/opengl/geometry.h"
+#include "tools/draw/opengl/patches.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/opengl/surface.h"
 #include "tools/draw/vulkan/opengl_text.h"
@@ -64,6 +65,7 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
             ? Chosen(CapturedMemory(trial.shader, trial.inputs, Dispatch(of, inputs)), outputs)
         : stage.emits_vertices ? Emit(of, names, trial, inputs)
         : stage.reads_patches  ? Evaluate(of, names, trial, inputs)
+        : stage.makes_patches  ? MakePatches(of, outputs, trial, inputs)
                                : Capture(of, names, inputs),
         trial.tolerance);
   };
