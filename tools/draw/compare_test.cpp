@@ -85,6 +85,25 @@ void main(uint i : SV_GroupIndex, uint3 id : SV_DispatchThreadID) {
   image[id.xy] = i * 0.5;
 })";
 
+constexpr char kPatch[] = R"(
+struct Corner { float4 p : POSITION; };
+struct Point { float3 p : POSITION; uint number : NUMBER; };
+struct Constants { float edges[3] : SV_TessFactor; float inside : SV_InsideTessFactor; float3 middle : MIDDLE; };
+Constants OfPatch(OutputPatch<Point, 3> points, uint id : SV_PrimitiveID) {
+  Constants c;
+  c.edges[0] = points[0].p.x;
+  c.edges[1] = c.edges[2] = id;
+  c.inside = 5;
+  c.middle = points[0].p + points[1].p;
+  return c;
+}
+[domain("tri")] [partitioning("integer")] [outputtopology("triangle_cw")] [outputcontrolpoints(3)]
+[patchconstantfunc("OfPatch")]
+Point main(InputPatch<Corner, 2> patch, uint i : SV_OutputControlPointID) {
+  Point p = {patch[0].p.xyz * i + patch[1].p.www, i};
+  return p;
+})";
+
 class ComparedShaders : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -95,11 +114,14 @@ class ComparedShaders : public ::testing::Test {
     std::ofstream(objects_path) << kObjects;
     group_path = path + ".group.hlsl";
     std::ofstream(group_path) << kGroup;
+    patch_path = path + ".patch.hlsl";
+    std::ofstream(patch_path) << kPatch;
   }
   static void TearDownTestSuite() {
     std::filesystem::remove(path);
     std::filesystem::remove(objects_path);
     std::filesystem::remove(group_path);
+    std::filesystem::remove(patch_path);
   }
 
   static BuildOptions Options(const std::string& target, Lowering lowering,
@@ -138,7 +160,7 @@ class ComparedShaders : public ::testing::Test {
     return options;
   }
 
-  static inline std::string path, objects_path, group_path;
+  static inline std::string path, objects_path, group_path, patch_path;
 };
 
 TEST_F(ComparedShaders, RightShadersPass) {
@@ -261,6 +283,20 @@ TEST_F(ComparedShaders, MistakesInDispatchesAreSeen) {
     EXPECT_GT(Run(options, "24u * id.y/16u * id.y").wrong, 0) << target << ": another group";
     if (target == std::string("essl310")) continue;  // whose images nothing reads back
     EXPECT_GT(Run(options, "* 0.5/* 0.25").wrong, 0) << target << ": a texel";
+  }
+}
+
+TEST_F(ComparedShaders, MistakesInPatchesAreSeen) {
+  for (const char* target : {"glsl400", "glsl450", "essl320"}) {
+    BuildOptions options = Options(target, Lowering::kNone);
+    options.path = patch_path;
+    options.profile = "hs_5_0";
+    ASSERT_EQ(Run(options).wrong, 0) << target;
+    EXPECT_GT(Run(options, "vs_POSITION0[1]/vs_POSITION0[0]").wrong, 0) << target << ": a corner";
+    EXPECT_GT(Run(options, "hs_POSITION0[1]/hs_POSITION0[2]").wrong, 0) << target << ": a point";
+    EXPECT_GT(Run(options, "Outer[1] =/Outer[0] =").wrong, 0) << target << ": a factor";
+    EXPECT_GT(Run(options, "5.0/4.0").wrong, 0) << target << ": the inside";
+    EXPECT_GT(Run(options, "InvocationID == 0/InvocationID == 3").wrong, 0) << target << ": nobody";
   }
 }
 
