@@ -219,6 +219,7 @@ ExprId CallIn(const Program& program, StmtId stmt, FunctionId function) {
 }
 
 StmtId PatchBlock(const Program& program) {
+  if (!clipc::InfoOf(program.stage).makes_patches) return {};
   for (const StmtId stmt : MainBody(program)) {
     const auto* branch = As<If>(program, stmt);
     const auto* asks = branch ? As<IntrinsicCall>(program, branch->condition) : nullptr;
