@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <optional>
 
 #include "ir/scalar.h"
@@ -40,9 +41,9 @@ void Append(const Program& program, std::span<const EvalInputs> together,
   for (EvalResult& result : RunQuad(program, pixels, options)) append(std::move(result));
 }
 
-// Runs the program for each primitive, and each time that it runs for one.
+// Runs the program for each primitive, and each time that it runs for one, and visits the vertices.
 void EmitAll(const Program& program, const EvalInputs& of_all, const RandomInputs& inputs,
-             const EvalOptions& options, std::vector<EvalOutputs>& outputs) {
+             const EvalOptions& options, const std::function<void(EvalVertex&)>& visit) {
   const std::size_t size = InfoOf(program.emission.input).vertices;
   for (std::size_t first = 0; first + size <= inputs.vertices.size(); first += size) {
     for (std::uint32_t instance = 0; instance < program.emission.instances; ++instance) {
@@ -56,7 +57,7 @@ void EmitAll(const Program& program, const EvalInputs& of_all, const RandomInput
       }
       EvalResult result = RunMain(program, of_one, options);
       if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
-      for (EvalVertex& vertex : result.vertices) outputs.push_back(std::move(vertex.outputs));
+      for (EvalVertex& vertex : result.vertices) visit(vertex);
     }
   }
 }
@@ -124,10 +125,12 @@ Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined
     inputs.UseObject(program, buffers, request, undefined, result);
   };
   if (clipc::InfoOf(program.stage).emits_vertices) {
-    for (const bool in_double : {false, true})
+    for (const bool in_double : {false, true}) {
+      auto& outputs = in_double ? runs.in_double : runs.in_float;
       EmitAll(program, {{}, {}, inputs.cbuffers, use, start}, inputs,
               {.in_double = in_double, .undefined = undefined},
-              in_double ? runs.in_double : runs.in_float);
+              [&](EvalVertex& vertex) { outputs.push_back(std::move(vertex.outputs)); });
+    }
     if (runs.in_float.size() != runs.in_double.size())
       throw EvaluatorStops("rounding decides how many vertices the shader emits");
     return runs;
@@ -391,6 +394,26 @@ std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& opt
        {0.125, 2.0, 0.25, 5.0, 0.375, -7.5, 0.5, 9.0, 0.625, -4.0, 0.75, 14.0})
     try_value(undefined);
   return all;
+}
+
+std::optional<std::size_t> CountPrimitives(const Shader& shader, const RandomInputs& inputs) {
+  const Program& program = shader.typed;
+  const std::size_t least = InfoOf(program.emission.output).vertices;
+  std::size_t count = 0, length = 0;
+  Buffers buffers;
+  const auto use = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
+    inputs.UseObject(program, buffers, request, 0, result);
+  };
+  const auto start = [&] { buffers = inputs.buffers; };
+  bool has_short = false;
+  EmitAll(program, {{}, {}, inputs.cbuffers, use, start}, inputs, {}, [&](EvalVertex& vertex) {
+    if (vertex.stream != 0) return;
+    if (vertex.starts_strip) has_short = has_short || (length > 0 && length < least);
+    length = vertex.starts_strip ? 1 : length + 1;
+    if (length >= least) ++count;
+  });
+  if (has_short || length < least) return std::nullopt;
+  return count;
 }
 
 }  // namespace clipc::draw

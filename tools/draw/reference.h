@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,10 @@ struct Expected {
 // a compute shader, the memory that it may write.
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options,
                                    const RandomInputs& inputs);
+
+// The number of points, lines or triangles in the strips that a geometry shader emits, which end at
+// RestartStrip too; none if a strip has fewer vertices than one of them. Throws DrawError where the
+// evaluator stops.
+std::optional<std::size_t> CountPrimitives(const Shader& shader, const RandomInputs& inputs);
 
 }  // namespace clipc::draw

@@ -114,6 +114,12 @@ std::vector<Captured> CaptureAll(
   return all;
 }
 
+std::array<harness::StageText, 3> StagesOf(const GeometryRun& run) {
+  return {{{GL_VERTEX_SHADER, run.vertex},
+           {GL_GEOMETRY_SHADER, run.geometry},
+           {GL_FRAGMENT_SHADER, EmptyFragmentFor(VersionOf(run.geometry))}}};
+}
+
 }  // namespace
 
 std::vector<Captured> Capture(const std::string& vertex, std::span<const std::string> names,
@@ -130,11 +136,7 @@ std::vector<Captured> CaptureGeometry(const GeometryRun& run, std::span<const st
                                       const Inputs& inputs) {
   const harness::Framebuffer framebuffer(1, 1);
   return CaptureAll(names, [&](std::span<const std::string> some) {
-    const harness::StageText stages[] = {
-        {GL_VERTEX_SHADER, run.vertex},
-        {GL_GEOMETRY_SHADER, run.geometry},
-        {GL_FRAGMENT_SHADER, EmptyFragmentFor(VersionOf(run.geometry))}};
-    GlProgram program(stages, some);
+    GlProgram program(StagesOf(run), some);
     return CapturePoints(program, some.size(), inputs, run.most_vertices,
                          [&] { glDrawArrays(run.primitive, 0, inputs.vertices); });
   });
@@ -155,6 +157,32 @@ std::vector<Captured> CapturePatches(const PatchRun& run, std::span<const std::s
       glDrawArrays(GL_PATCHES, 0, inputs.vertices);
     });
   });
+}
+
+std::size_t CountEmitted(const GeometryRun& run, const std::string& name, const Inputs& inputs,
+                         GLenum mode) {
+  constexpr int kMostWords = 64;  // of the output
+  const harness::Framebuffer framebuffer(1, 1);
+  const std::string names[] = {name};
+  GlProgram program(StagesOf(run), names);
+  program.Bind(inputs);
+  const std::size_t bytes = std::size_t{4} * kMostWords * 3 * run.most_vertices;
+  const GLuint buffer = harness::NewBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr, bytes);
+  GLuint query = 0, primitives = 0;
+  glGenQueries(1, &query);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  glBeginTransformFeedback(mode);
+  glDrawArrays(run.primitive, 0, inputs.vertices);
+  glEndTransformFeedback();
+  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  glDisable(GL_RASTERIZER_DISCARD);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &primitives);
+  glDeleteQueries(1, &query);
+  glDeleteBuffers(1, &buffer);
+  harness::CheckErrors("counting primitives");
+  return primitives;
 }
 
 }  // namespace clipc::draw

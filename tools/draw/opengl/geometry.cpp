@@ -17,6 +17,22 @@ std::string WithPoints(std::string text) {
   return text;
 }
 
+// Throws DrawError where the strips end at other vertices than in the HLSL, so that they have
+// another number of lines or triangles.
+void CheckStrips(const std::string& geometry, GeometryRun run, const std::string& name,
+                 const Trial& trial, const Inputs& inputs) {
+  const std::uint32_t vertices = InfoOf(trial.shader.typed.emission.output).vertices;
+  if (vertices < 2) return;
+  run.geometry = geometry;
+  const auto expected = CountPrimitives(trial.shader, trial.inputs);
+  if (!expected) return;  // llvmpipe of Mesa 22.3 crashes at strips that are too short
+  const std::size_t found =
+      CountEmitted(run, name, inputs, vertices == 2 ? GL_LINES : GL_TRIANGLES);
+  if (found != *expected)
+    throw DrawError("the strips have " + std::to_string(found) + " primitives, those of the HLSL " +
+                    std::to_string(*expected));
+}
+
 }  // namespace
 
 void TakePrimitives(const RandomInputs& random, int size, Inputs& inputs) {
@@ -52,6 +68,7 @@ std::vector<Captured> Emit(const std::string& geometry, std::span<const std::str
   run.geometry = WithPoints(geometry);
   run.primitive = kModes[static_cast<std::size_t>(emission.input)];
   run.most_vertices = MostEmitted(emission, inputs.vertices);
+  CheckStrips(geometry, run, names.front(), trial, inputs);
   return CaptureGeometry(run, names, inputs);
 }
 

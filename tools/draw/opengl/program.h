@@ -103,6 +103,10 @@ struct GeometryRun {
 // `names` of all vertices that it emits, in their order.
 std::vector<Captured> CaptureGeometry(const GeometryRun& run, std::span<const std::string> names,
                                       const Inputs& inputs);
+// Runs the geometry shader as it is, and returns the number of primitives, GL_LINES or
+// GL_TRIANGLES, that its strips have. `name` is one of its outputs.
+std::size_t CountEmitted(const GeometryRun& run, const std::string& name, const Inputs& inputs,
+                         GLenum mode);
 
 // How the shaders of patches run: after a vertex shader, for patches of so many vertices.
 struct PatchRun {
