@@ -19,6 +19,10 @@ SPOKEN = [
         "a pixel shader in one process, to glslang and SPIRV-Cross",
         "a pixel shader in one process, to glslang + SPIRV-Cross",
     ),
+    (
+        "a compute shader in one process, to glslang and SPIRV-Cross",
+        "a compute shader in one process, to glslang + SPIRV-Cross",
+    ),
     ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
     ("`--target=hlsl`, to GLSL of the same shader", "--target=hlsl, to GLSL of the same shader"),
     (

@@ -95,6 +95,79 @@ float4 pixel(Varyings input) : SV_Target
 )";
 }
 
+std::string SixtyLineGroup(unsigned seed) {
+  return fmt::format(R"(// Shader {0}
+#define TILE 64
+#define RADIUS 4
+
+cbuffer PerFrame : register(b0)
+{{
+    uint2 size;
+    float exposure;
+    float time;
+    float4 weights[RADIUS + 1];
+}};
+
+cbuffer PerPass{0} : register(b1)
+{{
+    float4 tint{0};
+    float threshold{0};
+}};
+
+Texture2D<float4> source : register(t0);
+RWTexture2D<float4> target : register(u0);
+RWStructuredBuffer<uint> histogram : register(u1);
+
+groupshared float4 texels[TILE + 2 * RADIUS];
+groupshared uint counts[16];
+
+float Luminance(float3 color)
+{{
+    return dot(color, float3(0.2126, 0.7152, 0.0722));
+}}
+
+float4 Load(int2 place)
+{{
+    int2 inside = clamp(place, int2(0, 0), int2(size) - 1);
+    return source[inside] * exposure + tint{0} * {0}.25;
+}}
+
+float4 Blur(uint index)
+{{
+    float4 sum = texels[index + RADIUS] * weights[0].x;
+    for (uint i = 1; i <= RADIUS; ++i)
+    {{
+        sum += texels[index + RADIUS - i] * weights[i].y;
+        sum += texels[index + RADIUS + i] * weights[i].z;
+    }}
+    return sum;
+}}
+
+[numthreads(TILE, 1, 1)]
+void sum(uint3 id : SV_DispatchThreadID, uint index : SV_GroupIndex)
+{{
+    texels[index + RADIUS] = Load(int2(id.xy));
+    if (index < RADIUS)
+    {{
+        texels[index] = Load(int2(id.xy) - int2(RADIUS, 0));
+        texels[index + TILE + RADIUS] = Load(int2(id.xy) + int2(TILE, 0));
+    }}
+    if (index < 16)
+        counts[index] = 0;
+    GroupMemoryBarrierWithGroupSync();
+    float4 color = Blur(index);
+    float bright = Luminance(color.rgb);
+    color.rgb = bright > threshold{0} ? color.rgb : color.rgb * sin(time + {0});
+    InterlockedAdd(counts[min(uint(bright * 16), 15u)], 1);
+    GroupMemoryBarrierWithGroupSync();
+    if (index < 16)
+        InterlockedAdd(histogram[index], counts[index]);
+    target[id.xy] = color;
+}}
+)",
+                     seed);
+}
+
 std::string FiftyPasses() {
   std::string text = R"(float4x4 World, View;
 float4 Lights[8], Color;

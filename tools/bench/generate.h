@@ -18,6 +18,10 @@ std::string SixtyLineShader(unsigned seed);
 // A SixtyLineShader and a pixel shader, `pixel`, that reads its outputs.
 std::string SixtyLinePair(unsigned seed);
 
+// A compute shader of about 60 lines, `sum`: a tile of texels in groupshared memory, a weighted sum
+// over it, a histogram by atomic operations, and a store.
+std::string SixtyLineGroup(unsigned seed);
+
 // An effect of Direct3D 9 with 50 passes: each of kEffectVertexShaders, `VS0` and so on, with each
 // of kEffectPixelShaders, `PS0` and so on.
 inline constexpr int kEffectVertexShaders = 10, kEffectPixelShaders = 5;

@@ -112,6 +112,8 @@ void BenchWarm() {
          WarmRatio("vs_5_0", Shaders("vs_5_0", "main", SixtyLineShader)), "x", 1.0 / 20);
   Report("a pixel shader in one process, to glslang + SPIRV-Cross",
          WarmRatio("ps_5_0", Shaders("ps_5_0", "pixel", SixtyLinePair)), "x", 1.0 / 20);
+  Report("a compute shader in one process, to glslang + SPIRV-Cross",
+         WarmRatio("cs_5_0", Shaders("cs_5_0", "sum", SixtyLineGroup)), "x", 1.0 / 20);
 }
 
 // Measures a vertex shader that is written to fit a pixel shader of the same file, against the

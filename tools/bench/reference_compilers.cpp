@@ -2,6 +2,7 @@
 #include "tools/bench/reference_compilers.h"
 
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 #include <glslang/Public/ResourceLimits.h>
@@ -19,8 +20,12 @@ void StopReferenceCompilers() { glslang::FinalizeProcess(); }
 namespace {
 
 std::optional<std::string> CompileText(const std::string& hlsl, const ProgramRequest& request) {
-  const EShLanguage stage =
-      request.first().profile.starts_with("ps") ? EShLangFragment : EShLangVertex;
+  // By stage.
+  constexpr EShLanguage kLanguages[] = {EShLangVertex,   EShLangFragment,    EShLangCompute,
+                                        EShLangGeometry, EShLangTessControl, EShLangTessEvaluation};
+  static_assert(std::size(kLanguages) == kStageCount);
+  const auto prefix = StageOf(request.first().profile.substr(0, 2));
+  const EShLanguage stage = kLanguages[static_cast<std::size_t>(prefix.value_or(Stage::kVertex))];
   glslang::TShader shader(stage);
   const char* text = hlsl.c_str();
   const char* name = request.first().path.c_str();
@@ -51,7 +56,9 @@ std::optional<std::string> CompileText(const std::string& hlsl, const ProgramReq
     spirv_cross::CompilerGLSL::Options options;
     options.version = 450;
     compiler.set_common_options(options);
-    compiler.build_combined_image_samplers();  // as its program does; OpenGL has no others
+    // As its program does; OpenGL has no other textures.
+    compiler.build_dummy_sampler_for_combined_images();
+    compiler.build_combined_image_samplers();
     return compiler.compile();
   } catch (const spirv_cross::CompilerError&) {
     return std::nullopt;
