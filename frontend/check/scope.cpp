@@ -98,7 +98,8 @@ std::string OwnersOf(const Context& context, Name field) {
   std::vector<std::string> owners;
   for (const SymbolId id : context.names.symbol_ids()) {
     const Symbol& symbol = context[id];
-    if (symbol.kind != SymbolKind::kVariable || !symbol.decl || owners.size() == kMost) continue;
+    if (symbol.kind != SymbolKind::kVariable || !symbol.decl || !symbol.name) continue;
+    if (owners.size() == kMost) break;
     const bool is_visible = symbol.scope ? context.names.IsVisible(id)
                                          : context.names.InnermostLocal(symbol.name) == id;
     const auto* variable = context.GetIf<ast::VarDecl>(symbol.decl);
