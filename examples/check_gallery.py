@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Holds the GLSL beside each shader of examples/gallery, compute and geometry against the GLSL that clipc writes now.
+"""Holds the GLSL beside each shader of examples/gallery, compute, geometry and tessellation against the GLSL that clipc writes now.
 
 usage: check_gallery.py CLIPC [--write]
 
-A shader's options stand in its line `// clipc OPTIONS`. --write replaces the GLSL: read the difference before you commit it.
+The options of each shader of a file stand in a line `// clipc OPTIONS`, -T first. --write replaces the GLSL: read the difference before you commit it.
 """
 
 import difflib
@@ -13,17 +13,24 @@ import subprocess
 import sys
 
 EXAMPLES = pathlib.Path(__file__).resolve().parent
-# The folders of shaders, and the suffix of the GLSL in each.
-FOLDERS = {"gallery": ".vert", "compute": ".comp", "geometry": ".geom"}
+FOLDERS = ["gallery", "compute", "geometry", "tessellation"]
+# The suffix of the GLSL, by the stage of the profile.
+SUFFIXES = {"vs": ".vert", "cs": ".comp", "gs": ".geom", "hs": ".tesc", "ds": ".tese"}
 
 
 def compiled(clipc, shader):
-    lines = shader.read_text().splitlines()
-    options = next(line.removeprefix("// clipc ") for line in lines if line.startswith("// clipc "))
-    command = [clipc, *options.split(), "--validate", "-Werror", shader.name, "-o", "-"]
-    return subprocess.run(
-        command, cwd=shader.parent, stdout=subprocess.PIPE, check=True, text=True
-    ).stdout
+    """The GLSL of each shader of the file, by its suffix."""
+    lines = [line.split()[2:] for line in shader.read_text().splitlines() if "// clipc" in line]
+    return {
+        SUFFIXES[options[1][:2]]: subprocess.run(
+            [clipc, *options, "--validate", "-Werror", shader.name, "-o", "-"],
+            cwd=shader.parent,
+            stdout=subprocess.PIPE,
+            check=True,
+            text=True,
+        ).stdout
+        for options in lines
+    }
 
 
 def main():
@@ -35,18 +42,20 @@ def main():
         if path.suffix in {".hlsl", ".fx"}
     )
     differ = []
+    count = 0
     for shader in shaders:
-        glsl = compiled(clipc, shader)
-        beside = shader.with_suffix(FOLDERS[shader.parent.name])
-        if write:
-            beside.write_text(glsl)
-        elif not beside.exists() or beside.read_text() != glsl:
-            old = beside.read_text() if beside.exists() else ""
-            differ += difflib.unified_diff(
-                old.splitlines(), glsl.splitlines(), beside.name, "now", lineterm=""
-            )
-    print("\n".join(differ) or f"{len(shaders)} shaders")
-    return bool(differ) or not shaders
+        for suffix, glsl in compiled(clipc, shader).items():
+            count += 1
+            beside = shader.with_suffix(suffix)
+            if write:
+                beside.write_text(glsl)
+            elif not beside.exists() or beside.read_text() != glsl:
+                old = beside.read_text() if beside.exists() else ""
+                differ += difflib.unified_diff(
+                    old.splitlines(), glsl.splitlines(), beside.name, "now", lineterm=""
+                )
+    print("\n".join(differ) or f"{count} shaders")
+    return bool(differ) or not count
 
 
 sys.exit(main())
