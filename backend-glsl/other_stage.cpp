@@ -136,10 +136,28 @@ class StageComparer {
   const Program& theirs_;
 };
 
+bool HasDistances(const Program& program) {
+  const auto is_distance = [](const IoVar& io) {
+    return io.builtin == Builtin::kClipDistance || io.builtin == Builtin::kCullDistance ||
+           io.builtin == Builtin::kClipDistanceInput || io.builtin == Builtin::kCullDistanceInput;
+  };
+  return std::ranges::any_of(program.inputs, is_distance) ||
+         std::ranges::any_of(program.outputs, is_distance);
+}
+
+// Whether the vertices of one stage are an array in the other, or in a stage between the two.
+bool SharesVertices(const Program& program, const Program& other) {
+  const StageInfo& a = InfoOf(program.stage);
+  const StageInfo& b = InfoOf(other.stage);
+  return !a.draws_pixels && !b.draws_pixels && (a.reads_vertices || b.reads_vertices);
+}
+
 }  // namespace
 
 OtherStage CompareStages(const Program& program, const Program& other) {
-  return StageComparer(program, other).Run();
+  OtherStage compared = StageComparer(program, other).Run();
+  compared.has_distances = SharesVertices(program, other) && HasDistances(other);
+  return compared;
 }
 
 }  // namespace clipc::glsl

@@ -23,6 +23,8 @@ struct OtherStage {
   // Whether the other stage reads the member of such a buffer, by VarId: the layout of the block
   // depends on it.
   std::vector<bool> is_read;
+  // Whether the other stage has clip or cull distances in gl_PerVertex, a block that both have.
+  bool has_distances = false;
   const GlslInfo* laid = nullptr;  // what the other stage declares, if that is laid out before
 };
 

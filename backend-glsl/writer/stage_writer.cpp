@@ -148,6 +148,9 @@ std::string StageWriter::Finish(CommentOf comment_of) {
   if (!code_.program.emission.streams.empty()) code_.Require(Feature::kGeometryShaders);
   const StageInfo& stage = InfoOf(code_.program.stage);
   if (stage.makes_patches || stage.reads_patches) code_.Require(Feature::kTessellation);
+  // OpenGL ES links stages whose gl_PerVertex has the same members.
+  if (std::ranges::any_of(code_.others, &OtherStage::has_distances))
+    code_.Require(Feature::kClipDistance);
   if (code_.program.emission.instances > 1) code_.Require(Feature::kEmitters);
   if (code_.program.emission.streams.size() > 1) code_.Require(Feature::kStreams);
   Globals globals = WriteGlobals(code_);
