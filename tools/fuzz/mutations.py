@@ -115,7 +115,9 @@ def mutate(tokens, random_):
         tokens[i] = random_.choice(around).format(
             token,
             n=random_.choice(NUMBERS),
-            m=random_.choice("x xy wzyx rgba _m00 _11_12 xyzw length Sample Load Append RestartStrip a".split()),
+            m=random_.choice(
+                "x xy wzyx rgba _m00 _11_12 xyzw length Sample Load Append RestartStrip a".split()
+            ),
             t=random_.choice(TYPES),
             o=random_.choice(OPERATORS),
         )
