@@ -102,7 +102,9 @@ SymbolId PatchFunctionOf(const Context& context, std::string_view name,
                          std::vector<std::string>& names) {
   SymbolId found;
   for (const SymbolId id : context.names.symbol_ids()) {
-    if (context[id].kind != SymbolKind::kFunction || !DeclOf(context, id).body) continue;
+    if (context[id].kind != SymbolKind::kFunction) continue;
+    const ast::FunctionDecl& decl = DeclOf(context, id);
+    if (!decl.body || decl.is_template) continue;
     names.push_back(ScopedName(context, id));
     if (names.back() == name || context[context[id].name] == name) found = id;
   }

@@ -100,7 +100,12 @@ void LazyBodies::Watch(clang::Preprocessor& preprocessor) {
 Name LazyBodies::CatchUp() {
   names_.resize(std::max<std::size_t>(names_.size(), tokens_.names.size()));
   const auto use = [&](Name word) {
-    if (!names_[word.index].is_reached) ReachFirst(names_[word.index]);
+    if (names_[word.index].is_reached) return;
+    ReachFirst(names_[word.index]);
+    // The string "A::B" of an attribute names the function B.
+    const std::string_view text = tokens_.names[word];
+    if (const std::size_t colon = text.rfind(':'); colon != text.npos)
+      Reach(tokens_.names.Intern(text.substr(colon + 1)));
   };
   Name opened;
   while (seen_ < tokens_.list.size()) {
