@@ -44,7 +44,10 @@ constexpr ir::Pass<Run> kPipeline[] = {
     // now.
     {"read-vertices", [](Run& run) { ReadVertices(run.program); }, ir::Form::kInlined},
     // Distances that the shader writes by hand have their constants in `main` only now.
-    {"drop-idle-clip-distances", [](Run& run) { DropIdleClipDistances(run.program); },
+    {"drop-idle-clip-distances",
+     [](Run& run) {
+       if (!run.options.keeps_distances) DropIdleClipDistances(run.program);
+     },
      ir::Form::kInlined},
     // `main` need not read the inputs that an entry function that keeps its call does not read.
     {"drop-unread-arguments", [](Run& run) { DropUnreadArguments(run.program); },

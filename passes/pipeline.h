@@ -16,6 +16,7 @@ struct PipelineOptions : ir::PassOptions {
   ClipPlaneOptions clip_planes;
   ClipSpaceOptions clip_space;
   std::size_t discarded_planes = 0;  // a pixel shader's: the planes that DiscardPlanes knows
+  bool keeps_distances = false;      // those that never clip too, for a stage that reads them
   bool precise_outputs = false;      // -Gis: outputs, and what goes into them, are precise
   bool drops_unneeded = false;       // for outputs that the pixel shader does not read
   bool hoist_loop_bounds = false;    // false where a loop must count to a constant

@@ -126,8 +126,8 @@ Result<> CheckCommand(const CommandLine& command) {
   if (!has_pixel_shader && request.link.keep_outputs) {
     return Problem{"--keep-outputs is for --pixel-shader; without it every output is kept"};
   }
-  if (!has_pixel_shader && request.link.zero_unwritten) {
-    return Problem{"--zero-unwritten is for --pixel-shader, which says what is read"};
+  if (!has_pixel_shader && request.shaders.size() < 2 && request.link.zero_unwritten) {
+    return Problem{"--zero-unwritten is for a program of several shaders, which say what is read"};
   }
   return {};
 }

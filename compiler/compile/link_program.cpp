@@ -2,6 +2,9 @@
 #include "compiler/compile/link_program.h"
 
 #include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "compiler/compile/neighbour.h"
 #include "link/match.h"
@@ -31,17 +34,45 @@ void PassToNext(ir::Program& program) {
   }
 }
 
-// After a geometry shader the number of the primitive is what that shader writes.
-void CheckPrimitiveId(const ir::Program& program, const ir::Program& next,
-                      Diagnostics& diagnostics) {
-  if (program.emission.streams.empty()) return;
-  const auto read = std::ranges::find(next.inputs, ir::Builtin::kPrimitiveId, &ir::IoVar::builtin);
-  if (read == next.inputs.end() ||
-      std::ranges::find(program.outputs, ir::Builtin::kPrimitiveIdOutput, &ir::IoVar::builtin) !=
-          program.outputs.end())
-    return;
-  diagnostics.Report(program.functions[program.entry].span, diag::PixelInputUnwritten,
-                     InfoOf(program.stage).name, InfoOf(next.stage).name, read->semantic);
+// An output that GLSL has a variable for, and the input that it becomes.
+struct PassedOn {
+  ir::Builtin output, input;
+};
+constexpr PassedOn kPassedOn[] = {{ir::Builtin::kPosition, ir::Builtin::kPositionInput},
+                                  {ir::Builtin::kPointSize, ir::Builtin::kPointSizeInput},
+                                  {ir::Builtin::kClipDistance, ir::Builtin::kClipDistanceInput},
+                                  {ir::Builtin::kCullDistance, ir::Builtin::kCullDistanceInput},
+                                  {ir::Builtin::kPrimitiveIdOutput, ir::Builtin::kPrimitiveId}};
+
+const ir::IoVar* Find(const std::vector<ir::IoVar>& list, ir::Builtin builtin) {
+  const auto found = std::ranges::find(list, builtin, &ir::IoVar::builtin);
+  return found == list.end() ? nullptr : &*found;
+}
+
+// The number of distances; 1 of another variable.
+std::uint32_t CountOf(const ir::Program& program, const ir::IoVar& io) {
+  const ir::Type& type = program.types[program.vars[io.var].type];
+  return type.kind == ir::TypeKind::kArray ? type.count : 1;
+}
+
+// The tools below match variables by semantic, location or name, which these do not have in GLSL.
+void CheckBuiltins(const ir::Program& program, const ir::Program& next, Diagnostics& diagnostics) {
+  for (const auto& [output, input] : kPassedOn) {
+    const ir::IoVar* read = Find(next.inputs, input);
+    // Only a stage that emits primitives gives them numbers.
+    const bool is_given = input == ir::Builtin::kPrimitiveId && program.emission.streams.empty();
+    if (!read || is_given) continue;
+    const ir::IoVar* written = Find(program.outputs, output);
+    std::size_t count = written ? CountOf(program, *written) : 0;
+    if (output == ir::Builtin::kClipDistance) count = std::max(count, program.clip_planes.size());
+    const std::uint32_t needed = CountOf(next, *read);
+    if (count >= needed) continue;
+    const std::string what = count == 0
+                                 ? fmt::format("`{}`", read->semantic)
+                                 : fmt::format("component {} of `{}`", count, read->semantic);
+    diagnostics.Report(program.functions[program.entry].span, diag::BuiltinUnwritten,
+                       InfoOf(program.stage).name, what, InfoOf(next.stage).name);
+  }
 }
 
 }  // namespace
@@ -77,7 +108,7 @@ void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& pro
                                    .zero_unwritten = link.zero_unwritten,
                                    .is_es = job.request.target.IsEs()};
   const link::Matches matches = link::Match(program, reader, options, job.diagnostics);
-  CheckPrimitiveId(program, next.program, job.diagnostics);
+  CheckBuiltins(program, next.program, job.diagnostics);
   if (!job.diagnostics.has_errors()) link::Apply(program, reader, matches, options);
 }
 

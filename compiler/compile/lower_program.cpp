@@ -64,6 +64,7 @@ LowerOptions OptionsOf(Job& job, std::size_t number, ir::VarId position_input, s
   const auto& stage = job.plan.check.profile.stage;
   const bool is_last = number >= request.PlaneStage() && !(stage && InfoOf(*stage).makes_patches);
   if (is_last) passes.clip_space = request.style.clip_space;
+  passes.keeps_distances = !is_last;
   passes.precise_outputs = request.style.precise;
   static_cast<ir::PassOptions&>(passes) = PassesOf(job, dump);
   return options;

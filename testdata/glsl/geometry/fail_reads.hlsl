@@ -14,7 +14,7 @@ void two(point Position v[1], inout PointStream<Position> s, inout PointStream<C
   s.Append(v[0]);
   t.Append(color);
 }
-// NUMBER: [[#@LINE+1]]:26: error: {{.*}} writes nothing that matches the pixel shader's input `SV_PrimitiveID`; {{.*}} [pixel-input-unwritten]
+// NUMBER: [[#@LINE+1]]:26: error: the geometry shader does not write `SV_PrimitiveID`, which the pixel shader reads [builtin-unwritten]
 [maxvertexcount(1)] void one(point Position v[1], inout PointStream<Position> s) { s.Append(v[0]); }
 [maxvertexcount(1)] void numbered(point Position v[1], uint id : SV_PrimitiveID, inout PointStream<Numbered> s) {
   Numbered n = {v[0].p, id};
