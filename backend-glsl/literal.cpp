@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/shortest_text.h"
 #include "ir/scalar.h"
 
 namespace clipc::glsl {
@@ -23,9 +24,7 @@ std::string Decimal(Float value) {
   if (value >= 0 && value < 10 && !std::signbit(value) &&
       value == static_cast<Float>(static_cast<int>(value)))
     return {static_cast<char>('0' + static_cast<int>(value)), '.', '0'};
-  char buffer[64];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-  std::string text(buffer, result.ptr);
+  std::string text = ShortestText(value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "base/shortest_text.h"
 #include "clip-table/vocabulary.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
@@ -34,13 +35,12 @@ const char* StorageText(Storage storage) {
 // The shortest text that reads back as the same number, always with a point or an exponent.
 template <typename T>
 std::string NumberText(T value, std::uint64_t bits) {
-  char buffer[64];
   if (std::isnan(value)) {
+    char buffer[16];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, bits, 16).ptr;
     return "nan(0x" + std::string(buffer, end) + ")";
   }
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  std::string text(buffer, end);
+  std::string text = ShortestText(value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
