@@ -25,7 +25,7 @@ package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pk
 
 # Building clipc for WebAssembly takes these; `./run page` and `./test --web` install them. Neither installs node 20 or newer:
 # Debian 12 has an older one.
-web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 python3
+web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 binaryen python3
   spirv-headers dpkg-dev)
 
 # Building clipc for Windows and testing it under Wine takes these; `./test --windows` installs them.

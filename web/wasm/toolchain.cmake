@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Clang and Debian's C and C++ libraries for WebAssembly: apt-get install clang-19 lld-19 wasi-libc libc++-19-dev-wasm32
-# libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32.
+# libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 binaryen.
 set(CMAKE_SYSTEM_NAME Generic)  # CMake 3.25 does not know WASI
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CLIPC_WASM ON)
