@@ -180,6 +180,7 @@ void LazyBodies::Begin(Body& body, clang::Preprocessor& preprocessor) {
       ->seek(static_cast<unsigned>(body.begin), /*IsAtStartOfLine=*/false);
   end_ = preprocessor.getSourceManager().getComposedLoc(body.file, static_cast<unsigned>(body.end));
   macros_->Begin(body.changes);
+  asks_each_word_ = macros_->are_changed();
   body.first_token = tokens_.list.size();
   body.is_reached = true;
 }

@@ -53,6 +53,12 @@ class LazyBodies {
   // Whether such bodies are being read: files are entered that have been read before.
   bool is_reading() const { return is_reading_; }
 
+  // Whether IsEnd must see what follows `token`: it may end the body that is being read, or a word
+  // after it may have been changed.
+  bool asks_after(const clang::Token& token) const {
+    return is_reading_ && (asks_each_word_ || token.is(clang::tok::r_brace));
+  }
+
   // Puts each body that was read into its place.
   void Merge();
 
@@ -99,7 +105,7 @@ class LazyBodies {
   Macros* macros_ = nullptr;
   Body* reading_ = nullptr;    // after the main file
   clang::SourceLocation end_;  // of that body
-  bool is_reading_ = false, are_right_ = true;
+  bool is_reading_ = false, asks_each_word_ = false, are_right_ = true;
 };
 
 }  // namespace clipc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,7 +21,6 @@ class DiagnosticOptions;
 class LangOptions;
 class MacroArgs;
 class MacroInfo;
-class IdentifierInfo;
 class IdentifierInfoLookup;
 class PPCallbacks;
 class Preprocessor;
@@ -78,8 +76,6 @@ class GuardScope : NotCopied {
   void Read(clang::Preprocessor& preprocessor, clang::Token& token) const;
 
   PreprocessGuard& guard;
-  // The identifiers of words read before, by a hash of the word; null: none yet.
-  mutable std::array<clang::IdentifierInfo*, 128> words{};
 
  private:
   const GuardScope* outer_;

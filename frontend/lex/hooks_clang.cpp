@@ -51,13 +51,6 @@ bool MayRead(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
   return limit == Limit::kNone;
 }
 
-// A hash of the length and three letters, of a word that is not empty.
-std::size_t HashOf(llvm::StringRef word) {
-  const auto letter = [&](std::size_t i) { return static_cast<unsigned char>(word[i]); };
-  return word.size() + 5u * letter(0) + 17u * letter(word.size() / 2) +
-         3u * letter(word.size() - 1);
-}
-
 // Whether the token stands in `#line 1 "x"` or `# 1 "x"`.
 bool IsInLineDirective(const clang::Token& token, const clang::SourceManager& sources) {
   const auto [file, offset] = sources.getDecomposedExpansionLoc(token.getLocation());
@@ -92,30 +85,6 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preproc
     return __real__ZN5clang12Preprocessor3LexERNS_5TokenE(preprocessor, token);
   }
   MakeEnd(token);
-}
-
-clang::IdentifierInfo* __real__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(
-    const clang::Preprocessor*, clang::Token&) __attribute__((weak));
-clang::IdentifierInfo* __wrap__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(
-    const clang::Preprocessor*, clang::Token&);
-
-// Preprocessor::LookUpIdentifierInfo, which makes an identifier of a word: most words of a shader
-// were read before, and a comparison is faster than Clang's table.
-clang::IdentifierInfo* __wrap__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(
-    const clang::Preprocessor* preprocessor, clang::Token& token) {
-  const GuardScope* scope = current_run;
-  if (!scope || token.needsCleaning() || token.hasUCN()) {
-    return __real__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(preprocessor, token);
-  }
-  const llvm::StringRef word = token.getRawIdentifier();
-  clang::IdentifierInfo*& known = scope->words[HashOf(word) % scope->words.size()];
-  if (!known || known->getName() != word) {
-    known = __real__ZNK5clang12Preprocessor20LookUpIdentifierInfoERNS_5TokenE(preprocessor, token);
-    return known;
-  }
-  token.setIdentifierInfo(known);
-  token.setKind(known->getTokenID());
-  return known;
 }
 
 // IdentifierTable::AddKeywords: to clipc all words are identifiers, so C's keywords are not

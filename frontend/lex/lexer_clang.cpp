@@ -16,6 +16,7 @@
 
 #include "base/path.h"
 #include "frontend/lex/bodies_clang.h"
+#include "frontend/lex/plain_text_clang.h"
 #include "frontend/lex/source_state_clang.h"
 #include "frontend/lex/source_text.h"
 #include "frontend/lex/token_writer.h"
@@ -88,6 +89,11 @@ class Callbacks : public clang::PPCallbacks {
     if (source_.guard.stopped()) SkipRestOfFile(file);
   }
 
+  void MacroDefined(const clang::Token& name, const clang::MacroDirective*) override {
+    const llvm::StringRef word = name.getIdentifierInfo()->getName();
+    source_.macro_names.Add({word.data(), word.size()});
+  }
+
   void MacroExpands(const clang::Token& name, const clang::MacroDefinition& macro,
                     clang::SourceRange, const clang::MacroArgs*) override {
     source_.guard.CountExpansion(name.getLocation().getRawEncoding());
@@ -157,17 +163,6 @@ constexpr std::array<TokenKind, tok::NUM_TOKENS> MakeKinds() {
 }
 constexpr std::array<TokenKind, tok::NUM_TOKENS> kKinds = MakeKinds();
 
-// The index of the name plus one is kept with Clang's identifier, which saves looking it up again.
-Name NameOf(clang::IdentifierInfo& identifier, std::string_view text, Names& names) {
-  auto known = reinterpret_cast<std::uintptr_t>(identifier.getFETokenInfo());
-  if (known == 0) {
-    known = std::uintptr_t{names.Intern(text).index} + 1;
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): Clang keeps the pointer and does not follow it.
-    identifier.setFETokenInfo(reinterpret_cast<void*>(known));
-  }
-  return Name{static_cast<std::uint32_t>(known - 1)};
-}
-
 void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor, Names& names,
               TokenWriter& writer) {
   Token token;
@@ -177,7 +172,7 @@ void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor,
   if (from.is(tok::identifier)) {  // every word
     clang::IdentifierInfo& identifier = *from.getIdentifierInfo();
     const std::string_view text(identifier.getNameStart(), identifier.getLength());
-    token.value = NameOf(identifier, text, names).index;
+    token.value = NameOf(identifier, names).index;
     return writer.AddIdentifier(token, text);
   }
   if (token.kind == TokenKind::kPragmaPackMatrix)
@@ -304,12 +299,16 @@ std::optional<Tokens> LexFrom(Source::State& state, Diagnostics& diagnostics,
   std::optional<LazyBodies> bodies;
   if (!functions.empty()) state.bodies = &bodies.emplace(tokens, functions);
   TokenWriter writer(tokens, diagnostics, state.input.shader_model_major >= 6);
+  std::optional<PlainText> plain;
   const clang::Token end = RunPreprocessor(
       state, diagnostics, [&](const clang::Token& token, clang::Preprocessor& preprocessor) {
-        if (tokens.list.empty())  // untouched pages cost nothing
-          tokens.list.reserve(state.main_text.size() / 3 + 64);
+        if (tokens.list.empty()) {
+          tokens.list.reserve(state.main_text.size() / 3 + 64);  // untouched pages cost nothing
+          plain.emplace(preprocessor, state.macro_names, tokens.names, writer);
+        }
         AddToken(token, preprocessor, tokens.names, writer);
         if (bodies) bodies->After(token, preprocessor);
+        if (!bodies || !bodies->asks_after(token)) state.guard.CountTokens(plain->AddAfter(token));
       });
   state.bodies = nullptr;
   if (bodies && !bodies->are_right()) {

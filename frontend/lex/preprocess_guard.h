@@ -45,6 +45,8 @@ class PreprocessGuard {
   // Counts one token that Clang reads, for itself or for clipc. Returns the limit that it passes,
   // or kNone; the caller calls Stop.
   Limit CountToken() { return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone; }
+  // Counts tokens that Clang did not read, which are no more than the bytes of their file.
+  void CountTokens(std::size_t count) { tokens_ += count; }
   // The same for a token that Clang reads for itself, at any depth.
   Limit CountInnerToken() {
     // The address of a variable would not do: AddressSanitizer may keep variables elsewhere.

@@ -24,6 +24,7 @@
 #include "frontend/lex/clang_bridge.h"
 #include "frontend/lex/files_clang.h"
 #include "frontend/lex/include_search.h"
+#include "frontend/lex/plain_text_clang.h"
 #include "frontend/lex/preprocess_guard.h"
 #include "frontend/lex/source.h"
 
@@ -113,6 +114,7 @@ struct Source::State {
   bool main_file_read = false;
   Diagnostics* diagnostics = nullptr;
   PreprocessGuard guard;
+  MacroNames macro_names;
   std::unique_ptr<clang::DiagnosticConsumer> consumer;
   clang::DiagnosticsEngine engine;
   clang::SourceManager sources;

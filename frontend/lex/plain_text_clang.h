@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "frontend/lex/token_writer.h"
+
+// For the *_clang.cpp files, which alone include Clang.
+namespace clang {
+class IdentifierInfo;
+class Preprocessor;
+class Token;
+}  // namespace clang
+
+namespace clipc {
+
+// The name of an identifier; its index plus one is kept with it, which saves looking it up again.
+Name NameOf(clang::IdentifierInfo& identifier, Names& names);
+
+// A hash of a word by its first sixteen letters.
+struct WordHash {
+  explicit WordHash(std::string_view word);
+  // Of a text after which there are sixteen bytes more.
+  static WordHash Fast(std::string_view word);
+
+  std::uint64_t letters[2];  // padded with zeros
+  std::uint32_t bits;
+
+ private:
+  WordHash(std::uint64_t first, std::uint64_t second, std::size_t size);
+};
+
+// The words that have been names of macros, and a few others.
+class MacroNames {
+ public:
+  void Add(std::string_view word);
+  bool MayHave(const WordHash& hash) const {
+    return bits_[hash.bits >> 21] >> (hash.bits >> 15 & 63) & 1;
+  }
+
+ private:
+  std::array<std::uint64_t, 32> bits_{};
+};
+
+// The text between what needs a preprocessor: words that are no macros, numbers, operators and
+// plain comments, which are most of a shader. It is read here at a fifth of the cost. Everything
+// else is left to Clang: directives, macros, strings, braces (LazyBodies stops there), what a
+// backslash or a further letter may change, and the last kReach bytes of a file.
+class PlainText {
+ public:
+  // `macros` has the names of all that have been defined.
+  PlainText(clang::Preprocessor& preprocessor, const MacroNames& macros, Names& names,
+            TokenWriter& writer)
+      : preprocessor_(preprocessor), macros_(macros), names_(names), writer_(writer) {
+    words_.reserve(kSlots / 4);
+  }
+
+  // Adds the tokens that follow `last`, if that is the token that the lexer of a file has just
+  // read, up to the first that is left to Clang, where the lexer goes on. Returns how many.
+  std::size_t AddAfter(const clang::Token& last);
+
+  // Nothing is read that is longer than this, or nearer to the end of a file.
+  static constexpr std::ptrdiff_t kReach = 32;
+
+ private:
+  static constexpr std::size_t kSlots = 256;
+  // A word that was read before.
+  struct Word {
+    std::uint64_t letters[2];
+    std::uint32_t size;
+    Name name;
+  };
+
+  struct Place {
+    const char* at;
+    const char* done;        // the end of the last token
+    const char* line;        // after the last new line that no token follows yet, or `done`
+    const char* limit;       // where nothing begins any more that is read here
+    const char* end;         // of the text
+    std::uint32_t location;  // of the end
+  };
+  bool SkipSpace(Place& place) const;
+  bool AddToken(Place& place);
+  bool AddWord(Place& place, Token token);
+  bool AddNumber(Place& place, Token token);
+  bool IsPlain(std::string_view text) const;
+  Name NameFor(std::string_view text, const WordHash& hash);
+
+  clang::Preprocessor& preprocessor_;
+  const MacroNames& macros_;
+  Names& names_;
+  TokenWriter& writer_;
+  std::array<std::uint16_t, kSlots> slots_{};  // the number of a word, counted from 1
+  std::vector<Word> words_;
+};
+
+}  // namespace clipc
