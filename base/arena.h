@@ -37,6 +37,17 @@ class Arena {
   std::uint32_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
+  // Whether holds(value) is true for any value, without the cost of finding each by its id.
+  template <typename Holds>
+  bool AnyOf(Holds&& holds) const {
+    for (const std::vector<T>& block : blocks_) {
+      for (const T& value : block) {
+        if (holds(value)) return true;
+      }
+    }
+    return false;
+  }
+
   // The ids from 0 to size() - 1, as a range: `for (Id<T> id : arena.ids())`.
   struct IdRange {
     struct Iterator {

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdint>
 #include <type_traits>
+#include <variant>
 
 #include "base/overloaded.h"
 #include "ir/program.h"
@@ -163,6 +164,27 @@ void ForEachExpr(const Program& program, StmtId root, OnExpr&& visit) {
   ForEachPart(
       program, root, [&](ExprId expr) { ForEachExpr(program, expr, visit); },
       [&](StmtId part) { ForEachExpr(program, part, visit); });
+}
+
+// Whether there is an expression, or a statement, of one of these kinds. Those that were replaced
+// count too, since that is faster than a walk: a `no` says that a walk finds none.
+template <typename... Kinds>
+bool MayHaveExpr(const Program& program) {
+  return program.exprs.AnyOf(
+      [](const Expr& expr) { return (std::holds_alternative<Kinds>(expr.node) || ...); });
+}
+template <typename... Kinds>
+bool MayHaveStmt(const Program& program) {
+  return program.stmts.AnyOf(
+      [](const Stmt& stmt) { return (std::holds_alternative<Kinds>(stmt.node) || ...); });
+}
+// The same for an expression whose node is a `Kind` for which holds(node) is true.
+template <typename Kind, typename Holds>
+bool MayHaveExpr(const Program& program, Holds&& holds) {
+  return program.exprs.AnyOf([&](const Expr& expr) {
+    const auto* node = std::get_if<Kind>(&expr.node);
+    return node && holds(*node);
+  });
 }
 
 // Calls visit(ExprId) for every expression in the bodies of functions and in the values that

@@ -22,7 +22,7 @@ bool IsGlobalVariable(Storage storage) {
 
 // Whether the expression writes something that is not its own: a variable, an object, or what a
 // function reaches.
-bool MayWrite(const Program& program, ExprId expr, bool has_static) {
+bool MayWrite(const Program& program, const Expr& expr, bool has_static) {
   const auto writes_argument = [&](FunctionId function) {
     return std::ranges::any_of(program.functions[function].parameters, [&](VarId parameter) {
       return program.vars[parameter].storage != Storage::kIn;
@@ -37,7 +37,22 @@ bool MayWrite(const Program& program, ExprId expr, bool has_static) {
           [](const ObjectCall& node) { return WritesObject(node.op); },
           [](const auto&) { return false; },
       },
-      program.exprs[expr].node);
+      expr.node);
+}
+
+// Whether an expression that may write is not that of a statement. Such a one may be an operand.
+bool MayHaveWritingOperand(const Program& program, bool has_static) {
+  std::vector<bool> is_statement(program.exprs.size());
+  const auto nothing = [](const auto&) {};
+  program.stmts.AnyOf([&](const Stmt& stmt) {
+    ForEachPartSlot(
+        stmt, [&](ExprId expr) { is_statement[expr.index] = true; }, nothing, nothing, nothing);
+    return false;
+  });
+  std::size_t number = 0;
+  return program.exprs.AnyOf([&](const Expr& expr) {
+    return !is_statement[number++] && MayWrite(program, expr, has_static);
+  });
 }
 
 // Whether an operand may write what another one reads. In most programs each write is a statement
@@ -47,9 +62,10 @@ bool HasWritingOperand(const Program& program) {
   bool has_static = false;
   for (const VarId var : program.vars.ids())
     has_static |= IsGlobalVariable(program.vars[var].storage);
+  if (!MayHaveWritingOperand(program, has_static)) return false;
   bool found = false;
   const auto visit = [&](ExprId operand) {
-    found = found || (operand && MayWrite(program, operand, has_static));
+    found = found || (operand && MayWrite(program, program.exprs[operand], has_static));
   };
   for (const ExprId expr : program.exprs.ids()) {
     // The nodes do not change, so they need not be copied as ForEachOperand does.

@@ -245,6 +245,8 @@ class Search {
 void DeferDiscards(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
   if (!clipc::InfoOf(program.stage).draws_pixels) return;
+  const auto is_clip = [](const IntrinsicCall& call) { return call.op == CommonIntrinsic::kClip; };
+  if (!MayHaveStmt<Discard>(program) && !MayHaveExpr<IntrinsicCall>(program, is_clip)) return;
   Search search(program);
   std::vector<StmtId> waiting = search.Run();
   if (!search.clips().empty()) {

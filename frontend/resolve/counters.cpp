@@ -21,7 +21,8 @@ class CounterMaker {
 
   void Run() {
     std::vector<ExprId> changes;
-    if (program_.calls_objects) {
+    const auto is_change = [](const ObjectCall& call) { return IsCounter(call.op); };
+    if (program_.calls_objects && MayHaveExpr<ObjectCall>(program_, is_change)) {
       ForEachLiveExpr(program_, [&](ExprId expr) {
         const auto* call = As<ObjectCall>(program_, expr);
         if (call && IsCounter(call->op)) changes.push_back(expr);

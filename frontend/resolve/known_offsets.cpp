@@ -71,7 +71,14 @@ class OffsetFinder {
 
   // Marks the variables in the offsets and indices that are not literals.
   void FindParts() {
+    const auto has_index = [&](const Index& index) { return !As<Literal>(program_, index.index); };
+    const auto has_offset = [&](const ObjectCall& call) {
+      return OperandsOf(call, OperandKind::kOffset).size > 0;
+    };
     if (!program_.calls_objects) return;
+    if (!MayHaveExpr<Index>(program_, has_index) &&
+        (what_ != What::kOffsets || !MayHaveExpr<ObjectCall>(program_, has_offset)))
+      return;
     is_source_.resize(program_.vars.size());
     must_be_known_.resize(program_.vars.size());
     for (const FunctionId id : program_.functions.ids())

@@ -3,6 +3,7 @@
 
 #include "frontend/rules/varying_flow.h"
 #include "ir/access.h"
+#include "ir/walk.h"
 
 namespace clipc::rules {
 namespace {
@@ -38,6 +39,9 @@ bool IsGradient(const Program& program, ExprId expr) {
 
 void CheckGradients(const Program& program, Diagnostics& diagnostics) {
   if (!InfoOf(program.stage).has_neighbours || program.is_interface_only) return;
+  // Without a branch or a loop all pixels of a quad run everything.
+  if (!MayHaveStmt<If, Switch, For, While, DoWhile>(program) && !MayHaveExpr<Conditional>(program))
+    return;
   for (const AskedNode& node : FollowFlow(program, {DiffersInQuad, ChangesInOneStep, IsGradient})) {
     // What is the same for all pixels of a quad has differences of 0 in any flow.
     if (!node.value_varies) continue;

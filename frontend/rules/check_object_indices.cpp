@@ -279,6 +279,8 @@ void CheckObjectIndices(const Program& program, Diagnostics& diagnostics) {
   for (const CbufferId id : program.cbuffers.ids())
     has_buffers |= program.cbuffers[id].kind == CbufferKind::kConstantBuffer;
   if (program.is_interface_only || (!program.calls_objects && !has_buffers)) return;
+  const auto may_vary = [&](const Index& index) { return !As<Literal>(program, index.index); };
+  if (!MayHaveExpr<Index>(program, may_vary)) return;
   std::vector<ExprId> elements;
   ForEachLiveExpr(program, [&](ExprId expr) {
     if (IndexedArray(program, expr)) elements.push_back(expr);

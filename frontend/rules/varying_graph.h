@@ -15,14 +15,16 @@ class VaryingGraph {
   static constexpr Node kUniform = 0, kVarying = 1;
 
   // `named` nodes of the caller's own come after these two.
-  explicit VaryingGraph(std::size_t named) : edges_(2 + named) {}
+  explicit VaryingGraph(std::size_t named) : newest_(2 + named, kNone) {}
 
   Node Add() {
-    edges_.emplace_back();
-    return static_cast<Node>(edges_.size() - 1);
+    newest_.push_back(kNone);
+    return static_cast<Node>(newest_.size() - 1);
   }
   void Follow(Node from, Node to) {
-    if (from != kUniform && to != kUniform && from != to) edges_[from].push_back(to);
+    if (from == kUniform || to == kUniform || from == to) return;
+    edges_.push_back({to, newest_[from]});
+    newest_[from] = static_cast<std::uint32_t>(edges_.size() - 1);
   }
   // A node that follows from both.
   Node Join(Node a, Node b) {
@@ -34,13 +36,14 @@ class VaryingGraph {
   }
   // By node: whether it varies.
   std::vector<bool> Varying() const {
-    std::vector<bool> varies(edges_.size());
+    std::vector<bool> varies(newest_.size());
     std::vector<Node> open = {kVarying};
     varies[kVarying] = true;
     while (!open.empty()) {
       const Node from = open.back();
       open.pop_back();
-      for (const Node to : edges_[from]) {
+      for (std::uint32_t edge = newest_[from]; edge != kNone; edge = edges_[edge].older) {
+        const Node to = edges_[edge].to;
         if (!varies[to]) open.push_back(to);
         varies[to] = true;
       }
@@ -49,7 +52,14 @@ class VaryingGraph {
   }
 
  private:
-  std::vector<std::vector<Node>> edges_;  // by node: those that follow from it
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  struct Edge {
+    Node to;              // it follows from the node that has the edge
+    std::uint32_t older;  // the edge before it of that node
+  };
+
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> newest_;  // by node: its last edge
 };
 
 }  // namespace clipc::rules
