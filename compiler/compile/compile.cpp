@@ -66,8 +66,9 @@ class Stop {
 
 // Whether the request ends the passes before the program of a shader is complete.
 bool StopsInFront(const DebugOptions& debug) {
+  if (debug.stop_after.empty()) return false;
   const auto names = resolve::ResolvePasses();
-  return !debug.stop_after.empty() && std::ranges::find(names, debug.stop_after) != names.end();
+  return std::ranges::find(names, debug.stop_after) != names.end();
 }
 
 // The meaning of a job's shader. `wants`, if given, sees the tokens: see Front.

@@ -89,6 +89,7 @@ Lowered LowerAlone(LinkedShader&& shader, const ProgramRequest& request, Diagnos
 
 ir::PassOptions PassesOf(Job& job, std::string& dump) {
   const DebugOptions& debug = job.request.debug;
+  if (!job.watch && debug.dump_after.empty()) return {job.plan.stop_after, debug.verify, {}};
   return {job.plan.stop_after, debug.verify,
           [&job, &dump](std::string_view pass, const ir::Program& after) {
             if (job.watch && job.watch->AskNow()) return false;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/parse/keywords.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "base/spelling.h"
 #include "base/word_index.h"
@@ -156,8 +158,10 @@ bool IsNumericType(std::string_view text) {
 WordInfo ClassifyWord(std::string_view text) {
   if (const std::size_t i = kWordIndex.Find(text); i != kWordIndex.kNone) return kWords[i].info;
   if (IsNumericType(text)) return {Word::kNumericType};
-  if (!kFoldedIndex.MayHave(text)) return {};
-  const std::size_t i = kFoldedIndex.Find(ToLower(text));
+  if (!kFoldedIndex.MayHave(text) || text.size() > kLongestFolded) return {};
+  std::array<char, kLongestFolded> lower;
+  std::ranges::transform(text, lower.begin(), [](char c) { return ToLower(c); });
+  const std::size_t i = kFoldedIndex.Find({lower.data(), text.size()});
   if (i == kFoldedIndex.kNone || (kFolded[i].is_exact && kFolded[i].text != text)) return {};
   return kFolded[i].info;
 }
