@@ -17,6 +17,7 @@
 #include <llvm/Support/Unicode.h>
 
 #include "frontend/lex/clang_bridge.h"
+#include "frontend/lex/plain_text_clang.h"
 
 namespace clipc {
 namespace {
@@ -104,7 +105,7 @@ Constructed __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, 
     __attribute__((weak));
 Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
                                                 unsigned item_size) {
-  return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 128u), item_size);
+  return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 32u), item_size);
 }
 
 // StringLiteralParser's constructor: a file name has no escapes in `#line 1 "shaders\new.hlsl"`.
@@ -129,6 +130,13 @@ Constructed WrapStringLiteral(clang::StringLiteralParser* parser,
   return RealStringLiteral(parser, plain, preprocessor, how);
 }
 
+// llvm::sys::locale::isPrint: messages ask it for each letter of the lines that they show.
+bool __real__ZN4llvm3sys6locale7isPrintEi(int) __attribute__((weak));
+bool __wrap__ZN4llvm3sys6locale7isPrintEi(int letter);
+bool __wrap__ZN4llvm3sys6locale7isPrintEi(int letter) {
+  return (letter >= ' ' && letter <= '~') || __real__ZN4llvm3sys6locale7isPrintEi(letter);
+}
+
 // Preprocessor::RegisterBuiltinPragmas: the thirty pragmas of C++ are left out; AddPragmas adds
 // those of HLSL.
 void __wrap__ZN5clang12Preprocessor22RegisterBuiltinPragmasEv(clang::Preprocessor*) {}
@@ -146,6 +154,7 @@ void GuardScope::Read(clang::Preprocessor& preprocessor, clang::Token& token) co
   // Most tokens stand in a file. Its lexer returns false where the next token is not its own: at
   // the end of the file, after a directive and at a macro.
   while (auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentLexer())) {
+    PlainText::SkipLines(*file);
     if (file->Lex(token)) return;
   }
   __real__ZN5clang12Preprocessor3LexERNS_5TokenE(&preprocessor, token);

@@ -16,7 +16,7 @@ namespace {
 using enum TokenKind;
 
 // What begins with a letter.
-enum class Letter : std::uint8_t { kOther, kSpace, kSlash, kWord, kDigit, kSingle, kOperator };
+enum class Letter : std::uint8_t { kOther, kSlash, kWord, kDigit, kSingle, kOperator };
 
 struct LetterInfo {
   Letter what = Letter::kOther;
@@ -30,7 +30,6 @@ constexpr std::array<LetterInfo, 256> kLetters = [] {
   const auto at = [&](char letter) -> LetterInfo& {
     return letters[static_cast<unsigned char>(letter)];
   };
-  for (const char c : {' ', '\t', '\n', '\r'}) at(c).what = Letter::kSpace;
   for (char c = '0'; c <= '9'; ++c) at(c).what = Letter::kDigit;
   for (char c = 'a'; c <= 'z'; ++c) at(c).what = Letter::kWord;
   for (char c = 'A'; c <= 'Z'; ++c) at(c).what = Letter::kWord;
@@ -106,10 +105,6 @@ const char* EndOfBlockComment(const char* at, const char* end) {
   return nullptr;
 }
 
-std::uint64_t FirstBytes(std::uint64_t bytes, std::size_t count) {
-  return count >= 8 ? bytes : bytes & ((std::uint64_t{1} << 8 * count) - 1);
-}
-
 }  // namespace
 
 Name NameOf(clang::IdentifierInfo& identifier, Names& names) {
@@ -124,45 +119,28 @@ Name NameOf(clang::IdentifierInfo& identifier, Names& names) {
 }
 
 // Returns whether a token may begin at place.at.
-bool PlainText::SkipSpace(Place& place) const {
-  while (place.at < place.limit) {
-    const Letter what = InfoOf(*place.at).what;
-    if (what == Letter::kSpace) {
-      if (*place.at == '\n' || *place.at == '\r') place.line = place.at + 1;
-      ++place.at;
-    } else if (what == Letter::kSlash && (place.at[1] == '/' || place.at[1] == '*')) {
-      const char* const after = place.at[1] == '/' ? EndOfLineComment(place.at, place.end)
-                                                   : EndOfBlockComment(place.at, place.end);
+bool PlainText::SkipSpace(Place& place) {
+  const char* at = place.at;
+  for (;;) {
+    while (*at == ' ' || *at == '\t') ++at;
+    if (*at == '\n' || *at == '\r') {
+      place.line = ++at;
+    } else if (at < place.limit && *at == '/' && (at[1] == '/' || at[1] == '*')) {
+      const char* const after =
+          at[1] == '/' ? EndOfLineComment(at, place.end) : EndOfBlockComment(at, place.end);
       if (!after) return false;
-      place.at = after;
+      at = after;
     } else {
-      return true;
+      place.at = at;
+      return at < place.limit;
     }
   }
-  return false;
-}
-
-WordHash::WordHash(std::uint64_t first, std::uint64_t second, std::size_t size)
-    : letters{FirstBytes(first, size), size <= 8 ? 0 : FirstBytes(second, size - 8)} {
-  const std::uint64_t mixed = (letters[0] ^ letters[1] * 0xC2B2AE3D27D4EB4Fu) * 0x9E3779B97F4A7C15u;
-  bits = static_cast<std::uint32_t>(mixed >> 38) ^ static_cast<std::uint32_t>(size & 0xff);
-}
-
-WordHash WordHash::Fast(std::string_view word) {
-  std::uint64_t bytes[2];
-  std::memcpy(bytes, word.data(), sizeof(bytes));
-  return WordHash(bytes[0], bytes[1], word.size());
-}
-
-WordHash::WordHash(std::string_view word) : WordHash(0, 0, 0) {
-  char bytes[16] = {};
-  std::memcpy(bytes, word.data(), std::min(word.size(), sizeof(bytes)));
-  std::memcpy(letters, bytes, sizeof(letters));
-  *this = WordHash(letters[0], letters[1], word.size());
 }
 
 void MacroNames::Add(std::string_view word) {
-  const WordHash hash(word);
+  char bytes[16] = {};
+  std::memcpy(bytes, word.data(), std::min(word.size(), sizeof(bytes)));
+  const WordHash hash(bytes, word.size());
   bits_[hash.bits >> 21] |= std::uint64_t{1} << (hash.bits >> 15 & 63);
 }
 
@@ -196,7 +174,7 @@ bool PlainText::AddWord(Place& place, Token token) {
   while (IsOfWord(*end)) ++end;
   if (MayGoOn(*end)) return false;
   const std::string_view text(place.at, static_cast<std::size_t>(end - place.at));
-  const WordHash hash = WordHash::Fast(text);
+  const WordHash hash(place.at, text.size());  // the file goes on for kReach bytes
   // Clang's own macros begin with `_`.
   if ((text[0] == '_' || macros_.MayHave(hash)) && !IsPlain(text)) return false;
   token.value = NameFor(text, hash).index;
@@ -247,6 +225,16 @@ bool PlainText::AddToken(Place& place) {
   ++place.at;
   writer_.AddPunctuator(token);
   return true;
+}
+
+void PlainText::SkipLines(clang::Lexer& lexer) {
+  const llvm::StringRef text = lexer.getBuffer();
+  const char* const begin = lexer.getBufferLocation();
+  Place place{begin, begin, begin, text.end() - kReach, text.end(), 0};
+  if (begin >= place.limit || (begin != text.begin() && begin[-1] != '\n')) return;
+  SkipSpace(place);
+  if (place.line > begin)
+    lexer.seek(static_cast<unsigned>(place.line - text.begin()), /*IsAtStartOfLine=*/true);
 }
 
 std::size_t PlainText::AddAfter(const clang::Token& last) {

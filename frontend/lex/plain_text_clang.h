@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,7 @@
 // For the *_clang.cpp files, which alone include Clang.
 namespace clang {
 class IdentifierInfo;
+class Lexer;
 class Preprocessor;
 class Token;
 }  // namespace clang
@@ -21,17 +23,25 @@ namespace clipc {
 // The name of an identifier; its index plus one is kept with it, which saves looking it up again.
 Name NameOf(clang::IdentifierInfo& identifier, Names& names);
 
-// A hash of a word by its first sixteen letters.
+// A word's hash, by its first sixteen letters.
 struct WordHash {
-  explicit WordHash(std::string_view word);
-  // Of a text after which there are sixteen bytes more.
-  static WordHash Fast(std::string_view word);
+  // `bytes` are sixteen that may be read, the word first.
+  WordHash(const char* bytes, std::size_t size) {
+    std::memcpy(letters, bytes, sizeof(letters));
+    letters[0] = FirstBytes(letters[0], size);
+    letters[1] = size <= 8 ? 0 : FirstBytes(letters[1], size - 8);
+    const std::uint64_t mixed =
+        (letters[0] ^ letters[1] * 0xC2B2AE3D27D4EB4Fu) * 0x9E3779B97F4A7C15u;
+    bits = static_cast<std::uint32_t>(mixed >> 38) ^ static_cast<std::uint32_t>(size & 0xff);
+  }
 
   std::uint64_t letters[2];  // padded with zeros
-  std::uint32_t bits;
+  std::uint32_t bits;        // 26 of them
 
  private:
-  WordHash(std::uint64_t first, std::uint64_t second, std::size_t size);
+  static std::uint64_t FirstBytes(std::uint64_t bytes, std::size_t count) {
+    return count >= 8 ? bytes : bytes & ((std::uint64_t{1} << 8 * count) - 1);
+  }
 };
 
 // The words that have been names of macros, and a few others.
@@ -63,6 +73,9 @@ class PlainText {
   // read, up to the first that is left to Clang, where the lexer goes on. Returns how many.
   std::size_t AddAfter(const clang::Token& last);
 
+  // Passes over lines without tokens, if `lexer` is at the beginning of a line.
+  static void SkipLines(clang::Lexer& lexer);
+
   // Nothing is read that is longer than this, or nearer to the end of a file.
   static constexpr std::ptrdiff_t kReach = 32;
 
@@ -83,7 +96,7 @@ class PlainText {
     const char* end;         // of the text
     std::uint32_t location;  // of the end
   };
-  bool SkipSpace(Place& place) const;
+  static bool SkipSpace(Place& place);
   bool AddToken(Place& place);
   bool AddWord(Place& place, Token token);
   bool AddNumber(Place& place, Token token);
