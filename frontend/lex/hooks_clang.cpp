@@ -97,7 +97,7 @@ void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::I
 // StringMapImpl's constructor: the table of identifiers, the one map that Clang makes this large,
 // grows from fewer buckets.
 #ifdef __wasm__
-using Constructed = llvm::StringMapImpl*;  // a constructor returns `this` there
+using Constructed = void*;  // a constructor returns `this` there
 #else
 using Constructed = void;
 #endif
@@ -106,6 +106,17 @@ Constructed __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, 
 Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
                                                 unsigned item_size) {
   return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 32u), item_size);
+}
+
+// IdentifierTable's constructor, of a table with C's keywords: a message with a fix makes one.
+#define CLIPC_IDENTIFIER_TABLE \
+  "_ZN5clang15IdentifierTableC1ERKNS_11LangOptionsEPNS_20IdentifierInfoLookupE"
+Constructed WrapIdentifierTable(
+    clang::IdentifierTable*, const clang::LangOptions&,
+    clang::IdentifierInfoLookup*) __asm__("__wrap_" CLIPC_IDENTIFIER_TABLE);
+Constructed WrapIdentifierTable(clang::IdentifierTable* table, const clang::LangOptions&,
+                                clang::IdentifierInfoLookup* look_up) {
+  return Constructed(new (table) clang::IdentifierTable(look_up));
 }
 
 // StringLiteralParser's constructor: a file name has no escapes in `#line 1 "shaders\new.hlsl"`.
@@ -134,7 +145,10 @@ Constructed WrapStringLiteral(clang::StringLiteralParser* parser,
 bool __real__ZN4llvm3sys6locale7isPrintEi(int) __attribute__((weak));
 bool __wrap__ZN4llvm3sys6locale7isPrintEi(int letter);
 bool __wrap__ZN4llvm3sys6locale7isPrintEi(int letter) {
-  return (letter >= ' ' && letter <= '~') || __real__ZN4llvm3sys6locale7isPrintEi(letter);
+  if (letter >= ' ' && letter <= '~') return true;
+  // A weak name does not bring what it names into a program; columnWidth of the same file does.
+  const auto real = __real__ZN4llvm3sys6locale7isPrintEi;
+  return real && real(letter);
 }
 
 // Preprocessor::RegisterBuiltinPragmas: the thirty pragmas of C++ are left out; AddPragmas adds
