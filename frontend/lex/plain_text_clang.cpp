@@ -119,7 +119,7 @@ Name NameOf(clang::IdentifierInfo& identifier, Names& names) {
 }
 
 // Returns whether a token may begin at place.at.
-bool PlainText::SkipSpace(Place& place) {
+inline bool PlainText::SkipSpace(Place& place) {
   const char* at = place.at;
   for (;;) {
     while (*at == ' ' || *at == '\t') ++at;
@@ -144,20 +144,26 @@ void MacroNames::Add(std::string_view word) {
   bits_[hash.bits >> 21] |= std::uint64_t{1} << (hash.bits >> 15 & 63);
 }
 
-Name PlainText::NameFor(std::string_view text, const WordHash& hash) {
-  std::uint16_t& slot = slots_[hash.bits % kSlots];
-  const std::size_t size = text.size();
-  if (slot != 0) {
+inline Name PlainText::NameFor(std::string_view text, const WordHash& hash) {
+  if (const std::uint16_t slot = slots_[hash.bits % kSlots]; slot != 0) {
     const Word& word = words_[slot - 1];
-    const bool is_same = word.letters[0] == hash.letters[0] && word.letters[1] == hash.letters[1] &&
-                         word.size == size && (size <= 16 || names_[word.name] == text);
-    if (is_same) return word.name;
-  } else {
+    if (word.letters[0] == hash.letters[0] && word.letters[1] == hash.letters[1] &&
+        word.size == text.size() && (text.size() <= 16 || names_[word.name] == text))
+      return word.name;
+  }
+  return Note(text, hash);
+}
+
+// Puts a word into the place of the one that has its slot.
+Name PlainText::Note(std::string_view text, const WordHash& hash) {
+  std::uint16_t& slot = slots_[hash.bits % kSlots];
+  if (slot == 0) {
     words_.emplace_back();
     slot = static_cast<std::uint16_t>(words_.size());
   }
   const Name name = names_.Intern(text);
-  words_[slot - 1] = {{hash.letters[0], hash.letters[1]}, static_cast<std::uint32_t>(size), name};
+  words_[slot - 1] = {
+      {hash.letters[0], hash.letters[1]}, static_cast<std::uint32_t>(text.size()), name};
   return name;
 }
 
@@ -169,7 +175,7 @@ bool PlainText::IsPlain(std::string_view text) const {
          !identifier->isHandleIdentifierCase();
 }
 
-bool PlainText::AddWord(Place& place, Token token) {
+inline bool PlainText::AddWord(Place& place, Token token) {
   const char* end = place.at + 1;
   while (IsOfWord(*end)) ++end;
   if (MayGoOn(*end)) return false;
@@ -199,7 +205,7 @@ bool PlainText::AddNumber(Place& place, Token token) {
 }
 
 // Returns whether the token at place.at was added; it is left to Clang otherwise.
-bool PlainText::AddToken(Place& place) {
+inline bool PlainText::AddToken(Place& place) {
   const LetterInfo& letter = InfoOf(*place.at);
   const char next = place.at[1];
   Token token;
