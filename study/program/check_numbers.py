@@ -405,6 +405,10 @@ GIVEN = {
         "1.3",
         "690,000",
         "820,000",
+        "793",
+        "906",
+        "14.9",
+        "14.6",
     },  # counts, with the command that makes them
 }
 
