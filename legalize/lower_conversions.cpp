@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "ir/evaluate.h"
@@ -189,7 +190,14 @@ class ConversionLowering {
 }  // namespace
 
 void LowerConversions(Legalizer& legalizer) {
-  if (Saturates(legalizer.program.profile)) ConversionLowering(legalizer).Run();
+  const Program& program = legalizer.program;
+  if (!Saturates(program.profile)) return;
+  const bool has_any = program.exprs.AnyOf([&](const Expr& expr) {
+    if (!std::holds_alternative<Convert>(expr.node)) return false;
+    const Scalar to = BaseOf(program.types[expr.type].scalar);
+    return to == Scalar::kInt || to == Scalar::kUint;
+  });
+  if (has_any) ConversionLowering(legalizer).Run();
 }
 
 }  // namespace clipc::legalize

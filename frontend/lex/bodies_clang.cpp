@@ -109,8 +109,10 @@ Name LazyBodies::CatchUp() {
   };
   Name opened;
   while (seen_ < tokens_.list.size()) {
-    seen_ += heads_.NextInside(std::span(tokens_.list).subspan(seen_), use);
-    if (seen_ == tokens_.list.size()) return Name();
+    if (heads_.is_inside()) {
+      seen_ += heads_.NextInside(std::span(tokens_.list).subspan(seen_), use);
+      if (seen_ == tokens_.list.size()) return Name();
+    }
     opened = heads_.Next(tokens_.list[seen_++], use);
   }
   return opened;

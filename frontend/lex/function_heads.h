@@ -38,6 +38,7 @@ class FunctionHeads {
     return NextOutside(token);
   }
 
+  bool is_inside() const { return braces_ > 0; }
   // Reads the tokens up to the end of the braces that are open, if there are any. Returns how many
   // these are.
   std::size_t NextInside(std::span<const Token> tokens, auto&& use) {
