@@ -8,6 +8,7 @@ namespace clipc::passes {
 struct ClipSpaceOptions {
   bool negative_one_to_one = false;  // the target's depth range is [-w, w]: z becomes 2z - w
   bool flip_y = false;               // y becomes -y
+  bool host_flips_y = false;         // the application's matrices do that: y stays as it is
 };
 
 // Converts the position from Direct3D's clip space (y up, 0 <= z <= w) to the target's, at the end

@@ -47,7 +47,7 @@ Lowered Lower(ir::Program program, const LowerOptions& options) {
   pipeline.hoist_loop_bounds = options.target.Has(glsl::Feature::kFreeLoops);
   const bool is_complete = passes::RunPipeline(program, pipeline);
   glsl::Target target = options.target;
-  target.flips_y = pipeline.clip_space.flip_y;
+  target.flips_y = pipeline.clip_space.flip_y != pipeline.clip_space.host_flips_y;
   const legalize::Needs needs = options.needs.value_or(target.Needs());
   Lowered lowered{
       std::move(program),         std::move(target), needs, pipeline.clip_planes.lowering,

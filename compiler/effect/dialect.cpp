@@ -142,7 +142,12 @@ void UseDialect(EffectDialect dialect, CommandLine& command) {
   request.language.call_names_parameters = true;
   if (!command.names_target) {
     request.target = *glsl::Target::Parse("glsl330");
-    if (command.header.empty()) request.style.blocks = glsl::BlockStyle::kFlat;
+    // OBS Studio draws upside down into textures: its matrices flip y there (device_draw of
+    // libobs-opengl), and gl_FragCoord and dFdy are as Direct3D has them.
+    if (command.header.empty()) {
+      request.style.blocks = glsl::BlockStyle::kFlat;
+      request.style.clip_space.host_flips_y = true;
+    }
   }
   request.includes.preamble =
       fmt::format(fmt::runtime(kObsWords), !request.target.IsVulkan()) + request.includes.preamble;
