@@ -37,6 +37,22 @@ Result<PlaneConstant> ClipPlaneFromObject(const Plane& object_plane, const Matri
   return Finish(ThroughProjection(Through(in_world, view, "view"), projection));
 }
 
+Result<PreparedCamera> PrepareCamera(const Matrix& view, const Matrix& projection) noexcept {
+  if (Status status = CheckAffine(view, "view"); !status.ok()) return status;
+  if (Status status = CheckProjection(projection); !status.ok()) return status;
+  return PreparedCamera{view, projection, InverseOfAffine(view), ShapeOf(projection)};
+}
+
+Result<PlaneConstant> ClipPlaneFromWorld(const Plane& world_plane,
+                                         const PreparedCamera& camera) noexcept {
+  return Finish(ThroughCamera(Begin(world_plane), camera));
+}
+
+Result<PlaneConstant> ClipPlaneFromObject(const Plane& object_plane, const Matrix& world,
+                                          const PreparedCamera& camera) noexcept {
+  return Finish(ThroughCamera(Through(Begin(object_plane), world, "world"), camera));
+}
+
 Result<PlaneConstant> ViewPlaneFromWorld(const Plane& world_plane, const Matrix& view) noexcept {
   return Finish(Through(Begin(world_plane), view, "view"));
 }

@@ -159,6 +159,52 @@ TEST(ClipPlane, WorldAndObjectSpaceGoThroughTheViewMatrix) {
   }
 }
 
+// Whether two results are the same, bit for bit and word for word.
+bool IsSame(const Result<PlaneConstant>& a, const Result<PlaneConstant>& b) {
+  return std::memcmp(&a.value, &b.value, sizeof a.value) == 0 &&
+         a.status.error() == b.status.error() &&
+         std::strcmp(a.status.message(), b.status.message()) == 0;
+}
+
+TEST(ClipPlane, APreparedCameraChangesNoBit) {
+  Random random(33);
+  int refused = 0;
+  for (const Camera& camera : AllCameras()) {
+    for (int i = 0; i < 400; ++i) {
+      Matrix view = random.Rigid(10), world = random.Rigid(random.Magnitude(1, 1e12));
+      Matrix projection = camera.projection;
+      Plane plane = random.PlaneAt(random.Between(-20, 20));
+      switch (random.Below(12)) {
+        case 0: world = random.NearlySingular(2, random.Magnitude(1e-17, 1e-3)); break;
+        case 1: view.m[0][0] *= random.Magnitude(1e-200, 1e200); break;
+        case 2: projection.m[0][1] = 0.25; break;  // no shape of an API
+        case 3: plane.x = random.Magnitude(1e-300, 1e300); break;
+        case 4: plane = {}; break;
+        case 5: world.m[1][2] = kInfinity; break;
+        case 6: plane.w = kNan; break;
+        case 7: std::fill(view.m[1], view.m[1] + 3, 0); break;  // no inverse
+        case 8: projection.m[3][2] = projection.m[2][2] = 0; break;
+        case 9: std::swap(world.m[0][3], world.m[3][0]); break;
+        default: break;
+      }
+      const Result<PreparedCamera> prepared = PrepareCamera(view, projection);
+      ASSERT_TRUE(prepared.ok()) << prepared.status.message();
+      const auto from_object = ClipPlaneFromObject(plane, world, view, projection);
+      EXPECT_TRUE(IsSame(from_object, ClipPlaneFromObject(plane, world, prepared.value)));
+      EXPECT_TRUE(IsSame(ClipPlaneFromWorld(plane, view, projection),
+                         ClipPlaneFromWorld(plane, prepared.value)));
+      refused += from_object.ok() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(refused, 100);
+  Matrix bad;
+  bad.m[0][3] = 1;
+  EXPECT_EQ(PrepareCamera(bad, {}).status.error(), Error::kLooksTransposed);
+  bad.m[0][3] = kNan;
+  EXPECT_EQ(PrepareCamera(bad, {}).status.error(), Error::kNotFinite);
+  EXPECT_EQ(PrepareCamera({}, bad).status.error(), Error::kNotFinite);
+}
+
 TEST(ClipPlane, BothMatrixConventionsMeanTheSame) {
   const Camera camera = PerspectiveCamera(0.1, 100, {}, -1, 0.3, -0.2);
   float row_vector[16], column_vector[16];

@@ -3,6 +3,13 @@
 
 #include <cmath>
 
+// The mark of functions that are inlined into clones of others for several processors, too.
+#if defined(__GNUC__)
+#define CLIPC_INLINE inline __attribute__((always_inline))
+#else
+#define CLIPC_INLINE inline
+#endif
+
 /// Numbers of twice double's digits. Not part of the public interface.
 namespace clipc::runtime {
 
@@ -12,19 +19,19 @@ struct DoubleDouble {
 };
 
 /// a + b, exactly: Knuth's two-sum.
-inline DoubleDouble ExactSum(double a, double b) {
+CLIPC_INLINE DoubleDouble ExactSum(double a, double b) {
   const double sum = a + b, part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
 /// a + b, exactly where |a| >= |b|: Dekker's.
-inline DoubleDouble ExactSumOfOrdered(double a, double b) {
+CLIPC_INLINE DoubleDouble ExactSumOfOrdered(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
 /// a + b with a relative error of about 2^-104.
-inline DoubleDouble Add(DoubleDouble a, DoubleDouble b) {
+CLIPC_INLINE DoubleDouble Add(DoubleDouble a, DoubleDouble b) {
   DoubleDouble sum = ExactSum(a.high, b.high);
   const DoubleDouble rest = ExactSum(a.low, b.low);
   sum = ExactSumOfOrdered(sum.high, sum.low + rest.high);
@@ -32,7 +39,7 @@ inline DoubleDouble Add(DoubleDouble a, DoubleDouble b) {
 }
 
 /// a * b - product, where product is a * b as rounded: exactly, unless that underflows.
-inline double ProductError(double a, double b, double product) {
+CLIPC_INLINE double ProductError(double a, double b, double product) {
 #if defined(__MINGW32__) && !defined(__FMA__)
   // The fma of mingw-w64 rounds more than once. This is Dekker's product: each factor is the sum of
   // two halves, whose products are exact. Halving one beyond kLarge would overflow.
@@ -52,10 +59,21 @@ inline double ProductError(double a, double b, double product) {
 #endif
 }
 
+/// a * b, exactly, unless that underflows.
+CLIPC_INLINE DoubleDouble ExactProduct(double a, double b) {
+  const double product = a * b;
+  return {product, ProductError(a, b, product)};
+}
+
 /// a * b with a relative error of about 2^-104.
-inline DoubleDouble Multiply(double a, DoubleDouble b) {
+CLIPC_INLINE DoubleDouble Multiply(double a, DoubleDouble b) {
   const double product = a * b.high;
   return ExactSumOfOrdered(product, ProductError(a, b.high, product) + a * b.low);
+}
+CLIPC_INLINE DoubleDouble Multiply(DoubleDouble a, DoubleDouble b) {
+  const double product = a.high * b.high;
+  const double rest = a.high * b.low + a.low * b.high;
+  return ExactSumOfOrdered(product, ProductError(a.high, b.high, product) + rest);
 }
 
 }  // namespace clipc::runtime

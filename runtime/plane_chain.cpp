@@ -13,20 +13,6 @@ namespace {
 // The largest rounding error of a sum of four products of DoubleDoubles, in units of 2^-53.
 constexpr double kRoundingOfProducts = 0x1p-48;
 
-Status CheckAffine(const Matrix& matrix, const char* name) {
-  if (!IsFinite(matrix)) {
-    return Status::Failure(Error::kNotFinite, "the %s matrix has an element that is not finite",
-                           name);
-  }
-  if (LooksTransposed(matrix)) {
-    return Status::Failure(Error::kLooksTransposed,
-                           "the %s matrix looks transposed: its translation is in the last column, "
-                           "not in the last row; see ColumnVectorMatrix",
-                           name);
-  }
-  return {};
-}
-
 // The error that a quotient or a product of this size has from being rounded; none for an exact 0.
 double RoundingOf(double result, double operand) {
   return operand == 0 ? 0 : std::fabs(result) + kUnderflow;
@@ -40,7 +26,42 @@ void Round(const Bounded& bounded, double (&c)[4], double (&error)[4]) {
   }
 }
 
+// The plane after any matrix that has an inverse.
+Step Eliminated(const Bounded& before, const Matrix& matrix, const char* name) {
+  const Solution solution = SolveLinear(matrix.m, before.plane, before.error);
+  if (solution.singular)
+    return Status::Failure(Error::kSingular, "the %s matrix has no inverse", name);
+  Bounded after;
+  std::copy(solution.x, solution.x + 4, after.plane);
+  std::copy(solution.error, solution.error + 4, after.error);
+  return after;
+}
+
+// The plane after a projection that CheckProjection allows.
+Step Projected(const Bounded& before, const Matrix& projection, const ProjectionShape& shape) {
+  if (!shape.holds) return Through(before, projection, "projection");
+  if ((shape.is_perspective() ? shape.b : shape.a) == 0) {
+    return Status::Failure(Error::kSingular,
+                           "the projection matrix has no inverse: its depth does not depend on z");
+  }
+  return ThroughShape(before, shape);
+}
+
 }  // namespace
+
+Status CheckAffine(const Matrix& matrix, const char* name) noexcept {
+  if (!IsFinite(matrix)) {
+    return Status::Failure(Error::kNotFinite, "the %s matrix has an element that is not finite",
+                           name);
+  }
+  if (LooksTransposed(matrix)) {
+    return Status::Failure(Error::kLooksTransposed,
+                           "the %s matrix looks transposed: its translation is in the last column, "
+                           "not in the last row; see ColumnVectorMatrix",
+                           name);
+  }
+  return {};
+}
 
 Plane Rounded(const Bounded& bounded) noexcept {
   const DoubleDouble* c = bounded.plane;
@@ -55,14 +76,23 @@ Step Begin(const Plane& plane) noexcept {
 
 Step Through(const Step& before, const Matrix& matrix, const char* name) noexcept {
   if (!before.ok()) return before;
-  if (const Status status = CheckAffine(matrix, name); !status.ok()) return status;
-  const Solution solution = SolveLinear(matrix.m, before.value.plane, before.value.error);
-  if (solution.singular)
-    return Status::Failure(Error::kSingular, "the %s matrix has no inverse", name);
-  Bounded after;
-  std::copy(solution.x, solution.x + 4, after.plane);
-  std::copy(solution.error, solution.error + 4, after.error);
-  return after;
+  // A matrix whose inverse holds needs no further check.
+  const AffineInverse inverse = InverseOfAffine(matrix);
+  Step after;
+  if (inverse.holds && TakeThrough(inverse, before.value, after.value)) return after;
+  if (Status status = CheckAffine(matrix, name); !status.ok()) return status;
+  return Eliminated(before.value, matrix, name);
+}
+
+Step ThroughCamera(const Step& before, const PreparedCamera& camera) noexcept {
+  if (!before.ok()) return before;
+  Step in_view;
+  if (!camera.view_inverse.holds ||
+      !TakeThrough(camera.view_inverse, before.value, in_view.value)) {
+    in_view = Eliminated(before.value, camera.view, "view");
+    if (!in_view.ok()) return in_view;
+  }
+  return Projected(in_view.value, camera.projection, camera.shape);
 }
 
 Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept {
@@ -120,13 +150,7 @@ Bounded ThroughShape(const Bounded& before, const ProjectionShape& s) noexcept {
 Step ThroughProjection(const Step& before, const Matrix& projection) noexcept {
   if (!before.ok()) return before;
   if (const Status status = CheckProjection(projection); !status.ok()) return status;
-  const ProjectionShape shape = ShapeOf(projection);
-  if (!shape.holds) return Through(before, projection, "projection");
-  if ((shape.is_perspective() ? shape.b : shape.a) == 0) {
-    return Status::Failure(Error::kSingular,
-                           "the projection matrix has no inverse: its depth does not depend on z");
-  }
-  return ThroughShape(before.value, shape);
+  return Projected(before.value, projection, ShapeOf(projection));
 }
 
 Step ToXyw1(const Step& view_plane, const Matrix& projection) noexcept {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "affine_inverse.h"
 #include "clip_plane.h"
-#include "double_double.h"
 #include "matrix.h"
 #include "projection_shape.h"
 #include "status.h"
@@ -11,18 +11,19 @@
 /// two matrices cancel is not lost. Not part of the public interface.
 namespace clipc::runtime {
 
-struct Bounded {
-  DoubleDouble plane[4];  ///< x, y, z, w
-  double error[4] = {};   ///< of each component, in units of 2^-53
-};
 using Step = Result<Bounded>;
 
 /// The plane as the application gives it. Errors: kNotFinite.
 Step Begin(const Plane& plane) noexcept;
 
+/// Errors: kNotFinite, kLooksTransposed. `name` is for messages.
+Status CheckAffine(const Matrix& matrix, const char* name) noexcept;
+
 /// The plane after an affine `matrix`, whose inverse must exist; `name` is for messages. Errors:
 /// kNotFinite, kLooksTransposed, kSingular.
 Step Through(const Step& before, const Matrix& matrix, const char* name) noexcept;
+/// The plane after the camera's view and projection, as Through and ThroughProjection make it.
+Step ThroughCamera(const Step& before, const PreparedCamera& camera) noexcept;
 /// The plane in the space before `matrix`, which needs no inverse: `matrix` times the plane.
 /// Errors: kNotFinite, kLooksTransposed.
 Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept;

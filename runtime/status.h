@@ -72,8 +72,9 @@ struct [[nodiscard]] Result {
   Status status;
 
   Result() = default;
-  Result(T made, Status with = {}) : value(std::move(made)), status(with) {}
-  Result(Status why) noexcept : status(why) {}
+  Result(T made) : value(std::move(made)) {}
+  Result(T made, const Status& with) : value(std::move(made)), status(with) {}
+  Result(const Status& why) noexcept : status(why) {}
 
   bool ok() const noexcept { return status.ok(); }
 };
