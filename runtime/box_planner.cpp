@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 
 #include "clip-table/vocabulary.h"
 
@@ -18,172 +18,287 @@ constexpr float kLeastNormal = 0x1p-126f;
 // Sums below this do not overflow, and leave room for the shader's.
 constexpr float kLargestSum = 0x1p120f;
 constexpr float kLargestBound = kErrorFactor * kLargestSum;
-constexpr float kUndecided = std::numeric_limits<float>::quiet_NaN();
-
-constexpr std::size_t kBlock =
-    256;  // 24 bytes each: a block stays in the first-level cache for all planes
 
 // The mark of functions that are inlined into a function for AVX2 and into one for the build's own
 // target: the same operations, so the same results.
 #if defined(__GNUC__) && defined(__x86_64__)
 #define CLIPC_HAS_AVX2_CLONE 1
-#define CLIPC_BLOCK_FUNCTION inline __attribute__((always_inline))
 #else
 #define CLIPC_HAS_AVX2_CLONE 0
+#endif
+#if defined(__GNUC__)
+#define CLIPC_BLOCK_FUNCTION inline __attribute__((always_inline))
+#else
 #define CLIPC_BLOCK_FUNCTION inline
 #endif
 
-// kSize boxes, and the facts found out about them.
-template <std::size_t kSize>
-struct BoxBlock {
-  const float* low[3];
-  const float* high[3];
-  float largest[3][kSize];  // max(|low|, |high|)
-  float flushed[kSize];  // what a distance may lose where the plane's coefficients are flushed to 0
-  std::uint32_t in_order[kSize];  // 1 where low <= high on every axis: not so if one is NaN
-  float coarse_error[kSize];      // at least E of every plane
-  std::uint32_t needed[kSize];    // bits of planes
-  std::uint32_t culled[kSize];    // 1 or 0
+// One number, and the answer of a comparison: all bits, or none.
+struct Mask {
+  std::uint32_t bits;
 };
+struct Number {
+  float value;
+};
+CLIPC_BLOCK_FUNCTION Mask operator~(Mask a) { return {~a.bits}; }
+CLIPC_BLOCK_FUNCTION Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
+CLIPC_BLOCK_FUNCTION Mask operator|(Mask a, Mask b) { return {a.bits | b.bits}; }
+CLIPC_BLOCK_FUNCTION Mask operator^(Mask a, Mask b) { return {a.bits ^ b.bits}; }
+CLIPC_BLOCK_FUNCTION Mask operator&(Mask a, std::uint32_t b) { return {a.bits & b}; }
+CLIPC_BLOCK_FUNCTION Mask operator|(Mask a, std::uint32_t b) { return {a.bits | b}; }
+CLIPC_BLOCK_FUNCTION Mask operator-(Mask a, std::uint32_t b) { return {a.bits - b}; }
+CLIPC_BLOCK_FUNCTION Mask operator>>(Mask a, int by) { return {a.bits >> by}; }
+CLIPC_BLOCK_FUNCTION Number operator-(Number a) { return {-a.value}; }
+CLIPC_BLOCK_FUNCTION Number operator+(Number a, Number b) { return {a.value + b.value}; }
+CLIPC_BLOCK_FUNCTION Number operator+(Number a, float b) { return {a.value + b}; }
+CLIPC_BLOCK_FUNCTION Number operator*(float a, Number b) { return {a * b.value}; }
+CLIPC_BLOCK_FUNCTION Mask operator<(Number a, Number b) { return {a.value < b.value ? ~0u : 0}; }
+CLIPC_BLOCK_FUNCTION Mask operator<(Number a, float b) { return {a.value < b ? ~0u : 0}; }
+CLIPC_BLOCK_FUNCTION Mask operator<=(Number a, Number b) { return {a.value <= b.value ? ~0u : 0}; }
+CLIPC_BLOCK_FUNCTION Mask operator>=(Number a, Number b) { return {a.value >= b.value ? ~0u : 0}; }
 
-CLIPC_BLOCK_FUNCTION float Magnitude(float number) { return number < 0 ? -number : number; }
-// The larger of two numbers; of a number and a NaN `b`, the number.
-CLIPC_BLOCK_FUNCTION float Larger(float a, float b) { return a < b ? b : a; }
+// How many boxes are planned at once. Eight numbers are a vector of the compiler's own, so that no
+// level of optimisation is needed; such vectors are passed by reference, since how a call passes
+// them differs between processors.
+struct One {
+  using Floats = Number;
+  using Masks = Mask;
+  [[maybe_unused]] static constexpr std::size_t kCount = 1;
+  static CLIPC_BLOCK_FUNCTION void KeepLarger(Masks& a, const Masks& b) {
+    a.bits = a.bits < b.bits ? b.bits : a.bits;
+  }
+  static CLIPC_BLOCK_FUNCTION void Store(const Masks& plans, BoxPlan* to) {
+    *to = static_cast<BoxPlan>(plans.bits);
+  }
+};
+#if defined(__GNUC__)
+struct Eight {
+  using Floats = float __attribute__((vector_size(32)));
+  using Masks = std::uint32_t __attribute__((vector_size(32)));
+  static constexpr std::size_t kCount = 8;
+  static CLIPC_BLOCK_FUNCTION void KeepLarger(Masks& a, const Masks& b) { a = a < b ? b : a; }
+  static CLIPC_BLOCK_FUNCTION void Store(const Masks& plans, BoxPlan* to) {
+    // In two steps: in one, a compiler takes each number by itself.
+    using Halves = std::uint16_t __attribute__((vector_size(16)));
+    using Bytes = BoxPlan __attribute__((vector_size(8)));
+    const Halves halves = __builtin_convertvector(plans, Halves);
+    const Bytes bytes = __builtin_convertvector(halves, Bytes);
+    std::memcpy(to, &bytes, sizeof bytes);
+  }
+};
+#else
+using Eight = One;
+#endif
 
-CLIPC_BLOCK_FUNCTION bool IsZero(const Float4& plane) {
-  return plane.x == 0 && plane.y == 0 && plane.z == 0 && plane.w == 0;
+template <typename To, typename From>
+CLIPC_BLOCK_FUNCTION void CopyBits(const From& from, To& to) {
+  static_assert(sizeof to == sizeof from);
+  std::memcpy(&to, &from, sizeof to);
 }
 
-template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void MeasureBlock(BoxBlock<kSize>& block) {
-  for (std::size_t i = 0; i < kSize; ++i) block.in_order[i] = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float *low = block.low[axis], *high = block.high[axis];
-    for (std::size_t i = 0; i < kSize; ++i) {
-      block.largest[axis][i] = Larger(Magnitude(low[i]), Magnitude(high[i]));
-      block.in_order[i] &= static_cast<std::uint32_t>(low[i] <= high[i]);
+using Bounds = const float* [6];  // low x, y, z, high x, y, z
+
+// A plane, and where the bounds of a box's corners are.
+struct PlaneOfBoxes {
+  Float4 plane;
+  std::uint32_t bit = 0;
+  bool is_zero = false;
+  const float* nearest[3] = {};
+  const float* farthest[3] = {};
+};
+
+float Magnitude(float number) { return number < 0 ? -number : number; }
+Float4 Magnitudes(const Float4& p) {
+  return {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)};
+}
+
+struct PlaneSet {
+  PlaneSet(const Bounds& bounds, const Float4* from, std::size_t plane_count)
+      : count(std::min<std::size_t>(plane_count, kMaxClipPlanes)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Float4& p = from[i];
+      const Float4 magnitudes = Magnitudes(p);
+      size = {std::fmax(size.x, magnitudes.x), std::fmax(size.y, magnitudes.y),
+              std::fmax(size.z, magnitudes.z), std::fmax(size.w, magnitudes.w)};
+      const bool is_up[3] = {p.x >= 0, p.y >= 0, p.z >= 0};
+      const bool is_zero = p.x == 0 && p.y == 0 && p.z == 0 && p.w == 0;
+      // Adding 0 makes -0 to 0: no distance is -0 then.
+      planes[i].plane = {p.x, p.y, p.z, p.w + 0};
+      planes[i].bit = 1u << i, planes[i].is_zero = is_zero;
+      for (int axis = 0; axis < 3; ++axis) {
+        planes[i].nearest[axis] = bounds[is_up[axis] ? axis : axis + 3];
+        planes[i].farthest[axis] = bounds[is_up[axis] ? axis + 3 : axis];
+      }
     }
   }
-  for (std::size_t i = 0; i < kSize; ++i) {
-    block.flushed[i] =
-        kLeastNormal * (block.largest[0][i] + block.largest[1][i] + block.largest[2][i]);
-  }
+
+  std::size_t count;
+  PlaneOfBoxes planes[kMaxClipPlanes];
+  Float4 size;  // the largest magnitude of each coefficient
+};
+
+// What E of kCount boxes is made of.
+template <typename L>
+struct Sizes {
+  typename L::Floats largest[3];  // max(|low|, |high|)
+  typename L::Floats flushed;  // what a distance may lose where the plane's coefficients become 0
+  typename L::Masks in_order;  // low <= high on every axis: not so if one is NaN
+};
+
+template <typename L>
+CLIPC_BLOCK_FUNCTION void Measure(const Bounds& bounds, std::size_t first, Sizes<L>& sizes) {
+  typename L::Masks in_order[3];
+  const auto measure = [&](int axis) {
+    typename L::Floats low, high;
+    std::memcpy(&low, bounds[axis] + first, sizeof low);
+    std::memcpy(&high, bounds[axis + 3] + first, sizeof high);
+    CopyBits(low <= high, in_order[axis]);
+    // Magnitudes are in the order of their bits.
+    typename L::Masks a, b;
+    CopyBits(low, a), CopyBits(high, b);
+    a = a & 0x7FFFFFFFu, b = b & 0x7FFFFFFFu;
+    L::KeepLarger(a, b);
+    CopyBits(a, sizes.largest[axis]);
+  };
+  measure(0), measure(1), measure(2);
+  sizes.in_order = in_order[0] & in_order[1] & in_order[2];
+  sizes.flushed = kLeastNormal * (sizes.largest[0] + sizes.largest[1] + sizes.largest[2]);
 }
 
 // Sets `error` to E for a plane whose coefficients have the magnitudes `size`: monotonic in each of
 // them, roundings included; NaN, to which no distance compares, where sums are too large. `is_zero`
 // is for the zero plane alone, which nothing rounds.
-template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void SetError(const BoxBlock<kSize>& block, const Float4& size, bool is_zero,
-                                   float (&error)[kSize]) {
-  const float x = size.x, y = size.y, z = size.z, w = size.w;
-  // Bounds that are flushed to 0 lose this; the coefficients' own loss is in the block.
-  const float underflow = is_zero ? 0 : kFloatUnderflow + kLeastNormal * (x + y + z);
+template <typename L>
+CLIPC_BLOCK_FUNCTION void SetError(const Sizes<L>& sizes, const Float4& size, bool is_zero,
+                                   typename L::Floats& error) {
+  // Bounds that are flushed to 0 lose this; the coefficients' own loss is in the sizes.
+  const float underflow = is_zero ? 0 : kFloatUnderflow + kLeastNormal * (size.x + size.y + size.z);
   const float share = is_zero ? 0.0f : 1.0f;
-  for (std::size_t i = 0; i < kSize; ++i) {
-    const float sum =
-        x * block.largest[0][i] + y * block.largest[1][i] + z * block.largest[2][i] + w;
-    const float bound = kErrorFactor * sum + (underflow + share * block.flushed[i]);
-    error[i] = bound < kLargestBound ? bound : kUndecided;
+  error =
+      size.x * sizes.largest[0] + size.y * sizes.largest[1] + size.z * sizes.largest[2] + size.w;
+  error = kErrorFactor * error + (share * sizes.flushed + underflow);
+  typename L::Masks bits, is_small;
+  CopyBits(error, bits);
+  CopyBits(error < kLargestBound, is_small);
+  CopyBits(bits | ~is_small, error);  // all bits are a NaN
+}
+
+// Plans one plane for kCount boxes, with `error` for E: adds to `plans` its bit where it is needed
+// and kCulled, and to `close` a highest bit where another E might answer otherwise, since a
+// distance is nearer to 0 than E.
+template <typename L>
+CLIPC_BLOCK_FUNCTION void Plan(const PlaneOfBoxes& by, std::size_t first,
+                               const typename L::Floats& error, typename L::Masks& plans,
+                               typename L::Masks& close) {
+  const Float4& plane = by.plane;
+  const auto set_distance = [&](const float* const(&corner)[3], typename L::Floats& distance) {
+    typename L::Floats x, y, z;
+    std::memcpy(&x, corner[0] + first, sizeof x);
+    std::memcpy(&y, corner[1] + first, sizeof y);
+    std::memcpy(&z, corner[2] + first, sizeof z);
+    distance = plane.x * x + plane.y * y + plane.z * z + plane.w;
+  };
+  typename L::Floats nearest, farthest;
+  set_distance(by.nearest, nearest);
+  set_distance(by.farthest, farthest);
+  // All comparisons are false for NaN, which needs the plane.
+  typename L::Masks is_in, is_out, signs;
+  CopyBits(nearest >= error, is_in);
+  CopyBits(farthest < -error, is_out);
+  plans = plans | (~is_in & by.bit) | (is_out & std::uint32_t{kCulled});
+  // In is positive, out is negative: else it is close.
+  CopyBits(nearest, signs);
+  close = close | ~(is_in ^ signs);
+  CopyBits(farthest, signs);
+  close = close | (is_out ^ signs);
+}
+
+template <typename L>
+CLIPC_BLOCK_FUNCTION void StorePlans(const typename L::Masks& plans,
+                                     const typename L::Masks& in_order, std::uint32_t all,
+                                     BoxPlan* to) {
+  // All bits where a box is not culled, and else kCulled.
+  const typename L::Masks kept =
+      (((plans & std::uint32_t{kCulled}) >> 7) - 1u) | std::uint32_t{kCulled};
+  typename L::Masks every = {};
+  every = ~every & all;
+  L::Store((in_order & plans & kept) | (~in_order & every), to);
+}
+
+// As PlanBox says: each plane has its own E.
+template <typename L>
+CLIPC_BLOCK_FUNCTION void PlanExactly(const Bounds& bounds, std::size_t first, const PlaneSet& set,
+                                      BoxPlan* to) {
+  Sizes<L> sizes;
+  Measure(bounds, first, sizes);
+  typename L::Masks plans = {}, close = {};
+  for (std::size_t i = 0; i < set.count; ++i) {
+    typename L::Floats error;
+    SetError(sizes, Magnitudes(set.planes[i].plane), set.planes[i].is_zero, error);
+    Plan<L>(set.planes[i], first, error, plans, close);
+  }
+  StorePlans<L>(plans, sizes.in_order, (1u << set.count) - 1, to);
+}
+
+// Boxes whose bounds stay in the first-level cache for all planes.
+constexpr std::size_t kChunk = 128;
+static_assert(kChunk % Eight::kCount == 0);
+
+// Plans `count` boxes of a chunk, a multiple of kCount.
+template <typename L>
+CLIPC_BLOCK_FUNCTION void PlanChunk(const Bounds& bounds, std::size_t first, std::size_t count,
+                                    const PlaneSet& set, BoxPlan* to) {
+  constexpr std::size_t kGroups = kChunk / L::kCount;
+  const std::size_t groups = count / L::kCount;
+  typename L::Floats errors[kGroups];
+  typename L::Masks plans[kGroups], in_order[kGroups], close = {};
+  // One error for all planes is less work, and hardly ever too large.
+  for (std::size_t k = 0; k < groups; ++k) {
+    Sizes<L> sizes;
+    Measure(bounds, first + k * L::kCount, sizes);
+    SetError(sizes, set.size, false, errors[k]);
+    in_order[k] = sizes.in_order;
+    plans[k] = typename L::Masks{};
+  }
+  for (std::size_t i = 0; i < set.count; ++i) {
+    const PlaneOfBoxes by = set.planes[i];
+    for (std::size_t k = 0; k < groups; ++k)
+      Plan<L>(by, first + k * L::kCount, errors[k], plans[k], close);
+  }
+  std::uint32_t parts[L::kCount], any = 0;
+  CopyBits(close, parts);
+  for (const std::uint32_t part : parts) any |= part;
+  for (std::size_t k = 0; k < groups; ++k) {
+    BoxPlan* const at = to + k * L::kCount;
+    if ((any >> 31) != 0)
+      PlanExactly<L>(bounds, first + k * L::kCount, set, at);
+    else
+      StorePlans<L>(plans[k], in_order[k], (1u << set.count) - 1, at);
   }
 }
 
-template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void SetCoarseError(BoxBlock<kSize>& block, const Float4* planes,
-                                         std::size_t plane_count) {
-  Float4 size;
-  for (std::size_t i = 0; i < plane_count; ++i) {
-    size.x = Larger(size.x, Magnitude(planes[i].x)),
-    size.y = Larger(size.y, Magnitude(planes[i].y));
-    size.z = Larger(size.z, Magnitude(planes[i].z)),
-    size.w = Larger(size.w, Magnitude(planes[i].w));
-  }
-  SetError(block, size, false, block.coarse_error);
-}
-
-// Plans one plane for a block of boxes, with `error` for E. Returns whether a distance is nearer to
-// 0 than `error` for some box in order: then another error might give another answer.
-template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION bool PlanBlock(BoxBlock<kSize>& block, const Float4& plane, std::uint32_t bit,
-                                    const float (&error)[kSize]) {
-  const bool up_x = plane.x >= 0, up_y = plane.y >= 0, up_z = plane.z >= 0;
-  const float *near_x = up_x ? block.low[0] : block.high[0],
-              *far_x = up_x ? block.high[0] : block.low[0];
-  const float *near_y = up_y ? block.low[1] : block.high[1],
-              *far_y = up_y ? block.high[1] : block.low[1];
-  const float *near_z = up_z ? block.low[2] : block.high[2],
-              *far_z = up_z ? block.high[2] : block.low[2];
-  const float x = plane.x, y = plane.y, z = plane.z, w = plane.w;
-  std::uint32_t close = 0;
-  for (std::size_t i = 0; i < kSize; ++i) {
-    const float nearest = x * near_x[i] + y * near_y[i] + z * near_z[i] + w;
-    const float farthest = x * far_x[i] + y * far_y[i] + z * far_z[i] + w;
-    // All comparisons are false for NaN, which needs the plane.
-    const bool is_in = nearest >= error[i], is_out = farthest < -error[i];
-    block.needed[i] |= is_in ? 0 : bit;
-    block.culled[i] |= is_out ? 1 : 0;
-    close |= static_cast<std::uint32_t>(is_in ^ (nearest >= 0)) |
-             static_cast<std::uint32_t>(is_out ^ (farthest < 0));
-  }
-  return close != 0;
-}
-
-// Writes the plans of the first `count` boxes of a block.
-template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void PlanFullBlock(BoxBlock<kSize>& block, const Float4* planes,
-                                        std::size_t plane_count, BoxPlan* plans,
-                                        std::size_t count) {
-  MeasureBlock(block);
-  // One error for all planes is less work, and hardly ever too large. Where it may be, the plane is
-  // planned once more with its own error.
-  SetCoarseError(block, planes, plane_count);
-  for (std::size_t i = 0; i < kSize; ++i) block.needed[i] = block.culled[i] = 0;
-  bool close = false;
-  for (std::size_t i = 0; i < plane_count; ++i)
-    close |= PlanBlock(block, planes[i], 1u << i, block.coarse_error);
-  if (close) {
-    for (std::size_t i = 0; i < kSize; ++i) block.needed[i] = block.culled[i] = 0;
-    for (std::size_t i = 0; i < plane_count; ++i) {
-      float error[kSize];
-      const Float4& p = planes[i];
-      SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)}, IsZero(p),
-               error);
-      PlanBlock(block, p, 1u << i, error);
-    }
-  }
-  const std::uint32_t all = (1u << plane_count) - 1;
-  BoxPlan narrow[kSize];
-  for (std::size_t i = 0; i < kSize; ++i) {
-    // Masks instead of branches, which would keep the loop scalar.
-    const std::uint32_t is_culled = block.culled[i], in_order = block.in_order[i];
-    const std::uint32_t plan = is_culled * kCulled | ((is_culled - 1) & block.needed[i]);
-    narrow[i] = static_cast<BoxPlan>(((0 - in_order) & plan) | ((in_order - 1) & all));
-  }
-  for (std::size_t i = 0; i < count; ++i) plans[i] = narrow[i];
-}
-
-using FullBlock = BoxBlock<kBlock>;
-using PlanFunction = void (*)(FullBlock&, const Float4*, std::size_t, BoxPlan*, std::size_t);
-
-void PlanForAnyProcessor(FullBlock& block, const Float4* planes, std::size_t plane_count,
-                         BoxPlan* plans, std::size_t count) {
-  PlanFullBlock(block, planes, plane_count, plans, count);
+CLIPC_BLOCK_FUNCTION void PlanArrays(const Bounds& bounds, std::size_t count, const Float4* planes,
+                                     std::size_t plane_count, BoxPlan* plans) {
+  const PlaneSet set(bounds, planes, plane_count);
+  std::size_t first = 0;
+  for (; count - first >= kChunk; first += kChunk)
+    PlanChunk<Eight>(bounds, first, kChunk, set, plans + first);
+  const std::size_t rest = count - first;
+  if (rest == 0) return;
+  float copies[6][kChunk] = {};
+  for (int i = 0; i < 6; ++i) std::copy_n(bounds[i] + first, rest, copies[i]);
+  const Bounds at = {copies[0], copies[1], copies[2], copies[3], copies[4], copies[5]};
+  BoxPlan planned[kChunk];
+  PlanChunk<Eight>(at, 0, kChunk, PlaneSet(at, planes, plane_count), planned);
+  std::copy_n(planned, rest, plans + first);
 }
 
 #if CLIPC_HAS_AVX2_CLONE
-__attribute__((target("avx2"))) void PlanForAvx2(FullBlock& block, const Float4* planes,
-                                                 std::size_t plane_count, BoxPlan* plans,
-                                                 std::size_t count) {
-  PlanFullBlock(block, planes, plane_count, plans, count);
+__attribute__((target("avx2"))) void PlanForAvx2(const Bounds& bounds, std::size_t count,
+                                                 const Float4* planes, std::size_t plane_count,
+                                                 BoxPlan* plans) {
+  PlanArrays(bounds, count, planes, plane_count, plans);
 }
 #endif
-
-PlanFunction ChoosePlanFunction() {
-#if CLIPC_HAS_AVX2_CLONE
-  if (__builtin_cpu_supports("avx2")) return PlanForAvx2;
-#endif
-  return PlanForAnyProcessor;
-}
 
 bool IsBox(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -254,37 +369,22 @@ std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_
 }  // namespace
 
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept {
-  BoxBlock<1> block;
-  for (int axis = 0; axis < 3; ++axis) {
-    block.low[axis] = &box.low[axis];
-    block.high[axis] = &box.high[axis];
-  }
+  const Bounds bounds = {&box.low[0],  &box.low[1],  &box.low[2],
+                         &box.high[0], &box.high[1], &box.high[2]};
   BoxPlan plan;
-  PlanFullBlock(block, planes, std::min<std::size_t>(plane_count, kMaxClipPlanes), &plan, 1);
+  PlanExactly<One>(bounds, 0, PlaneSet(bounds, planes, plane_count), &plan);
   return plan;
 }
 
 void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count,
                BoxPlan* plans) noexcept {
-  const PlanFunction plan = ChoosePlanFunction();
-  plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
-  FullBlock block;
-  std::size_t first = 0;
-  for (; boxes.count - first >= kBlock; first += kBlock) {
-    for (int axis = 0; axis < 3; ++axis) {
-      block.low[axis] = boxes.low[axis] + first;
-      block.high[axis] = boxes.high[axis] + first;
-    }
-    plan(block, planes, plane_count, plans + first, kBlock);
-  }
-  const std::size_t rest = boxes.count - first;
-  if (rest == 0) return;
-  float copies[6][kBlock] = {};
-  for (int axis = 0; axis < 3; ++axis) {
-    block.low[axis] = std::copy_n(boxes.low[axis] + first, rest, copies[axis]) - rest;
-    block.high[axis] = std::copy_n(boxes.high[axis] + first, rest, copies[3 + axis]) - rest;
-  }
-  plan(block, planes, plane_count, plans + first, rest);
+  const Bounds bounds = {boxes.low[0],  boxes.low[1],  boxes.low[2],
+                         boxes.high[0], boxes.high[1], boxes.high[2]};
+#if CLIPC_HAS_AVX2_CLONE
+  if (__builtin_cpu_supports("avx2"))
+    return PlanForAvx2(bounds, boxes.count, planes, plane_count, plans);
+#endif
+  PlanArrays(bounds, boxes.count, planes, plane_count, plans);
 }
 
 BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count,
