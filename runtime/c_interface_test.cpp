@@ -314,5 +314,12 @@ TEST(CInterface, ClipStatusAndPlans) {
   EXPECT_THAT(plans, ElementsAre(1, 0, CLIPC_CULLED));
 }
 
+TEST(CInterface, HiddenPlanes) {
+  const float low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
+  const float planes[] = {0, 1, 0, 0.5F, 0, 1, 0, 0};
+  EXPECT_EQ(clipc_without_hidden_planes(low, high, planes, 2, 3), 2);
+  EXPECT_EQ(clipc_without_hidden_planes(low, high, nullptr, 0, 0), 0);
+}
+
 }  // namespace
 }  // namespace clipc::runtime

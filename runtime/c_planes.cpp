@@ -9,6 +9,7 @@
 #include "runtime/clip_plane.h"
 #include "runtime/clip_status.h"
 #include "runtime/clipc_runtime.h"
+#include "runtime/hidden_planes.h"
 #include "runtime/matrix.h"
 #include "runtime/mirror.h"
 #include "runtime/near_plane.h"
@@ -57,6 +58,13 @@ void Put(const Matrix& matrix, float* to) {
 
 DepthRange RangeOf(uint32_t flags) {
   return {(flags & CLIPC_DEPTH_NEGATIVE_ONE_TO_ONE) != 0, (flags & CLIPC_DEPTH_REVERSED) != 0};
+}
+
+// Copies the planes that the planner reads, and returns their number.
+size_t CopyPlanes(const float* from, size_t plane_count, Float4 (&to)[6]) {
+  plane_count = std::min<size_t>(plane_count, 6);
+  if (plane_count != 0) std::memcpy(static_cast<void*>(to), from, plane_count * sizeof(Float4));
+  return plane_count;
 }
 
 }  // namespace
@@ -125,12 +133,18 @@ void clipc_update_clip_status(clipc_clip_status* status, const float* positions,
 void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes,
                       size_t plane_count, uint8_t* plans) {
   Float4 copies[6];
-  plane_count = std::min<size_t>(plane_count, 6);
-  if (plane_count != 0)
-    std::memcpy(static_cast<void*>(copies), planes, plane_count * sizeof(Float4));
+  plane_count = CopyPlanes(planes, plane_count, copies);
   const BoxArrays boxes = {
       {bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}, count};
   PlanBoxes(boxes, copies, plane_count, plans);
+}
+
+uint8_t clipc_without_hidden_planes(const float low[3], const float high[3], const float* planes,
+                                    size_t plane_count, uint8_t plan) {
+  Float4 copies[6];
+  plane_count = CopyPlanes(planes, plane_count, copies);
+  const Box box = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  return WithoutHiddenPlanes(box, copies, plane_count, plan);
 }
 
 clipc_error clipc_plane_constant(clipc_plane_space space, const float plane[4],

@@ -213,6 +213,11 @@ void clipc_update_clip_status(clipc_clip_status* status, const float* positions,
 void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes,
                       size_t plane_count, uint8_t* plans);
 
+/** hidden_planes.h: the plan of a box, from `low` to `high`, without the planes whose cut others
+ * hide. */
+uint8_t clipc_without_hidden_planes(const float low[3], const float high[3], const float* planes,
+                                    size_t plane_count, uint8_t plan);
+
 /** shader_variant.h: the shader of `clipc --variants` that has just the planes of a plan, and the
  * object's plane for each of its planes. */
 typedef struct clipc_shader_variant {

@@ -9,6 +9,7 @@
 #include "runtime/clip_plane.h"
 #include "runtime/clip_status.h"
 #include "runtime/clipc_runtime.h"
+#include "runtime/hidden_planes.h"
 #include "runtime/level9_binder.h"
 #include "runtime/matrix.h"
 #include "runtime/mirror.h"
@@ -35,6 +36,8 @@ TEST(PublicHeaders, AreCpp17) {
 TEST(PublicHeaders, ThrowNothing) {
   static_assert(noexcept(ReadTable(nullptr, 0)));
   static_assert(noexcept(ClipPlaneFromWorld({}, {}, {})));
+  static_assert(noexcept(ClipPlaneFromObject({}, {}, PreparedCamera())));
+  static_assert(noexcept(WithoutHiddenPlanes({}, nullptr, 0, 0)));
   static_assert(noexcept(PlaneConstantFor(PlaneSpace::kClip, {}, KnownIn::kWorld, {})));
   static_assert(
       noexcept(std::declval<Level9Binder&>().Bind(std::declval<const Table&>(), nullptr, 0)));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The runtime's cost as ratios taken in one run, each beside its limit.
 //   clipc-runtime-bench
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +13,8 @@
 #include <vector>
 
 #include "runtime/box_planner.h"
+#include "runtime/clip_plane.h"
+#include "runtime/hidden_planes.h"
 #include "runtime/level9_binder.h"
 #include "tools/bench/report.h"
 #include "tools/harness/timing.h"
@@ -81,6 +86,32 @@ std::uint32_t ReadBounds(const runtime::BoxArrays& boxes) {
   return sum;
 }
 
+void BenchHidden(const Boxes& boxes, const Float4 (&planes)[kPlanes],
+                 const std::vector<runtime::BoxPlan>& plans) {
+  std::vector<runtime::Box> several;
+  std::vector<runtime::BoxPlan> theirs;
+  for (std::size_t i = 0; i < kObjects; ++i) {
+    if (plans[i] == runtime::kCulled || (plans[i] & (plans[i] - 1)) == 0) continue;
+    const auto& b = boxes.bounds;
+    several.push_back({{b[0][i], b[1][i], b[2][i]}, {b[3][i], b[4][i], b[5][i]}});
+    theirs.push_back(plans[i]);
+  }
+  std::size_t before = 0, after = 0;
+  const auto drop = [&] {
+    before = after = 0;
+    for (std::size_t i = 0; i < several.size(); ++i) {
+      const auto plan = runtime::WithoutHiddenPlanes(several[i], planes, kPlanes, theirs[i]);
+      before += static_cast<std::size_t>(std::popcount(theirs[i]));
+      after += plan == runtime::kCulled ? 0 : static_cast<std::size_t>(std::popcount(plan));
+    }
+  };
+  const auto [time, again] = InTurn(15, [] {}, drop, drop);
+  g_sink = static_cast<std::uint32_t>(after);
+  std::printf(
+      "| hidden planes of %zu boxes with several: %.0f ns each, %zu planes of %zu stay | | | |\n",
+      several.size(), std::min(time, again) / static_cast<double>(several.size()), after, before);
+}
+
 void BenchPlanner() {
   const Boxes boxes = MakeBoxes();
   const Float4 planes[kPlanes] = {{0.8F, 0.6F, 0, 25},  {-0.8F, -0.6F, 0, 25}, {-0.6F, 0.8F, 0, 20},
@@ -105,7 +136,46 @@ void BenchPlanner() {
       cold / 1e3, cold_read / 1e3, warm / 1e3, warm_read / 1e3);
   std::printf("| %.2f ns a box and plane | | | |\n", warm / (kObjects * kPlanes));
   Report("planning 100,000 boxes against 6 planes, to reading the boxes from memory",
-         cold / cold_read, "x", 4);
+         cold / cold_read, "x", 2.5);
+  BenchHidden(boxes, planes, plans);
+}
+
+runtime::Matrix AnyMatrix(std::mt19937& random, double scale) {
+  std::uniform_real_distribution<double> any(-1, 1);
+  const double angle = 3 * any(random), c = scale * std::cos(angle), s = scale * std::sin(angle);
+  return {{{c, s, 0, 0},
+           {-s * 0.6, c * 0.6, 0.8 * scale, 0},
+           {s * 0.8, -c * 0.8, 0.6 * scale, 0},
+           {50 * any(random), 50 * any(random), 50 * any(random), 1}}};
+}
+
+// Planes of many objects in clip space, as a frame makes them.
+void BenchPlanes() {
+  constexpr std::size_t kCount = 1000;
+  std::mt19937 random(2);
+  const runtime::Matrix view = AnyMatrix(random, 1);
+  const runtime::Matrix projection = {
+      {{1, 0, 0, 0}, {0, 1.7, 0, 0}, {0, 0, 1.0001, 1}, {0, 0, -0.1, 0}}};
+  std::vector<runtime::Matrix> worlds;
+  for (std::size_t i = 0; i < kCount; ++i) worlds.push_back(AnyMatrix(random, 2));
+  const runtime::Plane plane = {0.6, 0.8, 0, 1};
+  const runtime::PreparedCamera camera = runtime::PrepareCamera(view, projection).value;
+  float sum = 0;
+  const auto inverses = [&] {
+    for (const runtime::Matrix& world : worlds)
+      sum += runtime::ClipPlaneFromObject(plane, world, camera).value.constant.x;
+  };
+  const auto products = [&] {
+    for (const runtime::Matrix& world : worlds)
+      sum += runtime::ObjectPlaneFromWorld(plane, world).value.constant.x;
+  };
+  const auto [ours, least] = InTurn(101, [] {}, inverses, products);
+  g_sink = sum > 0 ? 1 : 0;
+  std::printf(
+      "| 1,000 objects: planes of a prepared camera %.0f us, of object space %.0f us | | | |\n",
+      ours / 1e3, least / 1e3);
+  Report("ClipPlaneFromObject of a prepared camera, to ObjectPlaneFromWorld, which inverts nothing",
+         ours / least, "x", 2.5);
 }
 
 // A device as a program sees it: a pointer to a table of functions. The functions here copy the
@@ -189,6 +259,7 @@ void BenchBinder(std::uint32_t plane_count) {
 int main() {
   std::printf("| what | measured | limit | |\n|---|---|---|---|\n");
   clipc::bench::BenchPlanner();
+  clipc::bench::BenchPlanes();
   for (const std::uint32_t plane_count : {1U, 3U, 6U}) clipc::bench::BenchBinder(plane_count);
   std::printf("\nlimits missed: %d\n", clipc::bench::g_missed);
   return clipc::bench::g_missed != 0;
