@@ -5,7 +5,7 @@
 
 // The mark of functions that are inlined into a function for processors with a fused multiply-add
 // and into one for the build's own target: the same operations, so the same results.
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__)
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(__FMA__) && !defined(__MINGW32__)
 #define CLIPC_HAS_FMA_CLONE 1
 #else
 #define CLIPC_HAS_FMA_CLONE 0

@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-// The mark of functions that are inlined into clones of others for several processors, too.
-#if defined(__GNUC__)
+// The mark of functions that are inlined into clones of others for several processors, too. There
+// are none for mingw-w64, whose products call themselves.
+#if defined(__GNUC__) && !defined(__MINGW32__)
 #define CLIPC_INLINE inline __attribute__((always_inline))
 #else
 #define CLIPC_INLINE inline
