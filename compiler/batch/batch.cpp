@@ -16,6 +16,7 @@
 
 #include "base/file_set.h"
 #include "base/path.h"
+#include "base/sha256.h"
 #include "base/spelling.h"
 #include "base/system.h"
 #include "compiler/batch/batch_errors.h"
@@ -65,9 +66,8 @@ class Batch {
   CompileResult Work(std::size_t at, Compiler& compiler);
   bool Finish(std::size_t at, CompileResult result);
   Result<> WriteFiles(std::size_t at, CompileResult& result);
-  void Keep(std::string key, std::string file);
   void Resume();
-  bool HasFiles(const BatchJournal::Done& done);
+  bool HasFiles(BatchJournal::Done& done);
   Result<> WriteIndex();
   // An effect may be a header alone.
   bool HasFolder() const { return !command_.effect || !command_.output.empty(); }
@@ -94,9 +94,8 @@ class Batch {
   std::mutex mutex_;  // guards memories_
   std::vector<GroupMemory> memories_;
 
-  // The names of the written files, by their extension and contents.
+  // The names of the written files, by their extension and the digest of their contents.
   std::unordered_map<std::string, std::string> files_by_contents_;
-  std::size_t kept_bytes_ = 0;
   std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
@@ -107,11 +106,6 @@ class Batch {
   MessagePrinter printer_;
   Progress progress_;
 };
-
-// By which outputs with the same contents are one file: the extension and the contents.
-std::string ContentsKey(const std::string& file, const std::string& contents) {
-  return file.substr(std::min(file.rfind('.'), file.size())) + '\n' + contents;
-}
 
 bool IsOnlyExtension(const std::string& value) {
   return value.empty() || (value.starts_with('.') && !HasSlash(value));
@@ -247,9 +241,11 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     done = std::move(before->second);
     entry.status = BatchStatus::kCompiled;
     entry.files = done.files;
+    entry.digests = std::move(done.digests);
   } else if (const auto alike = FindAlike(at, &result)) {
     entry.status = entries_[*alike].status;
     entry.files = entries_[*alike].files;
+    entry.digests = entries_[*alike].digests;
     entry.exit_code = code = entries_[*alike].exit_code;
     entry.errors = entries_[*alike].errors;
     if (!result.macros_used.empty() || result.digest) Remember(at, result, *alike);
@@ -295,14 +291,6 @@ void Batch::AddDependencies(const std::vector<std::string>& files) {
   }
 }
 
-// Remembers the contents of a file, as many as a bound on memory allows.
-void Batch::Keep(std::string key, std::string file) {
-  constexpr std::size_t kMostKept = std::size_t{256} << 20;
-  if (kept_bytes_ + key.size() > kMostKept) return;
-  kept_bytes_ += key.size();
-  files_by_contents_.emplace(std::move(key), std::move(file));
-}
-
 // Writes the files of a job. Contents that an earlier file has are not written again.
 Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (!HasFolder()) return {};
@@ -322,11 +310,11 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
       return Problem{fmt::format(
           "two outputs would go to `{}`; give them different names or extensions", piece.path)};
     std::string file = piece.path.substr(NameBegin(piece.path));
-    std::string key = ContentsKey(file, piece.contents);
-    const auto known = files_by_contents_.find(key);
-    entry.files.push_back({piece.kind, known == files_by_contents_.end() ? file : known->second});
-    if (known != files_by_contents_.end()) continue;
-    Keep(std::move(key), std::move(file));
+    entry.digests.push_back(Sha256(piece.contents));
+    const auto [known, is_new] =
+        files_by_contents_.try_emplace(ContentsKey(file, entry.digests.back()), file);
+    entry.files.push_back({piece.kind, known->second});
+    if (!is_new) continue;
     files.Add(std::move(piece.path), std::move(piece.contents));
   }
   return files.Commit();
@@ -335,15 +323,17 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
 // ---- what an earlier run did
 
 // Whether the outputs are still there. If so, their contents are known to the jobs that follow.
-bool Batch::HasFiles(const BatchJournal::Done& done) {
+bool Batch::HasFiles(BatchJournal::Done& done) {
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
-  std::vector<std::pair<std::string, std::string>> contents;
   for (const auto& [kind, file] : done.files) {
     const auto text = ReadText(fmt::format("{}{}{}", command_.output, slash, file));
     if (!text) return false;
-    contents.emplace_back(ContentsKey(file, *text), file);
+    done.digests.push_back(Sha256(*text));
   }
-  for (auto& [key, file] : contents) Keep(std::move(key), std::move(file));
+  for (std::size_t i = 0; i < done.files.size(); ++i) {
+    const std::string& file = done.files[i].second;
+    files_by_contents_.emplace(ContentsKey(file, done.digests[i]), file);
+  }
   return true;
 }
 
@@ -367,7 +357,7 @@ std::string Batch::IndexPath() const {
   return fmt::format("{}{}index{}.json", command_.output, slash, shard);
 }
 
-std::string Batch::JournalPath() const { return IndexPath() + ".part"; }
+std::string Batch::JournalPath() const { return IndexPath() + kJournalSuffix; }
 
 Result<> Batch::WriteIndex() {
   for (std::size_t at = 0; at < jobs_.size(); ++at)

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/batch/batch_index.h"
 
+#include <algorithm>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/path.h"
+#include "base/system.h"
 #include "clip-table/vocabulary.h"
 #include "frontend/lex/source_text.h"
 
@@ -34,6 +37,13 @@ Json ErrorsOf(const std::vector<Message>& errors) {
   return list;
 }
 
+Json DigestsOf(const BatchEntry& entry) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < entry.files.size(); ++i)
+    json[entry.files[i].first] = entry.digests[i];
+  return json;
+}
+
 // The text of an index, which has a line for each permutation.
 class IndexText {
  public:
@@ -53,7 +63,65 @@ class IndexText {
   const char* separator_ = "\n";
 };
 
+// The index of one part, as it was read.
+struct PartIndex {
+  unsigned part = 0, parts = 0;
+  Json shaders;
+};
+
+// A run that ended before its index leaves a journal that is younger than an index of a run before.
+bool WasInterrupted(const std::string& path) {
+  const auto index = system::StatusOf(path), journal = system::StatusOf(path + kJournalSuffix);
+  return index && journal && journal->modified > index->modified;
+}
+
+bool IsShader(const Json& shader) {
+  if (!shader.is_object() || !shader.contains("files") || !shader.contains("sha256")) return false;
+  const Json &files = shader["files"], &digests = shader["sha256"];
+  const auto is_text = [](const Json& json) { return json.is_string(); };
+  if (!files.is_object() || !digests.is_object() || files.size() != digests.size()) return false;
+  return std::all_of(files.begin(), files.end(), is_text) &&
+         std::all_of(digests.begin(), digests.end(), is_text);
+}
+
+Result<PartIndex> ReadPart(const std::string& path) {
+  const Result<std::string> text = ReadText(path);
+  if (!text) return Problem{fmt::format("cannot read `{}`: {}", path, text.problem())};
+  Json json = Json::parse(*text, nullptr, false);
+  const bool is_part = json.is_object() && json.contains("version") && json["version"] == 1 &&
+                       json.contains("part") && json["part"].is_number_unsigned() &&
+                       json.contains("parts") && json["parts"].is_number_unsigned() &&
+                       json.contains("shaders") && json["shaders"].is_array() &&
+                       std::all_of(json["shaders"].begin(), json["shaders"].end(), IsShader);
+  if (!is_part) {
+    return Problem{
+        fmt::format("`{}` is not the index of a part, which `--shard=1/4` writes", path)};
+  }
+  PartIndex index{json["part"], json["parts"], std::move(json["shaders"])};
+  if (WasInterrupted(path)) {
+    return Problem{fmt::format(
+        "part {} of {} was interrupted: `{}{}` is newer than its index; run it again with --resume",
+        index.part, index.parts, path, kJournalSuffix)};
+  }
+  return index;
+}
+
+// Names, in place of each file of the shader, the first file that has the same contents, as one run
+// does. `names` has the files of the shaders before, by ContentsKey.
+void ShareFiles(Json& shader, std::unordered_map<std::string, std::string>& names) {
+  auto digest = shader["sha256"].begin();
+  for (Json& file : shader["files"]) {
+    const std::string name = file;
+    file = names.try_emplace(ContentsKey(name, *digest++), name).first->second;
+  }
+  shader.erase("sha256");
+}
+
 }  // namespace
+
+std::string ContentsKey(const std::string& file, const std::string& digest) {
+  return file.substr(std::min(file.rfind('.'), file.size())) + '\n' + digest;
+}
 
 void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
   const ProgramRequest& request = group.command.request;
@@ -80,6 +148,7 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex sha
     for (const auto& [macro, value] : entry.defines)
       json["defines"][macro] = value ? Json(*value) : Json();
     for (const auto& [kind, file] : entry.files) json["files"][kind] = file;
+    if (shard.parts != 1) json["sha256"] = DigestsOf(entry);
     if (entry.errors) json["errors"] = ErrorsOf(*entry.errors);
     index.Add(json);
   }
@@ -90,42 +159,36 @@ Result<std::string> MergeIndexes(const std::vector<std::string>& paths) {
   std::map<unsigned, Json> by_part;
   unsigned parts = 0;
   for (const std::string& path : paths) {
-    const Result<std::string> text = ReadText(path);
-    if (!text) return Problem{fmt::format("cannot read `{}`: {}", path, text.problem())};
-    Json json = Json::parse(*text, nullptr, false);
-    const bool is_part = json.is_object() && json.value("version", 0) == 1 &&
-                         json.contains("part") && json["part"].is_number_unsigned() &&
-                         json.contains("parts") && json["parts"].is_number_unsigned() &&
-                         json.contains("shaders") && json["shaders"].is_array();
-    if (!is_part) {
+    Result<PartIndex> index = ReadPart(path);
+    if (!index) return Problem{index.problem()};
+    if (parts != 0 && index->parts != parts) {
       return Problem{
-          fmt::format("`{}` is not the index of a part, which `--shard=1/4` writes", path)};
+          fmt::format("`{}` is of {} parts, and `{}` of {}", path, index->parts, paths[0], parts)};
     }
-    const unsigned part = json["part"], of = json["parts"];
-    if (parts != 0 && of != parts) {
-      return Problem{fmt::format("`{}` is of {} parts, and `{}` of {}", path, of, paths[0], parts)};
-    }
-    parts = of;
+    parts = index->parts;
     if (path.substr(0, NameBegin(path)) != paths[0].substr(0, NameBegin(paths[0]))) {
       return Problem{
           fmt::format("`{}` and `{}` lie in two folders; an index names files beside it, so "
                       "copy all outputs into one folder first",
                       paths[0], path)};
     }
-    if (!by_part.emplace(part, std::move(json["shaders"])).second)
-      return Problem{fmt::format("part {} of {} is given twice", part, parts)};
+    if (!by_part.emplace(index->part, std::move(index->shaders)).second)
+      return Problem{fmt::format("part {} of {} is given twice", index->part, parts)};
   }
   for (unsigned part = 1; part <= parts; ++part) {
     if (!by_part.contains(part))
       return Problem{fmt::format("the index of part {} of {} is missing", part, parts)};
   }
   // The parts take the permutations in turn.
-  IndexText index({});
+  IndexText text({});
+  std::unordered_map<std::string, std::string> names;
   for (std::size_t row = 0; row < by_part[1].size(); ++row) {
-    for (unsigned part = 1; part <= parts && row < by_part[part].size(); ++part)
-      index.Add(by_part[part][row]);
+    for (unsigned part = 1; part <= parts && row < by_part[part].size(); ++part) {
+      ShareFiles(by_part[part][row], names);
+      text.Add(by_part[part][row]);
+    }
   }
-  return std::move(index).Finish();
+  return std::move(text).Finish();
 }
 
 }  // namespace clipc

@@ -24,6 +24,7 @@ struct BatchEntry {
   BatchStatus status = BatchStatus::kNotCompiled;
   int exit_code = 0;
   std::vector<std::pair<std::string, std::string>> files;  // kind and name
+  std::vector<std::string> digests;                        // of the contents of each file, Sha256
   std::shared_ptr<const std::vector<Message>> errors;      // null: none
 };
 
@@ -35,10 +36,17 @@ struct ShardOfIndex {
   unsigned part = 1, parts = 1;
 };
 
-// The index as JSON: docs/permutations.md.
+// By which outputs with the same contents are one file: the file's extension and the digest.
+std::string ContentsKey(const std::string& file, const std::string& digest);
+
+// What stands beside an index, after its name, while its batch is not complete.
+inline constexpr const char* kJournalSuffix = ".part";
+
+// The index as JSON: docs/permutations.md. That of a part also has the digests.
 std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex shard);
 
-// The index of a batch, of the indexes at `paths` of all its parts.
+// The index of a batch, of the indexes at `paths` of all its parts: what one run that compiles all
+// of them writes.
 Result<std::string> MergeIndexes(const std::vector<std::string>& paths);
 
 }  // namespace clipc

@@ -17,6 +17,7 @@ class BatchJournal {
  public:
   struct Done {
     std::vector<std::pair<std::string, std::string>> files;  // kind and name
+    std::vector<std::string> digests;  // of their contents now; the journal has none
     std::vector<std::string> dependencies;
   };
 
