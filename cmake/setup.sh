@@ -20,8 +20,9 @@ browser_packages=(chromium)
 # no entry `d3d9.*`.
 ci_packages=(clang-tidy-19 g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
 
-# packaging/test_packages.sh, examples/builds and the reference of the headers take these.
-package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap)
+# packaging/test_packages.sh, packaging/slurm, examples/builds and the reference of the headers take these.
+package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap
+  munge slurmctld slurmd slurm-client)
 
 # Building clipc for WebAssembly takes these; `./run page` and `./test --web` install them. Neither installs node 20 or newer:
 # Debian 12 has an older one.

@@ -41,7 +41,9 @@ if(TARGET clipc)
     ${CMAKE_CURRENT_BINARY_DIR}/packaging)
   add_test(NAME packaging.recipes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/follow_recipes.py ${clipc_BINARY_DIR}
     ${CMAKE_CURRENT_BINARY_DIR}/recipes)
-  set_tests_properties(packaging.recipes PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77)
+  add_test(NAME packaging.slurm COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/slurm/check_slurm.py $<TARGET_FILE:clipc>
+    ${CMAKE_CURRENT_BINARY_DIR}/slurm)
+  set_tests_properties(packaging.recipes packaging.slurm PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77)
   add_test(NAME snippets COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_snippets.py ${clipc_BINARY_DIR}
     ${CMAKE_CURRENT_BINARY_DIR}/snippets ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
   add_test(NAME examples.builds COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/examples/builds/check_builds.py ${clipc_BINARY_DIR}

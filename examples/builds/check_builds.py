@@ -101,6 +101,19 @@ def meson(builds):
     expect("byte 16" in builds.run(["build/application"], folder), "the plane at byte 16")
 
 
+def check_permutations(builds, folder):
+    """Checks that the folder of three parts has the index of one run, and the files that it names."""
+    (folder / "single").mkdir()
+    permutations = ["-D", "FOG={0,1}", "-D", "WAVES={0,1,2,3}"]
+    builds.run(
+        ["clipc", "-T", "vs_5_0", "-I.", *permutations, "water.hlsl", "-o", "single"], folder
+    )
+    merged = folder / "bazel-bin/permutations"
+    for file in (folder / "single").iterdir():
+        expect((merged / file.name).read_bytes() == file.read_bytes(), f"{file.name} of one run")
+    expect(not list(merged.glob("index.*-of-*")), "one index")
+
+
 def bazel(builds):
     """Checks that two sandboxes give the same bytes, and that files that are not declared are missing there."""
     found = []
@@ -110,12 +123,15 @@ def bazel(builds):
         shutil.copytree(builds.installed, folder / "installed")
         start = ["bazel", f"--output_user_root={builds.scratch}/bazel_root{number}", "--batch"]
         options = ["--spawn_strategy=sandboxed", "--curses=no"]
-        builds.run([*start, "build", *options, "//:water", "//:water_spv"], folder)
+        builds.run(
+            [*start, "build", *options, "//:water", "//:water_spv", "//:permutations"], folder
+        )
         has_distances(folder / "bazel-bin/water_clipped.hlsl", folder / "bazel-bin/water.spv")
         outputs = [
             folder / "bazel-bin" / f"water.{kind}" for kind in ("vert", "shader.h", "clip.h")
         ]
         found.append([hashlib.sha256(file.read_bytes()).hexdigest() for file in outputs])
+        check_permutations(builds, folder)
         said = builds.run([*start, "build", *options, "//:undeclared"], folder, fails=True)
         expect("planes.hlsli" in said, f"a missing include, not\n{said}")
     expect(found[0] == found[1], "the same bytes in two sandboxes")

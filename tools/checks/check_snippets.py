@@ -61,6 +61,7 @@ ELSEWHERE = {
     "bazel",
     "meson",
     "make",
+    "scontrol",
 }
 
 
