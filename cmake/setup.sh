@@ -33,6 +33,9 @@ web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-1
 windows_packages=(g++-mingw-w64-x86-64-posix wine64 libwine libclang-19-dev llvm-19-dev googletest python3 spirv-headers
   dpkg-dev)
 
+# Building clipc for 64-bit ARM takes these, and cmake/arm64/fetch_libraries.sh, which installs nothing.
+arm64_packages=(python3 g++-aarch64-linux-gnu qemu-user-static)
+
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {
   local log status=0
