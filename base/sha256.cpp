@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace clipc {
 namespace {
@@ -24,6 +25,22 @@ constexpr std::array<std::uint32_t, 64> kRound = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
+// Step `I` of eight, where `word` is a word of the schedule and its constant. The letters of the
+// standard change places from step to step, so that no value does.
+template <std::size_t I>
+void Step(State& state, std::uint32_t word) {
+  const auto letter = [&](std::size_t number) -> std::uint32_t& {
+    return state[(8 - I + number) % 8];
+  };
+  const std::uint32_t a = letter(0), b = letter(1), c = letter(2);
+  const std::uint32_t e = letter(4), f = letter(5), g = letter(6);
+  const std::uint32_t sum = letter(7) + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
+                            (g ^ (e & (f ^ g))) + word;
+  letter(3) += sum;
+  letter(7) =
+      sum + (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) | (c & (a | b)));
+}
+
 void AddBlock(State& state, const char* block) {
   std::array<std::uint32_t, 64> w;
   for (std::size_t i = 0; i < 16; ++i) {
@@ -36,17 +53,13 @@ void AddBlock(State& state, const char* block) {
     w[i] = w[i - 16] + w[i - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3) +
            (std::rotr(b, 17) ^ std::rotr(b, 19) ^ b >> 10);
   }
-  auto [a, b, c, d, e, f, g, h] = state;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    const std::uint32_t one = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
-                              ((e & f) ^ (~e & g)) + kRound[i] + w[i];
-    const std::uint32_t two =
-        (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
-    h = g, g = f, f = e, e = d + one;
-    d = c, c = b, b = a, a = one + two;
+  State next = state;
+  for (std::size_t i = 0; i < w.size(); i += 8) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (Step<I>(next, w[i + I] + kRound[i + I]), ...);
+    }(std::make_index_sequence<8>());
   }
-  const State added = {a, b, c, d, e, f, g, h};
-  for (std::size_t i = 0; i < state.size(); ++i) state[i] += added[i];
+  for (std::size_t i = 0; i < state.size(); ++i) state[i] += next[i];
 }
 
 }  // namespace

@@ -66,6 +66,8 @@ class Batch {
   CompileResult Work(std::size_t at, Compiler& compiler);
   bool Finish(std::size_t at, CompileResult result);
   Result<> WriteFiles(std::size_t at, CompileResult& result);
+  std::string Share(const std::string& file, const std::string& contents);
+  std::string PathOf(const std::string& file) const;
   void Resume();
   bool HasFiles(BatchJournal::Done& done);
   Result<> WriteIndex();
@@ -94,8 +96,8 @@ class Batch {
   std::mutex mutex_;  // guards memories_
   std::vector<GroupMemory> memories_;
 
-  // The names of the written files, by their extension and the digest of their contents.
-  std::unordered_map<std::string, std::string> files_by_contents_;
+  // The names of the written files, by the hash of their extension and their contents.
+  std::unordered_multimap<std::size_t, std::string> files_by_hash_;
   std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
@@ -291,31 +293,52 @@ void Batch::AddDependencies(const std::vector<std::string>& files) {
   }
 }
 
+std::string Batch::PathOf(const std::string& file) const {
+  return command_.output + (EndsWithSlash(command_.output) ? "" : "/") + file;
+}
+
+// Returns the written file that has the extension and the contents of `file`; `file` itself, which
+// is remembered, if there is none.
+std::string Batch::Share(const std::string& file, const std::string& contents) {
+  const std::string_view extension = ExtensionIn(file);
+  const std::hash<std::string_view> hash;
+  const std::size_t key = hash(contents) ^ hash(extension) << 1;
+  const auto [begin, end] = files_by_hash_.equal_range(key);
+  for (auto known = begin; known != end; ++known) {
+    const Result<std::string> text = ReadText(PathOf(known->second));
+    if (text && *text == contents && ExtensionIn(known->second) == extension) return known->second;
+  }
+  files_by_hash_.emplace(key, file);
+  return file;
+}
+
 // Writes the files of a job. Contents that an earlier file has are not written again.
 Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (!HasFolder()) return {};
   BatchEntry& entry = entries_[at];
   CommandLine command = GroupOf(jobs_[at]).command;
-  const char* slash = EndsWithSlash(command_.output) ? "" : "/";
-  command.output =
-      fmt::format("{}{}{}{}", command_.output, slash, entry.name, ExtensionOf(command.request));
+  command.output = PathOf(fmt::format("{}{}", entry.name, ExtensionOf(command.request)));
   command.write_dependencies = false;
   const OutputPaths outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
   Result<std::vector<OutputPiece>> pieces = CollectOutputs(command, outputs, result);
   if (!pieces) return Problem{pieces.problem()};
   OutputFiles files(OutputFiles::Unchanged::kKept);
   std::unordered_set<std::string> paths = {IndexPath(), JournalPath(), command_.messages};
-  for (OutputPiece& piece : *pieces) {
+  for (std::size_t i = 0; i < pieces->size(); ++i) {
+    const OutputPiece& piece = (*pieces)[i];
     if (!paths.insert(piece.path).second)
       return Problem{fmt::format(
           "two outputs would go to `{}`; give them different names or extensions", piece.path)};
-    std::string file = piece.path.substr(NameBegin(piece.path));
-    entry.digests.push_back(Sha256(piece.contents));
-    const auto [known, is_new] =
-        files_by_contents_.try_emplace(ContentsKey(file, entry.digests.back()), file);
-    entry.files.push_back({piece.kind, known->second});
-    if (!is_new) continue;
-    files.Add(std::move(piece.path), std::move(piece.contents));
+    const std::string file = piece.path.substr(NameBegin(piece.path));
+    // Those of this job are not written yet.
+    std::size_t same = 0;
+    while (same < i && ((*pieces)[same].contents != piece.contents ||
+                        ExtensionIn((*pieces)[same].path) != ExtensionIn(file)))
+      ++same;
+    const std::string name = same < i ? entry.files[same].second : Share(file, piece.contents);
+    entry.files.emplace_back(piece.kind, name);
+    if (command_.shards != 1) entry.digests.push_back(Sha256(piece.contents));
+    if (name == file) files.Add(piece.path, piece.contents);
   }
   return files.Commit();
 }
@@ -324,16 +347,14 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
 
 // Whether the outputs are still there. If so, their contents are known to the jobs that follow.
 bool Batch::HasFiles(BatchJournal::Done& done) {
-  const char* slash = EndsWithSlash(command_.output) ? "" : "/";
+  std::vector<std::string> contents;
   for (const auto& [kind, file] : done.files) {
-    const auto text = ReadText(fmt::format("{}{}{}", command_.output, slash, file));
+    Result<std::string> text = ReadText(PathOf(file));
     if (!text) return false;
-    done.digests.push_back(Sha256(*text));
+    if (command_.shards != 1) done.digests.push_back(Sha256(*text));
+    contents.push_back(std::move(*text));
   }
-  for (std::size_t i = 0; i < done.files.size(); ++i) {
-    const std::string& file = done.files[i].second;
-    files_by_contents_.emplace(ContentsKey(file, done.digests[i]), file);
-  }
+  for (std::size_t i = 0; i < contents.size(); ++i) Share(done.files[i].second, contents[i]);
   return true;
 }
 

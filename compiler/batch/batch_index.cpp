@@ -107,20 +107,21 @@ Result<PartIndex> ReadPart(const std::string& path) {
 }
 
 // Names, in place of each file of the shader, the first file that has the same contents, as one run
-// does. `names` has the files of the shaders before, by ContentsKey.
+// does. `names` has the files of the shaders before, by their digests and extensions.
 void ShareFiles(Json& shader, std::unordered_map<std::string, std::string>& names) {
   auto digest = shader["sha256"].begin();
   for (Json& file : shader["files"]) {
     const std::string name = file;
-    file = names.try_emplace(ContentsKey(name, *digest++), name).first->second;
+    std::string key = (digest++)->get<std::string>() + std::string(ExtensionIn(name));
+    file = names.try_emplace(std::move(key), name).first->second;
   }
   shader.erase("sha256");
 }
 
 }  // namespace
 
-std::string ContentsKey(const std::string& file, const std::string& digest) {
-  return file.substr(std::min(file.rfind('.'), file.size())) + '\n' + digest;
+std::string_view ExtensionIn(std::string_view file) {
+  return file.substr(std::min(file.rfind('.'), file.size()));
 }
 
 void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,8 @@ struct BatchEntry {
   BatchStatus status = BatchStatus::kNotCompiled;
   int exit_code = 0;
   std::vector<std::pair<std::string, std::string>> files;  // kind and name
-  std::vector<std::string> digests;                        // of the contents of each file, Sha256
-  std::shared_ptr<const std::vector<Message>> errors;      // null: none
+  std::vector<std::string> digests;  // of the contents of each file, Sha256; of a part
+  std::shared_ptr<const std::vector<Message>> errors;  // null: none
 };
 
 // Fills in the source, entry, profile, target and defines of the group's permutation `number`.
@@ -36,8 +37,9 @@ struct ShardOfIndex {
   unsigned part = 1, parts = 1;
 };
 
-// By which outputs with the same contents are one file: the file's extension and the digest.
-std::string ContentsKey(const std::string& file, const std::string& digest);
+// The extension of a file's name, with its dot. Outputs with the same extension and the same
+// contents are one file.
+std::string_view ExtensionIn(std::string_view file);
 
 // What stands beside an index, after its name, while its batch is not complete.
 inline constexpr const char* kJournalSuffix = ".part";
