@@ -48,8 +48,8 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SchedulerParameters=batch_sched_delay=0,sched_interval=1
 SlurmdParameters=config_overrides
-NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1
-NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1
+NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=3
+NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=3
 PartitionName=all Nodes=ALL Default=YES State=UP
 """
 
@@ -102,7 +102,7 @@ def free_ports(count):
 
 
 class Cluster:
-    """Two nodes, each with one processor, which this machine plays."""
+    """Two nodes, each with three processors, which this machine plays."""
 
     def __init__(self, folder):
         self.folder = folder

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Compiles each construct of pixel shaders, repeated 2,000 and 8,000 times: four times as much text takes at most six times as
-many instructions. The processor's time, the least of three runs, says quickly that a construct grows as its text does; where
-it does not say so, valgrind counts, since a time differs with what else runs on the machine.
+many instructions. The processor's time says quickly that a construct grows as its text does: the least of three runs of the short text,
+and of the long one as many as it needs, since another program beside it makes a run only longer. Where three do not say so, valgrind
+counts.
 
     growth.py CLIPC [-spirv] [NAME...]
 """
@@ -17,6 +18,7 @@ import tempfile
 
 COUNTS = (2000, 8000)
 GROWTH = 1.5  # beside the growth of the text
+RUNS = 3
 REST = 0.03  # seconds that a run may differ by, with other programs beside it
 
 OBJECTS = """Texture2D t; Texture2DMS<float4> ms; Texture2DArray<float4> layers; TextureCube sky; SamplerState s;
@@ -105,10 +107,12 @@ def used():
 
 
 def seconds(command, path):
-    """Returns the processor's time of a compile, and the message if it fails."""
+    """Returns the processor's time of a compile."""
     before = used()
     done = subprocess.run([*command, path], capture_output=True, text=True, check=False)
-    return used() - before, done.stderr[:400] if done.returncode else ""
+    if done.returncode:
+        sys.exit(f"{path}: {done.stderr[:400]}")
+    return used() - before
 
 
 def instructions(command, path):
@@ -129,16 +133,13 @@ def grows_faster(few, many, rest=0.0):
 
 
 def mistake(command, name, folder):
-    paths = [pathlib.Path(folder) / f"{count}.hlsl" for count in COUNTS]
-    times = []
+    paths = [pathlib.Path(folder) / f"{name}.{count}.hlsl" for count in COUNTS]
     for count, path in zip(COUNTS, paths, strict=True):
         path.write_text(text(name, count), encoding="ascii")
-        runs = [seconds(command, path) for _ in range(3)]
-        if runs[0][1]:
-            return f"{name}: {runs[0][1]}"
-        times.append(min(run[0] for run in runs))
-    if not grows_faster(*times, REST):
-        return None
+    short = min(seconds(command, paths[0]) for _ in range(RUNS))
+    for _ in range(RUNS):
+        if not grows_faster(short, seconds(command, paths[1]), REST):
+            return None
     few, many = (instructions(command, path) for path in paths)
     if grows_faster(few, many):
         return f"{name}: {few:,} instructions for {COUNTS[0]}, {many:,} for {COUNTS[1]}"
