@@ -23,6 +23,8 @@ tool_folders = [
 config.environment["PATH"] = (
     os.pathsep.join(dict.fromkeys(tool_folders)) + os.pathsep + os.environ["PATH"]
 )
+# Mesa compiles a shader for each draw, in twice the time where it optimises what runs once.
+config.environment["GALLIVM_PERF"] = "nopt"
 config.environment["FILECHECK_OPTS"] = "--dump-input-filter=annotation-full --dump-input=fail"
 
 if config.windows:
