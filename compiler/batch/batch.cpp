@@ -400,9 +400,9 @@ Result<> Batch::WriteIndex() {
     const std::string rule =
         command_.dependency_file.empty() ? WithoutExtension(path) + ".d" : command_.dependency_file;
     if (!command_.batch.empty()) dependencies_.insert(dependencies_.begin(), command_.batch);
-    files.Add(rule,
-              DependencyRule(command_.dependency_target.empty() ? path : command_.dependency_target,
-                             dependencies_));
+    files.Add(rule, DependencyRule(
+                        {command_.dependency_target.empty() ? path : command_.dependency_target},
+                        dependencies_));
   }
   return files.Commit();
 }

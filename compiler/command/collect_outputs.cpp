@@ -176,7 +176,7 @@ Result<std::vector<OutputPiece>> CollectOutputs(const CommandLine& command,
   if ((is_glsl || is_hlsl || request.outputs.preprocess) && result.ok() &&
       !paths.dependencies.empty()) {
     pieces.push_back({"dependencies", paths.dependencies,
-                      DependencyRule(paths.dependency_target, result.dependencies)});
+                      DependencyRule(paths.dependency_targets, result.dependencies)});
   }
   return pieces;
 }

@@ -25,9 +25,11 @@ std::string Escaped(const std::string& path) {
 
 }  // namespace
 
-std::string DependencyRule(const std::string& target,
+std::string DependencyRule(const std::vector<std::string>& targets,
                            const std::vector<std::string>& dependencies) {
-  std::string rule = Escaped(target) + ":";
+  std::string rule;
+  for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + Escaped(target);
+  rule += ':';
   for (const std::string& file : dependencies) rule += " \\\n  " + Escaped(file);
   rule += '\n';
   for (std::size_t i = 1; i < dependencies.size(); ++i)

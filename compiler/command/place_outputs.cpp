@@ -2,6 +2,7 @@
 #include "compiler/command/place_outputs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -108,30 +109,10 @@ std::string NameAfter(const std::string& value, const std::string& name) {
   return IsExtension(value) ? WithoutExtension(name) + value : value;
 }
 
-OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
+// Places the files that are named after `name`, without the make rule.
+static OutputPaths PlaceFiles(const CommandLine& command, const std::string& input,
+                              const std::string& name) {
   OutputPaths outputs;
-  if (command.syntax_only) return outputs;
-  const std::string glsl = PlaceGlsl(command, input);
-  // A file that is named after the GLSL is named after the first other file if the GLSL is written
-  // to standard output, or else after the input.
-  std::string name = input == "-" ? "stdin" : input;
-  for (const std::string& file : {command.listing, command.header, glsl}) {
-    if (!file.empty() && file != "-" && !IsExtension(file)) name = file;
-  }
-  const bool is_written = name != input && input != "-";
-  outputs.dependency_target =
-      !command.dependency_target.empty() ? command.dependency_target
-      : is_written                       ? name
-                   : fmt::format("{}{}", WithoutExtension(name), GlslExtension(command.request));
-  const std::string rule = command.dependency_file.empty() ? ".d" : command.dependency_file;
-  if (command.only_dependencies) {
-    outputs.dependencies = command.dependency_file.empty() ? "-" : NameAfter(rule, name);
-    return outputs;
-  }
-  if (command.write_dependencies) outputs.dependencies = NameAfter(rule, name);
-  outputs.preprocessed = NameAfter(command.preprocessed, name);
-  if (!outputs.preprocessed.empty()) return outputs;
-  outputs.glsl = glsl;
   outputs.header = NameAfter(command.header, name);
   outputs.listing = NameAfter(command.listing, name);
   outputs.tables = NamesAfter(command.tables, name);
@@ -154,9 +135,48 @@ OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
   return outputs;
 }
 
+// The targets of the make rule; `name` is that after which files are named.
+static std::vector<std::string> TargetsOf(const CommandLine& command, const std::string& input,
+                                          const std::string& name, const OutputPaths& outputs) {
+  if (!command.dependency_target.empty()) return {command.dependency_target};
+  const bool is_written = name != input && input != "-";
+  std::vector<std::string> targets = {
+      is_written ? name
+                 : fmt::format("{}{}", WithoutExtension(name), GlslExtension(command.request))};
+  for (const std::string& file : outputs.Named())
+    if (file != targets.front()) targets.push_back(file);
+  return targets;
+}
+
+OutputPaths PlaceOutputs(const CommandLine& command, const std::string& input) {
+  if (command.syntax_only) return {};
+  const std::string glsl = PlaceGlsl(command, input);
+  // A file that is named after the GLSL is named after the first other file if the GLSL is written
+  // to standard output, or else after the input.
+  std::string name = input == "-" ? "stdin" : input;
+  for (const std::string& file : {command.listing, command.header, glsl}) {
+    if (!file.empty() && file != "-" && !IsExtension(file)) name = file;
+  }
+  OutputPaths outputs = PlaceFiles(command, input, name);
+  outputs.glsl = glsl;
+  std::vector<std::string> targets;
+  if (command.only_dependencies || command.write_dependencies)
+    targets = TargetsOf(command, input, name, outputs);
+  const std::string preprocessed = NameAfter(command.preprocessed, name);
+  if (command.only_dependencies || !preprocessed.empty()) outputs = {};
+  outputs.dependency_targets = std::move(targets);
+  const std::string rule = command.dependency_file.empty() ? ".d" : command.dependency_file;
+  if (command.only_dependencies)
+    outputs.dependencies = command.dependency_file.empty() ? "-" : NameAfter(rule, name);
+  else if (command.write_dependencies)
+    outputs.dependencies = NameAfter(rule, name);
+  if (!command.only_dependencies) outputs.preprocessed = preprocessed;
+  return outputs;
+}
+
 bool SaysOtherThanGlsl(std::string_view path) {
-  constexpr std::string_view kCompiled[] = {".bin", ".cso",  ".dxbc", ".dxil", ".fx",
-                                            ".fxo", ".hlsl", ".o",    ".obj",  ".vso"};
+  constexpr std::string_view kCompiled[] = {".bin",  ".cso", ".dxbc", ".dxil", ".fx", ".fxo",
+                                            ".hlsl", ".o",   ".obj",  ".spv",  ".vso"};
   const std::string lower = ToLower(path);
   return std::ranges::any_of(
       kCompiled, [&](std::string_view extension) { return lower.ends_with(extension); });

@@ -19,7 +19,8 @@ struct OutputPaths {
   std::string glsl, fragment, dependencies, header, listing, preprocessed;
   std::array<std::string, std::size(kMiddleStages)> middle;  // by kMiddleStages
   std::vector<std::string> tables, reflections;
-  std::string dependency_target;  // of the make rule
+  // Of the make rule: what -MT names, or else every file that the command writes from the sources.
+  std::vector<std::string> dependency_targets;
 
   // The outputs that are files: the paths that are neither empty nor "-".
   std::vector<std::string> Named() const;

@@ -108,6 +108,8 @@ void RunStages(std::span<Job> jobs, CompileResult& result) {
   const ProgramRequest& request = first.request;
   if (request.outputs.preprocess) {
     result.preprocessed = Preprocess(first.source(), first.diagnostics);
+    // The others are read for what they include.
+    for (Job& job : jobs.subspan(1)) Preprocess(job.source(), job.diagnostics);
     return;
   }
   if (first.IsDump(DumpStage::kTokens)) {
