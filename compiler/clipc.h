@@ -70,8 +70,7 @@ typedef struct clipc_request {
    * ends when it returns other than 0. */
   int (*is_cancelled)(void* context);
   void* is_cancelled_context;
-  /** The text of the pixel shader that --pixel-shader names; NULL for what read_include gives or,
-   * without that function, for the file. */
+  /** Of the pixel shader that --pixel-shader names; NULL: read_include or else its file has it. */
   const char* pixel_text;
   size_t pixel_text_size;
   /** If not NULL, asked after the preprocessor has run, with the key of a cache: 32 letters that
@@ -166,6 +165,7 @@ typedef struct clipc_variable {
   int is_builtin;   /**< a variable of GLSL's own */
   int is_used;      /**< of an input: the shader reads it; of an output: 1 */
   uint32_t stream;  /**< of an output of a geometry shader with several streams */
+  int is_of_patch;  /**< a constant of a patch, of a hull or domain shader */
 } clipc_variable;
 
 /** A member of a constant buffer. */

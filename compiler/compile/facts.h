@@ -41,6 +41,7 @@ struct VariableFact {
   bool needs_base_vertex_zero = false, needs_base_instance_zero = false;
   bool integer_as_float = false;
   bool is_builtin = false;
+  bool is_of_patch = false;  // a constant of a patch
   ir::Interpolation interpolation = ir::Interpolation::kDefault;
   bool centroid = false, sample = false;
   std::optional<ReaderFact> reader = {};     // of an output

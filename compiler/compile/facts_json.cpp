@@ -112,6 +112,7 @@ class FactsPrinter {
     Flag(fact.needs_base_instance_zero, "needsBaseInstanceZero");
     Flag(fact.integer_as_float, "integerAsFloat");
     json_.Member("builtin", fact.is_builtin);
+    Flag(fact.is_of_patch, "patch");
     Text(NameIn<kInterpolations>(fact.interpolation), "interpolation");
     Flag(fact.centroid, "centroid");
     Flag(fact.sample, "sample");

@@ -60,6 +60,14 @@ EmissionFact FactOf(const ir::Emission& emission) {
           .streams = static_cast<std::uint32_t>(emission.streams.size())};
 }
 
+// What the tessellator gives each point is of no patch as a whole.
+bool IsConstantOfPatch(const IoVar& io) {
+  using enum ir::Builtin;
+  constexpr ir::Builtin kOfPatches[] = {kNone, kTessFactor, kInsideFactor, kTessFactorInput,
+                                        kInsideFactorInput};
+  return io.is_of_patch && std::ranges::find(kOfPatches, io.builtin) != std::end(kOfPatches);
+}
+
 class Describer {
  public:
   explicit Describer(const DescribedStage& stage)
@@ -109,6 +117,7 @@ class Describer {
                       .needs_base_instance_zero = written.needs_base_instance_zero,
                       .integer_as_float = written.integer_as_float,
                       .is_builtin = is_builtin,
+                      .is_of_patch = IsConstantOfPatch(io),
                       .interpolation = io.interpolation,
                       .centroid = io.centroid,
                       .sample = io.sample,

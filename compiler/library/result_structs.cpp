@@ -78,9 +78,10 @@ class ReflectionStructs::Printer {
   }
 
   const clipc_variable* Struct(const VariableFact& fact) {
-    return &to_.variables_.emplace_back(clipc_variable{
-        fact.semantic.c_str(), fact.index, fact.type.c_str(), fact.name.c_str(),
-        NumberOrNone(fact.location), fact.is_builtin, fact.is_used, fact.stream.value_or(0)});
+    return &to_.variables_.emplace_back(
+        clipc_variable{fact.semantic.c_str(), fact.index, fact.type.c_str(), fact.name.c_str(),
+                       NumberOrNone(fact.location), fact.is_builtin, fact.is_used,
+                       fact.stream.value_or(0), fact.is_of_patch});
   }
 
   const clipc_member* Struct(const MemberFact& fact) {
