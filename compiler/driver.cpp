@@ -171,8 +171,13 @@ void Driver::ShowNotices() {
   Diagnostics& notices = command_.notices;
   for (const OutputPaths& outputs : outputs_) {
     const bool is_glsl = !command_.request.outputs.spirv && !command_.request.hlsl.wanted;
-    if (is_glsl && SaysOtherThanGlsl(outputs.glsl))
-      notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
+    if (!is_glsl) continue;
+    const auto check = [&](const std::string& path) {
+      if (!path.empty() && SaysOtherThanGlsl(path)) notices.Report({}, diag::OutputNotGlsl, path);
+    };
+    check(outputs.glsl);
+    std::ranges::for_each(outputs.middle, check);
+    check(outputs.fragment);
   }
   ReportIdle(command_, notices);
   if (!notices.all().empty()) printer_.Show(NoticesOf(command_));

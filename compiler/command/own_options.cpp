@@ -154,20 +154,31 @@ void SetMiddle(Reading& reading, const std::string& value) {
 
 // Reads words of [partitioning(..)] and of [outputtopology(..)].
 void SetTessellation(Reading& reading, const std::string& value) {
-  TessellationOptions& into = reading.command.request.tessellation;
+  TessellationOptions into;
+  const auto once = [&](bool is_second, std::string_view attribute) {
+    if (is_second)
+      reading.Refuse(fmt::format("`{}` has two words of [{}]; give one", AsWritten(reading, value),
+                                 attribute));
+  };
   for (std::string_view rest = value; !rest.empty();) {
     const std::string_view word = rest.substr(0, rest.find(','));
     rest.remove_prefix(std::min(word.size() + 1, rest.size()));
     const auto* cut = std::ranges::find(ir::kPartitionings, word);
     const auto* joined = std::ranges::find(ir::kOutputTopologies, word);
-    if (cut != std::end(ir::kPartitionings))
+    if (cut != std::end(ir::kPartitionings)) {
+      once(into.partitioning.has_value(), "partitioning");
       into.partitioning = static_cast<ir::Partitioning>(cut - ir::kPartitionings);
-    else if (joined != std::end(ir::kOutputTopologies))
+    } else if (joined != std::end(ir::kOutputTopologies)) {
+      once(into.topology.has_value(), "outputtopology");
       into.topology = static_cast<ir::OutputTopology>(joined - ir::kOutputTopologies);
-    else
+    } else {
       reading.Refuse(fmt::format("`{}`: `{}` is not a word of [partitioning] or [outputtopology]",
                                  AsWritten(reading, value), word));
+    }
   }
+  TessellationOptions& all = reading.command.request.tessellation;
+  if (into.partitioning) all.partitioning = into.partitioning;
+  if (into.topology) all.topology = into.topology;
 }
 
 // Without a value it is glslang's -D, which says that the text is HLSL.

@@ -157,7 +157,9 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
   report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),
          "--separable", "it is for targets `glsl410` to `glsl460`");
   const auto profile = ir::ParseProfile(request.first().profile);
-  const bool has_planes = !profile || !profile->stage || InfoOf(*profile->stage).has_stage_after;
+  const StageInfo* stage = profile && profile->stage ? &InfoOf(*profile->stage) : nullptr;
+  const bool is_hull = stage && stage->makes_patches && request.shaders.size() == 1;
+  const bool has_planes = !stage || (stage->has_stage_after && !is_hull);
   const bool has_pixel_shader =
       !has_planes || request.shaders.size() > 1 || command.effect || !command.batch.empty();
   if (!request.language.shadow_samplers.empty()) {
@@ -165,9 +167,12 @@ void ReportIdle(const CommandLine& command, Diagnostics& notices) {
     report(!request.hlsl.wanted && !has_pixel_shader, "--shadow-samplers",
            "this is not a pixel shader");
   }
-  report(!has_planes && !command.tables.empty(), "--table", "only a vertex shader has clip planes");
+  report(!has_planes && !command.tables.empty(), "--table",
+         stage && stage->makes_patches ? "a hull shader has no clip planes"
+                                       : "only a vertex shader has clip planes");
   report(request.planes.in_last_stage && request.PlaneStage() == 0, "--planes-in-last-stage",
-         "no stage runs between this shader and the rasteriser");
+         is_hull ? "the positions of control points are not drawn; the domain shader has the planes"
+                 : "no stage runs between this shader and the rasteriser");
   report(request.debug.changes_result() && !command.tables.empty(), "--table",
          "a dump takes its place");
   report(request.debug.changes_result() && !command.reflections.empty(), "--reflect",

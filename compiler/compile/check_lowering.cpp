@@ -72,12 +72,16 @@ void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& reque
   diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesOnlyInTable);
 }
 
-void CheckPlanesMoved(const ir::Program& program, const std::string& entry, bool are_moved,
+void CheckPlanesMoved(const ir::Program& program, const CheckOptions& last, bool are_moved,
                       Diagnostics& diagnostics) {
   const auto& planes = program.clip_planes;
-  if (are_moved || planes.empty()) return;
-  diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesBeforeLast,
-                     entry);
+  const bool is_last = !InfoOf(*last.profile.stage).makes_patches;
+  if ((are_moved && is_last) || planes.empty()) return;
+  diagnostics.Report(
+      Cover(planes.front().span, planes.back().span), diag::ClipPlanesBeforeLast, last.entry,
+      is_last ? " and writes the positions that are drawn; `--planes-in-last-stage` clips there"
+              : ", and a domain shader after it writes the positions that are drawn; compile that "
+                "in the same command, with `--planes-in-last-stage`");
 }
 
 // [earlydepthstencil] forces the depth-stencil test, with its writes, before the shader (Direct3D

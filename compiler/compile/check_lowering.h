@@ -7,6 +7,7 @@
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "clip-table/vocabulary.h"
+#include "frontend/check/check_options.h"
 #include "ir/profile.h"
 #include "ir/program.h"
 
@@ -42,9 +43,10 @@ void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 ir::VarId FindPositionInput(const ir::Program& program, const LoweringRequest& request,
                             Diagnostics& diagnostics);
 
-// Reports the clip planes of a shader that another one follows before the rasteriser, `entry`,
-// unless they are moved to that.
-void CheckPlanesMoved(const ir::Program& program, const std::string& entry, bool are_moved,
+// Reports the clip planes of a shader that another one follows before the rasteriser, `last`,
+// unless they are moved to that. They cannot be moved to a hull shader, whose positions are not
+// drawn.
+void CheckPlanesMoved(const ir::Program& program, const CheckOptions& last, bool are_moved,
                       Diagnostics& diagnostics);
 
 // Reports clip planes that only the clip table has: the device clips with them, not the GLSL.

@@ -49,9 +49,26 @@ void FitAlone(const TessellationOptions& options, ir::Program& domain, Diagnosti
          ir::kOutputTopologies[static_cast<std::size_t>(topology)]);
 }
 
+// Reports a program with one of a hull and a domain shader, which work together. A program may
+// begin with a domain shader or end with a hull shader: the rest is in another command.
+void CheckPartners(std::span<Job> jobs, const std::vector<ir::Program>& programs) {
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const StageInfo& stage = InfoOf(programs[i].stage);
+    const bool lacks_hull =
+        stage.reads_patches && i > 0 && !InfoOf(programs[i - 1].stage).makes_patches;
+    const bool lacks_domain = stage.makes_patches && i + 1 < programs.size() &&
+                              !InfoOf(programs[i + 1].stage).reads_patches;
+    if (!lacks_hull && !lacks_domain) continue;
+    const ir::Function& entry = programs[i].functions[programs[i].entry];
+    jobs[i].diagnostics.Report(entry.span, diag::StageWithoutPartner, entry.name, stage.name,
+                               InfoOf(lacks_hull ? Stage::kHull : Stage::kDomain).name);
+  }
+}
+
 }  // namespace
 
 void FitTessellation(std::span<Job> jobs, std::vector<ir::Program>& programs) {
+  CheckPartners(jobs, programs);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     if (!InfoOf(programs[i].stage).reads_patches) continue;
     if (i > 0 && InfoOf(programs[i - 1].stage).makes_patches)

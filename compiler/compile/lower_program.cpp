@@ -39,8 +39,8 @@ ir::VarId Fit(std::span<Job> jobs, std::size_t number, const std::vector<Lowered
   }
   if (job.diagnostics.has_errors()) return {};
   if (number < request.PlaneStage()) {
-    CheckPlanesMoved(program, jobs[request.PlaneStage()].plan.check.entry,
-                     request.planes.in_last_stage, job.diagnostics);
+    CheckPlanesMoved(program, jobs[request.PlaneStage()].plan.check, request.planes.in_last_stage,
+                     job.diagnostics);
     return {};
   }
   const ir::VarId position_input = FindPositionInput(program, job.plan.lowering, job.diagnostics);
@@ -106,6 +106,8 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
   const ProgramRequest& request = jobs.front().request;
   LoweredProgram lowered;
   FitTessellation(jobs, programs);
+  if (std::ranges::any_of(jobs, [](const Job& job) { return job.diagnostics.has_errors(); }))
+    return std::nullopt;
   for (std::size_t i = jobs.size(); i-- > 0;) {
     Job& job = jobs[i];
     ir::Program& program = programs[i];

@@ -107,22 +107,6 @@ void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
   if (!debug.stop_after.empty()) check(debug.stop_after);
 }
 
-// Reports a program with one of a hull and a domain shader, which work together.
-void CheckPartners(const ProgramRequest& request, Diagnostics& diagnostics) {
-  if (request.shaders.size() == 1) return;
-  const ShaderSource *maker = nullptr, *reader = nullptr;
-  for (const ShaderSource& shader : request.shaders) {
-    const auto profile = ir::ParseProfile(shader.profile);
-    if (!profile || !profile->stage) continue;
-    if (InfoOf(*profile->stage).makes_patches) maker = &shader;
-    if (InfoOf(*profile->stage).reads_patches) reader = &shader;
-  }
-  const bool begins = reader == &request.first(), ends = maker == &request.shaders.back();
-  if (!maker != !reader && !begins && !ends)
-    diagnostics.Report({}, diag::StageWithoutPartner, (maker ? maker : reader)->entry,
-                       maker ? "hull" : "domain", maker ? "domain" : "hull");
-}
-
 // Reports options about planes and the next stage, which a program that begins with this profile
 // cannot have.
 void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
@@ -135,10 +119,12 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
                                          request.shaders.size() > 2 ? "program" : "pair")
                            : fmt::format("this is a {} shader", InfoOf(*profile.stage).name));
   }
-  CheckPartners(request, diagnostics);
   if (profile.stage && InfoOf(*profile.stage).runs_in_groups && request.shaders.size() > 1)
     diagnostics.Report({}, diag::StageAlone, profile.name, InfoOf(*profile.stage).name);
-  if (!profile.stage || InfoOf(*profile.stage).has_stage_after) return;
+  if (!profile.stage) return;
+  // The positions of control points are not drawn.
+  const bool is_alone = InfoOf(*profile.stage).makes_patches && request.shaders.size() == 1;
+  if (InfoOf(*profile.stage).has_stage_after && !is_alone) return;
   const auto refuse = [&](bool is_given, std::string_view option) {
     if (is_given)
       diagnostics.Report({}, diag::OptionOfStage, option, profile.name,
@@ -149,7 +135,7 @@ void CheckStage(const ProgramRequest& request, const ir::Profile& profile,
   refuse(request.planes.variants.has_value(), "--variants");
   refuse(request.planes.lowering.has_value(), "--lower");
   refuse(request.planes.space != PlaneSpace::kClip, "--plane-space");
-  refuse(request.style.invariant, "--invariant");
+  refuse(request.style.invariant && !is_alone, "--invariant");
 }
 
 // Reports a stage that the host of the rules for bindings does not have.
@@ -160,14 +146,14 @@ void CheckBindingsHave(const glsl::BindingRules& rules, const ir::Profile& profi
     diagnostics.Report({}, diag::BindingsOfStage, rules.host, InfoOf(*profile.stage).name);
 }
 
-// Reports planes in the space of the vertices that a stage reads which emits others.
+// Reports planes in the space of the positions that a vertex shader reads, in a stage after it.
 void CheckPlaneSpace(const ProgramRequest& request, std::size_t number, const Plan& plan,
                      Diagnostics& diagnostics) {
   const ir::Profile& profile = plan.check.profile;
-  const bool has_vertices = profile.stage && InfoOf(*profile.stage).reads_vertices;
+  const bool has_vertices = profile.stage && InfoOf(*profile.stage).reads_vertices &&
+                            (number > 0 || !InfoOf(*profile.stage).makes_patches);
   if (has_vertices && number == request.PlaneStage() && request.planes.space == PlaneSpace::kObject)
-    diagnostics.Report({}, diag::OptionOfStage, "--plane-space=object", profile.name,
-                       InfoOf(*profile.stage).name);
+    diagnostics.Report({}, diag::PlaneSpaceOfStage, profile.name, InfoOf(*profile.stage).name);
 }
 
 // The clip planes as the request has them for a shader. One before the last that has them gives
@@ -237,7 +223,9 @@ Plan Resolve(const ProgramRequest& request, std::size_t number, Diagnostics& dia
   plan.check.keeps_bindings = request.target.KeepsBindings();
   plan.check.entry = shader.entry;
   plan.check.entry_call = shader.entry_call;
-  if (request.planes.in_last_stage && number > 0 && number == request.PlaneStage())
+  const auto& stage = plan.check.profile.stage;
+  if (request.planes.in_last_stage && number > 0 && number == request.PlaneStage() && stage &&
+      !InfoOf(*stage).makes_patches)
     for (std::size_t i = 0; i < number; ++i)
       plan.check.planes_entries.push_back(request.shaders[i].entry);
   plan.write = WriteOptionsOf(request.style, diagnostics);

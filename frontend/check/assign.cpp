@@ -201,6 +201,12 @@ bool CheckTarget(Context& context, ExprId target) {
         .Note(var.span, diag::DeclaredHere, var.name);
     return false;
   }
+  // `operator[]` of a patch gives a constant (the methods of InputPatch and OutputPatch in DXC).
+  if (std::ranges::find(context.globals.patches, root) != context.globals.patches.end()) {
+    context.Report(span, diag::PatchAssigned, var.name)
+        .Note(var.span, diag::DeclaredHere, var.name);
+    return false;
+  }
   if (IsConstVar(context, root)) {
     context.Report(span, diag::ConstAssigned, var.name)
         .Note(var.span, diag::DeclaredHere, var.name);

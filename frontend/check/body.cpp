@@ -13,6 +13,7 @@
 #include "frontend/check/global.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/stmt.h"
+#include "frontend/check/type.h"
 
 namespace clipc::check {
 namespace {
@@ -84,6 +85,8 @@ FunctionId Reach(Context& context, FunctionInfoId id) {
     context[added].precise = (var.qualifiers & ast::kPrecise) != 0;
     if ((var.qualifiers & ast::kConst) && parameter.storage == Storage::kIn)
       MarkConst(context, added);
+    if (InfoOf(context.program.stage).reads_vertices && IsPatch(context, var))
+      context.globals.patches.push_back(added);
     function.parameters.push_back(added);
   }
   function.body = context.At(decl.name_span).BlockOf({});

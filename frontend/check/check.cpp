@@ -52,6 +52,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
                 EntryBodies bodies) {
   Program& program = context.program;
   program.entry = Reach(context, entry);
+  CheckRepeated(context, attributes);
   EntrySignature signature = SignatureOf(context, entry);
   CheckTessellation(context, entry, attributes);
   if (InfoOf(program.stage).makes_patches)

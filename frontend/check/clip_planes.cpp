@@ -200,12 +200,6 @@ void ReachNames(Context& context, ast::ExprId id) {
         context[id].node);
 }
 
-std::string OperandsAsText(const Context& context, const ast::Attr& attr) {
-  std::string all;
-  for (ast::ExprId operand : context[attr.arguments]) all += TextOf(context, operand) + ',';
-  return all;
-}
-
 // The `[clipplanes]` that is in effect; null for a function without one, and after an error, which
 // was reported.
 const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
@@ -336,6 +330,12 @@ AttributeLists AttributesOf(const Context& context, FunctionInfoId function) {
       attributes.push_back(context[DeclOf(context, id).attributes]);
   }
   return attributes;
+}
+
+std::string OperandsAsText(const Context& context, const ast::Attr& attr) {
+  std::string all;
+  for (ast::ExprId operand : context[attr.arguments]) all += TextOf(context, operand) + ',';
+  return all;
 }
 
 const ast::Attr* FindAttribute(const Context& context, const AttributeLists& attributes,

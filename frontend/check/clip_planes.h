@@ -16,6 +16,8 @@ AttributeLists AttributesOf(const Context& context, FunctionInfoId function);
 // The first attribute of the name, of any case; null if there is none.
 const ast::Attr* FindAttribute(const Context& context, const AttributeLists& attributes,
                                std::string_view name);
+// The arguments of an attribute as text.
+std::string OperandsAsText(const Context& context, const ast::Attr& attr);
 bool HasAttribute(const Context& context, const AttributeLists& attributes, std::string_view name);
 
 // Reaches the buffers that the clip planes of the entry point lie in, whether or not the code reads

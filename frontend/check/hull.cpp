@@ -169,8 +169,17 @@ EntrySignature ReadFunction(Context& context, const AttributeLists& attributes) 
   const FunctionInfo& info = context[function];
   const std::vector<Parameter> parameters(context[info.parameters].begin(),
                                           context[info.parameters].end());
-  for (const Parameter& parameter : parameters)
-    signature.parameters.push_back(ReadParameter(context, parameter));
+  for (const Parameter& parameter : parameters) {
+    const EntryParameter read = ReadParameter(context, parameter);
+    const bool is_second = std::ranges::any_of(signature.parameters, [&](const auto& other) {
+      return (read.is_of_points && other.is_of_points) ||
+             (read.is_of_vertices && other.is_of_vertices);
+    });
+    if (is_second)
+      ReportSecondPatch(context, context.Get<ast::VarDecl>(parameter.decl),
+                        context.program.tessellation.patch_function);
+    signature.parameters.push_back(read);
+  }
   signature.result = DescribedResult(context, DeclOf(context, context[function]));
   return signature;
 }

@@ -53,6 +53,9 @@ struct Globals {
   std::unordered_map<std::uint32_t, std::vector<std::uint64_t>> initial;
   OutOfLine out_of_line;
   std::vector<bool> const_vars;  // by VarId
+  std::vector<VarId> patches;    // parameters that are patches
+  // The `const` global variables whose values stood where a constant is needed.
+  std::vector<SymbolId> used_as_constants;
   // The static variables of functions that get their values where they are declared:
   // static_local.h.
   struct Late {

@@ -97,8 +97,39 @@ bool ReadPatch(Context& context, const ast::VarDecl& var, const Parameter& param
   if (count > kMostControlPoints)
     context.Report(var.name_span, diag::PatchPoints, context[var.name],
                    WithCount(count, "control point"), kMostControlPoints);
-  (stage.makes_patches ? tessellation.input_points : tessellation.output_points) = count;
+  std::uint32_t& points =
+      stage.makes_patches ? tessellation.input_points : tessellation.output_points;
+  if (points > 0) ReportSecondPatch(context, var, context.program.entry);
+  points = count;
   return true;
+}
+
+void ReportSecondPatch(Context& context, const ast::VarDecl& var, FunctionId function) {
+  context.Report(var.name_span, diag::PatchTwice, context[var.name], PatchName(context, var),
+                 context.program.functions[function].name);
+}
+
+void CheckRepeated(Context& context, const AttributeLists& lists) {
+  constexpr std::string_view kSaidOnce[] = {
+      "domain",         "instance",     "maxtessfactor",     "maxvertexcount",     "numthreads",
+      "outputtopology", "partitioning", "patchconstantfunc", "outputcontrolpoints"};
+  std::size_t count = 0;
+  for (const std::span<const ast::Attr> list : lists) count += list.size();
+  if (count < 2) return;
+  for (const std::string_view name : kSaidOnce) {
+    const ast::Attr* first = FindAttribute(context, lists, name);
+    if (!first) continue;
+    const std::string said = OperandsAsText(context, *first);
+    for (const std::span<const ast::Attr> list : lists) {
+      for (const ast::Attr& attribute : list) {
+        const bool differs = EqualIgnoringCase(context[attribute.name], name) &&
+                             !EqualIgnoringCase(OperandsAsText(context, attribute), said);
+        if (differs)
+          context.Report(attribute.span, diag::AttributeTwice, name)
+              .Note(first->span, diag::FirstGivenHere);
+      }
+    }
+  }
 }
 
 void CheckTessellation(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {

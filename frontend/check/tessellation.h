@@ -24,6 +24,14 @@ std::optional<std::size_t> WordIn(Context& context, const AttributeLists& attrib
 // program.tessellation. Returns whether the stage reads such a patch; reports it otherwise.
 bool ReadPatch(Context& context, const ast::VarDecl& var, const Parameter& parameter);
 
+// Reports a patch of a kind that a parameter of `function` before it has (DXC: "may only have one
+// InputPatch parameter").
+void ReportSecondPatch(Context& context, const ast::VarDecl& var, FunctionId function);
+
+// Reports an attribute of an entry point that is repeated with another value: [domain("tri")]
+// [domain("quad")]. `lists` are those of the function and its prototypes.
+void CheckRepeated(Context& context, const AttributeLists& lists);
+
 // Reads [domain(..)] and the like of the entry point into program.tessellation, and reports what is
 // wrong with it. A domain shader gets the partitioning and the topology that the hull shaders of
 // the file with its domain have, if they agree. Does nothing in other stages.

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 namespace clipc::rules {
 namespace {
 
@@ -12,8 +14,13 @@ const char* HowMuch(bool is_any) {
 
 // The path in the signature as the shader's statements may write it, without the function's name;
 // the semantic for the result itself.
-std::string PathOf(const Program& program, const IoVar& output) {
-  const std::string& function = program.functions[program.entry].name;
+std::string PathOf(const Program& program, const OutputPart& part) {
+  const IoVar& output = part.output;
+  if (part.element) return fmt::format("{}[{}]", output.semantic, *part.element);
+  const FunctionId writer = output.is_of_patch && clipc::InfoOf(program.stage).makes_patches
+                                ? program.tessellation.patch_function
+                                : program.entry;
+  const std::string& function = program.functions[writer].name;
   if (output.path.empty() || output.path == function) return output.semantic;
   return output.path.starts_with(function + ".") ? output.path.substr(function.size() + 1)
                                                  : output.path;
@@ -46,10 +53,12 @@ void ReportParameter(const Program& program, const Var& parameter, bool is_any,
   }
 }
 
-void ReportOutput(const Program& program, const IoVar& output, const WrittenComponents& written,
-                  std::uint16_t mask, Diagnostics& diagnostics) {
+void ReportOutput(const Program& program, const OutputPart& part, const PartlyWritten& known,
+                  Diagnostics& diagnostics) {
+  const auto& [written, mask] = known;
+  const IoVar& output = part.output;
   const Span span = program.vars[output.var].span;
-  const std::string path = PathOf(program, output);
+  const std::string path = PathOf(program, part);
   // X4580 is of vertex shaders; the position of a stage after that is an output like any other.
   const bool is_position =
       output.builtin == Builtin::kPosition && !clipc::InfoOf(program.stage).has_stage_before;

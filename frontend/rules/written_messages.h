@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "frontend/rules/names.h"
 #include "frontend/rules/written.h"
@@ -18,8 +19,18 @@ void ReportPartly(const Var& parameter, Diagnostics& diagnostics);
 // Reports an out parameter that is not written, or not completely if `is_any` part of it is.
 void ReportParameter(const Program& program, const Var& parameter, bool is_any,
                      Diagnostics& diagnostics);
+// An output, or the element of an array of distances or factors.
+struct OutputPart {
+  const IoVar& output;
+  std::optional<std::int64_t> element;
+};
+// What is written of a part, and the components that it has.
+struct PartlyWritten {
+  WrittenComponents written;
+  std::uint16_t mask;
+};
 // Reports an output whose components in `mask` are not written on every path.
-void ReportOutput(const Program& program, const IoVar& output, const WrittenComponents& written,
-                  std::uint16_t mask, Diagnostics& diagnostics);
+void ReportOutput(const Program& program, const OutputPart& part, const PartlyWritten& known,
+                  Diagnostics& diagnostics);
 
 }  // namespace clipc::rules

@@ -114,7 +114,7 @@ void WrittenWalk::VisitIntrinsic(const IntrinsicCall& node) {
 
 void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
   const WrittenSummary& summary = shared_.summaries[node.function.index];
-  const bool is_of_entry = node.function == program_.entry;
+  const bool is_of_entry = IsCalledByMain(node.function);
   std::size_t i = 0;
   std::vector<std::pair<ExprId, std::size_t>> written;
   ForEachOperand(program_, expr, [&](ExprId argument) {
@@ -135,8 +135,8 @@ std::vector<WrittenComponents> WrittenWalk::ValueOf(ExprId value) {
     Visit(value);
     return shared_.summaries[call->function.index].result;
   }
-  const auto place =
-      is_numeric && !As<VarRef>(program_, value) ? std::nullopt : shared_.slots.Find(value);
+  std::optional<WrittenPlace> place;
+  if (!is_numeric || As<VarRef>(program_, value)) place = shared_.slots.Find(value);
   const bool is_return = IsEntry() || !is_numeric;
   if (!place || place->is_coarse || !is_return) {
     Visit(value);
@@ -206,20 +206,22 @@ void WrittenWalk::Report(const Read& read) {
 // ---- main
 
 void WrittenWalk::CheckOutput(const Assign& node) {
-  const auto* target = As<VarRef>(program_, node.target);
+  const auto* element = As<Index>(program_, node.target);
+  const auto* target = As<VarRef>(program_, element ? element->base : node.target);
   IoVar* output = target ? shared_.outputs[target->var.index] : nullptr;
   ExprId value = node.value;
-  // Direct3D 9 clamps colors.
+  // Direct3D 9 clamps colors, and [maxtessfactor] the factors of a patch.
   if (const auto* call = As<IntrinsicCall>(program_, value);
-      call && call->op == CommonIntrinsic::kSaturate)
+      call && (call->op == CommonIntrinsic::kSaturate || call->op == CommonIntrinsic::kMin))
     value = program_.expr_lists[call->arguments][0];
   const auto place = output ? shared_.slots.Find(value) : std::nullopt;
   if (!place || place->count != 1) return;
   const WrittenComponents& written = state_[place->first];
-  output->is_unwritten = (written.may & place->mask) == 0;
+  if (!element) output->is_unwritten = (written.may & place->mask) == 0;
   if ((written.may & written.must & place->mask) == place->mask) return;
   output->may_be_unwritten = true;
-  ReportOutput(program_, *output, written, place->mask, shared_.diagnostics);
+  const auto number = element ? EvaluateInteger(program_, element->index) : std::nullopt;
+  ReportOutput(program_, {*output, number}, {written, place->mask}, shared_.diagnostics);
 }
 
 }  // namespace clipc::rules

@@ -50,7 +50,11 @@ class WrittenWalk {
   };
 
   bool IsMain() const { return function_ == program_.main; }
-  bool IsEntry() const { return function_ == program_.entry; }
+  // Whether `main` calls the function, whose results are outputs.
+  bool IsEntry() const { return IsCalledByMain(function_); }
+  bool IsCalledByMain(FunctionId function) const {
+    return function == program_.entry || function == program_.tessellation.patch_function;
+  }
 
   // ---- statements
   Flow WalkList(List<StmtId> list);

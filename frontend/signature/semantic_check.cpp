@@ -15,6 +15,11 @@ namespace {
 // The end of a message about a system value that the stage does not have: the profile of the stage
 // that writes it, or what compiles the stage that reads it.
 std::string AdviceFor(const SemanticName& semantic, Direction direction, const Program& program) {
+  const bool is_of_points =
+      direction == Direction::kPatchConstant &&
+      LookUpSemantic(semantic.name, semantic.index, program.stage, Direction::kInput, false).use ==
+          SystemValue::Use::kPlain;
+  if (is_of_points) return "; a vertex shader has it, and may give it to the control points";
   for (const StageInfo& other : kStages) {
     if (direction == Direction::kInput && !other.runs_in_groups && !other.makes_patches) continue;
     if (direction == Direction::kPatchConstant) continue;

@@ -41,6 +41,7 @@ struct Patches {
 };
 constexpr Patches kNoPatches;
 constexpr Patches kPatchData{kAnywhere, kAnywhere, kAnywhere};
+constexpr Patches kPointData{kAnywhere, kAnywhere, kNowhere};
 // A value of control points that is the rasteriser's after a domain shader.
 constexpr Patches AtPoints(Builtin input, Builtin output) {
   return {{Is(input), Is(output)}, {Is(input), Is(output)}, kAnywhere};
@@ -87,12 +88,12 @@ constexpr Semantic kSemantics[] = {
      {Is(Builtin::kCullDistanceInput), kRefused},
      {Is(Builtin::kCullDistanceInput), Is(Builtin::kCullDistance)},
      AtPoints(Builtin::kCullDistanceInput, Builtin::kCullDistance)},
-    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade, kAnywhere, kPatchData},
+    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade, kAnywhere, kPointData},
     {"SV_InstanceID",
      {Is(Builtin::kInstanceId), kPlain},
      {kPlain, kRefused},
      kAnywhere,
-     kPatchData},
+     kPointData},
     {"SV_StartVertexLocation", {Is(Builtin::kBaseVertex, 6, 8), kRefused}, kNowhere},
     {"SV_StartInstanceLocation", {Is(Builtin::kBaseInstance, 6, 8), kRefused}, kNowhere},
     {"SV_ViewID",

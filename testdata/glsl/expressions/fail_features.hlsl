@@ -77,15 +77,15 @@ int choose;
 
 struct Result {
   float4 position : SV_Position;
-// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot [target-layer]
+// GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; vertex and domain shaders of target `glsl120` cannot [target-layer]
 // GL120-NEXT:    [[#@LINE+11]] |   uint layer : SV_RenderTargetArrayIndex;
 // GL120-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
 // GL120-NEXT: clipc: note: target `glsl410` can
-// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `essl300` cannot [target-layer]
+// ES300-NEXT: fail_features.hlsl:[[#@LINE+8]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; vertex and domain shaders of target `essl300` cannot [target-layer]
 // ES300-NEXT:    [[#@LINE+7]] |   uint layer : SV_RenderTargetArrayIndex;
 // ES300-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
 // ES300-NEXT: clipc: note: target `glsl410` can
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl330` cannot [target-layer]
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+4]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; vertex and domain shaders of target `glsl330` cannot [target-layer]
 // GL330-NEXT:    [[#@LINE+3]] |   uint layer : SV_RenderTargetArrayIndex;
 // GL330-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
 // GL330-NEXT: clipc: note: target `glsl410` can

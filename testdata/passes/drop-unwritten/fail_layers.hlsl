@@ -22,7 +22,7 @@ Varyings main(float4 p : POSITION) {
   return v;
 }
 
-// WRITTEN: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl330` cannot
+// WRITTEN: error: the shader writes `SV_RenderTargetArrayIndex`; vertex and domain shaders of target `glsl330` cannot
 // LAYER: gl_Layer = int(
 // LAYER-NOT: gl_ViewportIndex
 Varyings written(float4 p : POSITION) {
