@@ -176,7 +176,21 @@ class TargetCheck : ExpressionCheck {
     return program_.functions[program_.entry].span;
   }
 
+  // Control points and constants of the patch share the locations.
+  void CheckLocations(const IoVar& io) {
+    constexpr std::uint32_t kLast = 31;
+    const StageInfo& stage = clipc::InfoOf(program_.stage);
+    const Var& var = program_.vars[io.var];
+    const bool is_of_patches =
+        var.storage == ir::Storage::kInput ? stage.reads_patches : stage.makes_patches;
+    const std::uint32_t end = io.location + ir::LocationCount(program_.types[var.type]);
+    if (is_of_patches && !target_.IsVulkan() && end > kLast + 1)
+      diagnostics_.Report(var.span, diag::TargetLocations, io.semantic + std::to_string(io.index),
+                          end - 1, target_.name(), kLast);
+  }
+
   void Varying(const IoVar& output) {
+    CheckLocations(output);
     const bool is_floating = IsFloating(output);
     const bool is_flat = output.interpolation == Interpolation::kNoInterpolation;
     CheckIo(!is_floating, Feature::kIntegerVaryings, diag::TargetIntegerVarying, output);

@@ -118,7 +118,6 @@ void Writer::DeclareShared(const IoVar& io, const Interface::Variable& place,
       module_.Decorate(variable, spv::Decoration::RelaxedPrecision);
     if (!is_input && program_.emission.streams.size() > 1)
       module_.Decorate(variable, spv::Decoration::Stream, {StreamOf(program_, io.var)});
-    if (io.is_of_patch) module_.Decorate(variable, spv::Decoration::Patch);
     if (io.blend_index > 0) module_.Decorate(variable, spv::Decoration::Index, {io.blend_index});
     if (is_per_vertex && IsPixelShader()) {
       RequireBarycentrics();

@@ -317,6 +317,11 @@ void ExprVerifier::Check(const IntrinsicCall& node) {
   const auto problem =
       CheckIntrinsic(program_.types, node.op, IdOf(expr_), TypesOf(node.arguments));
   if (problem) Require(false, *problem);
+  // What a control point wrote is read in no other way.
+  const auto* array = node.op == CommonIntrinsic::kOutputOfPoint
+                          ? As<VarRef>(program_, program_.expr_lists[node.arguments][0])
+                          : nullptr;
+  if (array && IsOutputArray(program_, array->var)) --output_arrays;
   for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
     if (!WritesArgument(node.op, i)) continue;
     Require(IsTarget(program_.expr_lists[node.arguments][i]),

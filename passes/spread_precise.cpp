@@ -53,8 +53,9 @@ bool IsOfFunctions(Storage storage) {
          storage == Storage::kStatic;
 }
 
-// The change that makes the results of a function precise. GLSL as Mesa reads it takes no `precise`
-// at a result, so each result becomes a precise variable first.
+// The change that makes the results of a function precise, and what `main` writes to a control
+// point's precise outputs that GLSL has built in. GLSL as Mesa reads it takes no `precise` at a
+// result, and has none at a member of gl_out, so each becomes a precise variable first.
 class PreciseResults {
  public:
   PreciseResults(Program& program, FunctionId function)
@@ -65,9 +66,10 @@ class PreciseResults {
       if (As<Block>(program, id)) InList(id);
     }
     for (const StmtId id : all) {
-      if (StmtId declaration = DeclarationFor(id))
-        program.stmts[id].node = Block{
-            program.stmt_lists.Add({declaration, builder_.Stmt(Return(*As<Return>(program, id)))})};
+      if (StmtId declaration = DeclarationFor(id)) {
+        const StmtId rest = program.stmts.Add(program.stmts[id]);
+        program.stmts[id].node = Block{program.stmt_lists.Add({declaration, rest})};
+      }
     }
   }
 
@@ -88,18 +90,32 @@ class PreciseResults {
   // expression, makes it return a new precise variable, and returns the declaration of that
   // variable; otherwise returns none.
   StmtId DeclarationFor(StmtId stmt) {
-    const auto* result = As<Return>(program_, stmt);
-    if (!result || !result->value) return {};
-    const auto* ref = As<VarRef>(program_, result->value);
+    ExprId* const slot = ValueOf(stmt);
+    if (!slot || !*slot) return {};
+    const ExprId value = *slot;
+    const auto* ref = As<VarRef>(program_, value);
     if (ref && program_.vars[ref->var].storage == Storage::kLocal) {
       program_.vars[ref->var].precise = true;
       return {};
     }
-    const ExprId value = result->value;
     const VarId local = builder_.Local("result", TypeIdOf(program_, value));
     program_.vars[local].precise = true;
-    std::get<Return>(program_.stmts[stmt].node).value = builder_.Ref(local);
+    const ExprId read = builder_.Ref(local);
+    *ValueOf(stmt) = read;
     return builder_.Stmt(Declare{local, value});
+  }
+
+  // The value that the statement returns or writes; null for every other statement.
+  ExprId* ValueOf(StmtId stmt) {
+    if (auto* result = std::get_if<Return>(&program_.stmts[stmt].node)) return &result->value;
+    const Assign* assign = AsAssignment(program_, stmt);
+    const auto* target = assign ? As<VarRef>(program_, assign->target) : nullptr;
+    const bool is_precise =
+        target && std::ranges::any_of(program_.outputs, [&](const IoVar& output) {
+          return output.var == target->var && output.builtin != Builtin::kNone &&
+                 program_.vars[output.var].precise;
+        });
+    return is_precise ? &const_cast<Assign*>(assign)->value : nullptr;
   }
 
   Program& program_;
@@ -137,6 +153,7 @@ void SpreadPrecise(Program& program, bool of_all_outputs) {
     }
     if (precise[graph.NodeOf(id)]) PreciseResults(program, id);
   }
+  if (InfoOf(program.stage).makes_patches) PreciseResults(program, program.main);
 }
 
 }  // namespace clipc::passes

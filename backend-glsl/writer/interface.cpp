@@ -147,16 +147,23 @@ void WriteBuiltin(WriterContext& context, const IoVar& input, const GlslInfo::Va
   }
 }
 
-// Declares anew the built-in inputs of each vertex where the shader reads distances. Elsewhere
-// their size follows from the indices, as the vertex shader declares it.
+// Declares anew the built-in inputs of each vertex, as the stage before does its outputs: where
+// stages are separate, and for Vulkan where the shader reads distances. Elsewhere the sizes of
+// these follow from the indices.
 void WriteVertices(const WriterContext& context, std::string& text) {
+  const bool is_vulkan = context.target.IsVulkan();
+  const bool is_separate =
+      context.options.separable && !context.target.IsEs() && context.target.version() >= 410;
   std::string arrays;
+  bool is_any = false;
   for (const IoVar& input : context.program.inputs) {
-    if (IsDistanceInput(input) && context.reached.Has(input.var))
+    if (!context.reached.Has(input.var)) continue;
+    is_any |= input.builtin == Builtin::kPositionInput || input.builtin == Builtin::kPointSizeInput;
+    if (IsDistanceInput(input))
       Append(arrays, "    float ", BuiltinInput(context, input.builtin),
              Dimensions(context, input.var), ";\n");
   }
-  if ((context.target.IsVulkan() || context.options.separable) && !arrays.empty())
+  if ((is_separate && is_any) || ((is_vulkan || is_separate) && !arrays.empty()))
     Append(text, "in gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n", arrays,
            InfoOf(context.program.stage).emits_vertices ? "} gl_in[];\n"
                                                         : "} gl_in[gl_MaxPatchVertices];\n");

@@ -40,7 +40,7 @@ class Job {
   const ProgramRequest& request;
   const std::string& path;  // of the file, the label in messages
   Diagnostics diagnostics;
-  const Plan plan;
+  Plan plan;
   Watch* const watch;
   ValidTexts& valid;
 

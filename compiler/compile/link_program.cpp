@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "compiler/compile/neighbour.h"
+#include "ir/intrinsic.h"
+#include "ir/walk.h"
 #include "link/match.h"
 #include "link/read.h"
 
@@ -75,7 +77,39 @@ void CheckBuiltins(const ir::Program& program, const ir::Program& next, Diagnost
   }
 }
 
+// Gives an array that is read at each vertex the number of elements that are written.
+void Widen(ir::Program& program, ir::VarId input, std::uint32_t count) {
+  const ir::TypeId type =
+      program.types.Array(program.types[program.vars[input].type].element, count);
+  program.vars[input].type = type;
+  const auto is_input = [&](ir::ExprId expr) {
+    const auto* ref = ir::As<ir::VarRef>(program, expr);
+    return ref && ref->var == input;
+  };
+  ir::ForEachLiveExpr(program, [&](ir::ExprId id) {
+    const auto* call = ir::As<ir::IntrinsicCall>(program, id);
+    const bool is_read = call && call->op == ir::CommonIntrinsic::kInputOfVertex &&
+                         is_input(program.expr_lists[call->arguments][0]);
+    if (is_read || is_input(id)) program.exprs[id].type = type;
+  });
+}
+
 }  // namespace
+
+bool WidenDistances(const ir::Program& before, ir::Program& program) {
+  bool is_any = false;
+  if (!InfoOf(program.stage).reads_vertices) return is_any;
+  for (const auto& [output, input] : kPassedOn) {
+    const ir::IoVar* read = Find(program.inputs, input);
+    const ir::IoVar* written = Find(before.outputs, output);
+    if (!read || !written) continue;
+    const std::uint32_t count = CountOf(before, *written);
+    if (count <= CountOf(program, *read)) continue;
+    Widen(program, read->var, count);
+    is_any = true;
+  }
+  return is_any;
+}
 
 void LinkWithNeighbour(Job& job, ir::Program& program, std::vector<std::string>& dependencies) {
   const ProgramRequest& request = job.request;

@@ -16,6 +16,10 @@ namespace clipc {
 // Fits the program to the request's neighbour. Appends the files that were read to `dependencies`.
 void LinkWithNeighbour(Job& job, ir::Program& program, std::vector<std::string>& dependencies);
 
+// Gives the distances that a stage reads at each vertex the number of elements that the stage
+// before writes: OpenGL links arrays of one size. Returns whether one was smaller.
+bool WidenDistances(const ir::Program& before, ir::Program& program);
+
 // Fits the program to the stage after it, which is lowered.
 void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& program);
 

@@ -108,6 +108,11 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
   FitTessellation(jobs, programs);
   if (std::ranges::any_of(jobs, [](const Job& job) { return job.diagnostics.has_errors(); }))
     return std::nullopt;
+  bool is_widened = false;
+  for (std::size_t i = 1; i < programs.size(); ++i)
+    is_widened |= WidenDistances(programs[i - 1], programs[i]);
+  // GLSL has the size of an array that not all is read of where all stages declare their vertices.
+  for (Job& job : jobs) job.plan.write.separable |= is_widened;
   for (std::size_t i = jobs.size(); i-- > 0;) {
     Job& job = jobs[i];
     ir::Program& program = programs[i];

@@ -189,7 +189,7 @@ class MainBuilder {
       const bool is_object = program_.types[leaf.type].kind == TypeKind::kObject;
       ExprId value = is_object                     ? InVar(leaves_.ValueOf(leaf.part), objects)
                      : source == Source::kVertices ? vertices_.Read(leaf)
-                     : source == Source::kPoints   ? patch_.ReadPoint(leaf, number_)
+                     : source == Source::kPoints   ? patch_.ReadPoint(leaf, number_, distances_)
                                                    : Input(leaf);
       if (!value) continue;
       PartNumber target = leaf.part;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/signature/distance_vars.h"
 
+#include <algorithm>
+
+#include "base/spelling.h"
+
 namespace clipc::signature {
 
 ExprId DistanceVars::Read(const Carrier& leaf, Builtin builtin) {
@@ -43,10 +47,37 @@ void DistanceVars::WriteKind(Builtin builtin, Distances& pieces, bool has_gaps,
   if (pieces.empty()) return;
   const std::vector<ExprId> values = pieces.Packed(has_gaps);
   const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
+  for (const Distances::Piece& piece : pieces.pieces()) {
+    const auto first = std::ranges::find(values, piece.components.front()) - values.begin();
+    written_.push_back({builtin, piece.index, array, static_cast<std::uint32_t>(first),
+                        static_cast<std::uint32_t>(piece.components.size())});
+  }
   for (std::uint32_t i = 0; i < values.size(); ++i) {
     const ExprId value = values[i] ? values[i] : builder_.Float(0);
     body.push_back(builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), value)));
   }
+}
+
+ExprId DistanceVars::ReadPoint(const Carrier& leaf, std::uint32_t point) {
+  const SemanticName& semantic = leaf.cursor.semantic;
+  const std::uint32_t count = program_.types[leaf.type].Components();
+  for (const Written& piece : written_) {
+    const bool is_clip = piece.builtin == Builtin::kClipDistance;
+    if (piece.index != semantic.index || piece.count < count ||
+        !EqualIgnoringCase(semantic.name, is_clip ? "SV_ClipDistance" : "SV_CullDistance"))
+      continue;
+    std::vector<ExprId> values;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const ExprId array =
+          builder_.IntrinsicOf(CommonIntrinsic::kOutputOfPoint, program_.vars[piece.array].type,
+                               {builder_.Ref(piece.array), builder_.Uint(point)});
+      values.push_back(builder_.At(array, piece.first + i));
+    }
+    const TypeId vector = program_.types.Vector(Scalar::kFloat, static_cast<int>(count));
+    return Fit(program_, builder_,
+               count == 1 ? values.front() : builder_.ConstructOf(vector, values), leaf.type);
+  }
+  return {};
 }
 
 bool DistanceVars::IsDistance(const Carrier& leaf) {

@@ -26,12 +26,14 @@ class Distances {
   // element in a gap is none; without gaps the pieces follow each other.
   std::vector<ExprId> Packed(bool has_gaps);
 
- private:
   struct Piece {
     std::uint32_t index = 0;
     std::vector<ExprId> components;
     Span span;
   };
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+ private:
   std::vector<Piece> pieces_;
 };
 

@@ -8,7 +8,8 @@
 
 namespace clipc::signature {
 
-ExprId PatchOutputs::ReadPoint(const Carrier& leaf, std::uint32_t point) {
+ExprId PatchOutputs::ReadPoint(const Carrier& leaf, std::uint32_t point, DistanceVars& distances) {
+  if (const ExprId known = distances.ReadPoint(leaf, point)) return known;
   const SemanticName& semantic = leaf.cursor.semantic;
   const auto written = std::ranges::find_if(program_.outputs, [&](const IoVar& output) {
     return !output.is_of_patch && output.index == semantic.index &&

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "frontend/signature/distance_vars.h"
 #include "frontend/signature/interface_vars.h"
 #include "frontend/signature/names.h"
 #include "frontend/signature/semantic_check.h"
@@ -25,8 +26,8 @@ class PatchOutputs {
         diagnostics_(diagnostics) {}
 
   // The output of control point `point` that the leaf of an OutputPatch has, in the leaf's own
-  // type; none after an error.
-  ExprId ReadPoint(const Carrier& leaf, std::uint32_t point);
+  // type; none after an error. `distances` are those that the control points write.
+  ExprId ReadPoint(const Carrier& leaf, std::uint32_t point, DistanceVars& distances);
   // Notes the value of a factor, Builtin::kTessFactor or kInsideFactor.
   void AddFactor(const Carrier& leaf, Builtin builtin, ExprId value);
   // Returns the statements that write the factors, none above Tessellation::max_factor: the most

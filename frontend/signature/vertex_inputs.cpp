@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/signature/vertex_inputs.h"
 
+#include <utility>
+
 #include "base/spelling.h"
 
 namespace clipc::signature {
@@ -28,15 +30,43 @@ ExprId VertexInputs::Read(const Carrier& leaf) {
 VertexInputs::Input VertexInputs::Add(const Carrier& leaf) {
   const SemanticName& semantic = leaf.cursor.semantic;
   for (std::size_t i = 0; shares_ && i < inputs_.size(); ++i) {
-    const Input& known = inputs_[i];
-    if (known.type == leaf.type && known.semantic.index == semantic.index &&
-        EqualIgnoringCase(known.semantic.name, semantic.name))
+    const Input known = inputs_[i];
+    if (known.semantic.index == semantic.index &&
+        EqualIgnoringCase(known.semantic.name, semantic.name) &&
+        (known.type == leaf.type || Fits(known, leaf)))
       return known;
   }
   Input input = Make(leaf);
   input.semantic = semantic;
   input.type = leaf.type;
   return input;
+}
+
+bool VertexInputs::Fits(const Input& known, const Carrier& leaf) {
+  if (!known.var) return false;
+  const TypeId wanted = StoredType(program_.types, leaf.type);
+  const Type now = program_.types[program_.vars[known.var].type], type = program_.types[wanted];
+  if (!type.IsScalarOrVector() || now.scalar != type.scalar) return false;
+  if (type.Components() > now.Components()) Widen(known.var, wanted);
+  return true;
+}
+
+void VertexInputs::Widen(VarId input, TypeId type) {
+  const std::uint32_t count = program_.types[program_.vars[input].type].Components();
+  program_.vars[input].type = type;
+  const std::vector<VertexRead> reads = std::exchange(reads_, {});
+  for (const VertexRead& read : reads) {
+    if (read.var != input) {
+      reads_.push_back(read);
+      continue;
+    }
+    const auto call = std::get<IntrinsicCall>(program_.exprs[read.value].node);
+    const auto arguments = program_.expr_lists[call.arguments];
+    const auto vertex = std::get<Literal>(program_.exprs[arguments[1]].node).bits;
+    const ExprId whole = AtVertex(input, static_cast<std::uint32_t>(vertex));
+    const ExprId part = builder_.SwizzledRun(whole, 0, count);
+    program_.exprs[read.value].node = program_.exprs[part].node;
+  }
 }
 
 // Makes the input. The number of the primitive, which the shader has too,
@@ -112,8 +142,11 @@ void VertexInputs::Place(Builtin builtin, Distances& pieces, bool has_gaps) {
 }
 
 ExprId VertexInputs::AtVertex(VarId input, std::uint32_t vertex) {
-  return builder_.IntrinsicOf(CommonIntrinsic::kInputOfVertex, program_.vars[input].type,
-                              {builder_.Ref(input), builder_.Uint(vertex)});
+  const ExprId value =
+      builder_.IntrinsicOf(CommonIntrinsic::kInputOfVertex, program_.vars[input].type,
+                           {builder_.Ref(input), builder_.Uint(vertex)});
+  reads_.push_back({input, value});
+  return value;
 }
 
 }  // namespace clipc::signature

@@ -25,7 +25,8 @@ class VertexInputs {
   void Start(std::uint32_t vertex);
   // The input's value at the vertex, in the leaf's own type; none after an error.
   ExprId Read(const Carrier& leaf);
-  // The next leaves are those of another function, whose inputs of the same semantic are the same.
+  // The next leaves are those of another function, whose inputs of the same semantic are the same,
+  // if they have numbers of one kind.
   void NextFunction() { shares_ = true; }
   // Makes the inputs of the distances, whose places follow when all are known.
   void Finish();
@@ -44,7 +45,17 @@ class VertexInputs {
     std::uint32_t vertex = 0;
   };
 
+  // A read of an input at a vertex.
+  struct VertexRead {
+    VarId var;
+    ExprId value;
+  };
+
   Input Add(const Carrier& leaf);
+  // Whether a leaf of another type may read the input, which is made as wide as the leaf then. fxc
+  // has one signature for both functions of a hull shader, so that both read one input.
+  bool Fits(const Input& known, const Carrier& leaf);
+  void Widen(VarId input, TypeId type);
   Input Make(const Carrier& leaf);
   std::vector<ExprId> Placeholders(const Carrier& leaf);
   ExprId ReadDistances(const Input& input, const Carrier& leaf);
@@ -61,6 +72,7 @@ class VertexInputs {
   bool shares_ = false;
   Distances clip_, cull_;
   std::vector<Later> later_;
+  std::vector<VertexRead> reads_;
 };
 
 }  // namespace clipc::signature
