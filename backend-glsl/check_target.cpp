@@ -275,6 +275,10 @@ class TargetCheck : ExpressionCheck {
 
   void ConstantIds() {
     std::map<std::uint32_t, const Var*> taken;
+    for (const VarId size : program_.group_size_constants) {
+      if (size && !reached_.Has(size) && !target_.IsVulkan())
+        Report(program_.vars[size].span, diag::TargetConstantId, program_.vars[size].name);
+    }
     for (const VarId global : reached_.globals) {
       const Var& constant = program_.vars[global];
       if (!constant.constant_id) continue;

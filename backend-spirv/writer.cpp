@@ -139,6 +139,7 @@ Written Writer::Run() {
   if (stage.runs_in_groups) {
     const auto& [x, y, z] = program_.group_size;
     module_.Execution(spv::ExecutionMode::LocalSize, {x, y, z});
+    SpecialiseGroup();
   }
   if (stage.emits_vertices) AddEmission(module_, program_.emission);
   if (stage.makes_patches) AddPatches(module_, program_.tessellation, options_.is_opengl);
@@ -150,6 +151,25 @@ Written Writer::Run() {
   return {module_.Finish(kModels[static_cast<std::size_t>(program_.stage)],
                          FunctionRef(program_.main), options_.entry, shared_, version),
           {}};
+}
+
+// Makes the size of a group of the constants that the application may give other values.
+void Writer::SpecialiseGroup() {
+  const auto& constants = program_.group_size_constants;
+  if (options_.is_opengl || std::ranges::none_of(constants, [](VarId id) { return bool{id}; }))
+    return;
+  const Ref number = types_.Of(Scalar::kUint);
+  Ref sizes[3];
+  for (std::size_t i = 0; i < constants.size(); ++i) {
+    const std::uint32_t size = program_.group_size[i];
+    sizes[i] = types_.Uint(size);
+    if (!constants[i]) continue;
+    sizes[i] = module_.OwnConstant(spv::Op::OpSpecConstant, number, {size});
+    module_.Decorate(sizes[i], spv::Decoration::SpecId, {*(*this)[constants[i]].constant_id});
+  }
+  const Ref all = module_.OwnConstant(spv::Op::OpSpecConstantComposite, types_.Vector(number, 3),
+                                      {sizes[0], sizes[1], sizes[2]});
+  module_.Decorate(all, spv::Decoration::BuiltIn, {NumberOf(spv::BuiltIn::WorkgroupSize)});
 }
 
 Written Write(const Program& program, const Interface& interface, const Options& options) {

@@ -36,6 +36,7 @@ class Writer : private Emitter {
   void DeclareOutputs();
   void DeclareGlobals();
   void DeclareStatic(ir::VarId id);
+  void SpecialiseGroup();
   void DeclareGlobal(ir::VarId id, spv::StorageClass storage, Ref initial = 0);
   Ref Specialised(ir::VarId id, std::span<const std::uint64_t> bits);
   void StartMain();

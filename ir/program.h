@@ -70,6 +70,8 @@ struct Program {
   bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
   // [numthreads]: the threads of a group in x, y and z; 0 in a stage that does not run in groups.
   std::array<std::uint32_t, 3> group_size = {};
+  // The constants with a Var::constant_id that [numthreads] names; none: a number that stays.
+  std::array<VarId, 3> group_size_constants = {};
   Emission emission;          // of a stage that emits vertices
   Tessellation tessellation;  // of a stage that makes or reads patches
   Form form = Form::kResolved;

@@ -100,8 +100,14 @@ std::string Header(const WriterContext& context) {
     text += "\nprecision highp float;\nprecision highp int;\n";
   if (InfoOf(context.program.stage).runs_in_groups) {
     const auto& [x, y, z] = context.program.group_size;
-    Append(text, "\nlayout(local_size_x = ", x, ", local_size_y = ", y, ", local_size_z = ", z,
-           ") in;\n");
+    Append(text, "\nlayout(local_size_x = ", x, ", local_size_y = ", y, ", local_size_z = ", z);
+    for (std::size_t i = 0; i < context.program.group_size_constants.size(); ++i) {
+      const VarId constant = context.program.group_size_constants[i];
+      if (constant && context.target.IsVulkan())
+        Append(text, ", local_size_", std::string_view("xyz").substr(i, 1),
+               "_id = ", *context[constant].constant_id);
+    }
+    text += ") in;\n";
   }
   if (const Emission& emission = context.program.emission; !emission.streams.empty()) {
     Append(text, "\nlayout(", InputWord(emission.input));

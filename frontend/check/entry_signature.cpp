@@ -9,9 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
+#include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/init.h"
@@ -109,6 +112,22 @@ GroupLimits LimitsOf(const Profile& profile) {
   return {{768, 768, 1}, 768};
 }
 
+// The constant with a [[vk::constant_id]] that an argument of [numthreads] names; none without one.
+// Reports one that the argument computes with: a group has the number of one constant.
+VarId GroupSizeConstant(Context& context, ast::ExprId argument) {
+  const std::vector<SymbolId> used = std::exchange(context.globals.used_as_constants, {});
+  for (const SymbolId id : used) {
+    const auto& var = context.Get<ast::VarDecl>(context[id].decl);
+    if (!ConstantIdOf(context, var.attributes)) continue;
+    if (!context.Is<ast::NameExpr>(argument)) {
+      context.Report(context[argument].span, diag::GroupSizeComputed, context[var.name]);
+    } else if (const auto* ref = context.GetIf<VarRef>(CheckExpr(context, argument))) {
+      return ref->var;
+    }
+  }
+  return {};
+}
+
 void ReadGroupSize(Context& context, const ast::Attr& attribute) {
   Program& program = context.program;
   const auto arguments = context[attribute.arguments];
@@ -119,6 +138,7 @@ void ReadGroupSize(Context& context, const ast::Attr& attribute) {
   const auto [most, threads] = LimitsOf(program.profile);
   std::int64_t product = 1;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
+    context.globals.used_as_constants.clear();
     const auto number = ConstantInteger(context, arguments[i]);
     if (!number) return;
     if (*number < 1 || *number > most[i]) {
@@ -127,6 +147,7 @@ void ReadGroupSize(Context& context, const ast::Attr& attribute) {
       return;
     }
     program.group_size[i] = static_cast<std::uint32_t>(*number);
+    program.group_size_constants[i] = GroupSizeConstant(context, arguments[i]);
     product *= *number;
   }
   if (product > threads)

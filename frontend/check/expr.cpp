@@ -96,6 +96,7 @@ ExprId UseVariable(Context& context, SymbolId id, Span span) {
   const bool is_uniform = !(var.qualifiers & ast::kStatic);
   if (context.view.wants_constant && is_uniform && (var.qualifiers & ast::kConst) && var.init) {
     // fxc uses the value of a `const` global only where it needs a constant.
+    context.globals.used_as_constants.push_back(id);
     View view = ViewOf(context, id);
     view.wants_constant = true;
     const ViewSwitch in(context, view);
