@@ -66,6 +66,7 @@ std::string_view UnknownToValidator(std::string_view glsl, const glsl::Target& t
       {"GL_OES_sample_variables", 310, "`GL_OES_sample_variables` in OpenGL ES 3.0"},
       {"GL_OES_shader_multisample_interpolation", 310,
        "`GL_OES_shader_multisample_interpolation` in OpenGL ES 3.0"},
+      {"GL_OES_viewport_array", INT_MAX, "`GL_OES_viewport_array`"},
       {"_clip_cull_distance", INT_MAX, "clip distances in OpenGL ES"},
   };
   for (const Unknown& unknown : kUnknown) {
