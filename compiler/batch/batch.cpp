@@ -38,6 +38,11 @@
 namespace clipc {
 namespace {
 
+Problem SamePath(const std::string& path) {
+  return {
+      fmt::format("two outputs would go to `{}`; give them different names or extensions", path)};
+}
+
 // The permutations of one group that were compiled, and the jobs that have their results.
 struct GroupMemory {
   // The key says which of the axes' macros are defined: "101".
@@ -75,6 +80,7 @@ class Batch {
   bool HasFolder() const { return !command_.effect || !command_.output.empty(); }
   bool HasIndex() const { return HasFolder() || !command_.index.empty(); }
   std::string IndexPath() const;
+  bool IsManifest(const std::string& path) const;
   std::string JournalPath() const;
   void Summarise();
 
@@ -98,6 +104,7 @@ class Batch {
 
   // The names of the written files, by the hash of their extension and their contents.
   std::unordered_multimap<std::size_t, std::string> files_by_hash_;
+  std::unordered_map<std::string, std::size_t> written_;  // the paths, with a hash of the contents
   std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
@@ -119,6 +126,8 @@ Result<> Batch::CheckUsage() const {
         "permutations write several files and an index of them; give an existing folder with "
         "-o"};
   }
+  if (HasIndex() && IsManifest(IndexPath()))
+    return Problem{fmt::format("the index `{}` would overwrite the manifest", IndexPath())};
   for (const ShaderGroup& group : batch_.groups) {
     const CommandLine& command = group.command;
     if (Result<> done = CheckCommand(command); !done) return done;
@@ -326,9 +335,9 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   std::unordered_set<std::string> paths = {IndexPath(), JournalPath(), command_.messages};
   for (std::size_t i = 0; i < pieces->size(); ++i) {
     const OutputPiece& piece = (*pieces)[i];
-    if (!paths.insert(piece.path).second)
-      return Problem{fmt::format(
-          "two outputs would go to `{}`; give them different names or extensions", piece.path)};
+    if (!paths.insert(piece.path).second) return SamePath(piece.path);
+    if (IsManifest(piece.path))
+      return Problem{fmt::format("the output `{}` would overwrite the manifest", piece.path)};
     const std::string file = piece.path.substr(NameBegin(piece.path));
     // Those of this job are not written yet.
     std::size_t same = 0;
@@ -338,7 +347,10 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
     const std::string name = same < i ? entry.files[same].second : Share(file, piece.contents);
     entry.files.emplace_back(piece.kind, name);
     if (command_.shards != 1) entry.digests.push_back(Sha256(piece.contents));
-    if (name == file) files.Add(piece.path, piece.contents);
+    if (name != file) continue;
+    const std::size_t hash = std::hash<std::string>()(piece.contents);
+    if (written_.try_emplace(piece.path, hash).first->second != hash) return SamePath(piece.path);
+    files.Add(piece.path, piece.contents);
   }
   return files.Commit();
 }
@@ -368,6 +380,13 @@ void Batch::Resume() {
 }
 
 // ---- the end
+
+bool Batch::IsManifest(const std::string& path) const {
+  const std::string& manifest = command_.batch;
+  FileSet files;
+  if (path.substr(NameBegin(path)) == manifest.substr(NameBegin(manifest))) files.Add(manifest);
+  return files.Has(path);
+}
 
 std::string Batch::IndexPath() const {
   if (!command_.index.empty()) return command_.index;

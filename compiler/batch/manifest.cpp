@@ -198,7 +198,13 @@ class ManifestReader {
       Refuse(where, fmt::format("`{}` is not an option; the manifest names the shaders",
                                 parsed.command.inputs[0]));
     group.command = std::move(parsed.command);
-    std::vector<MacroAxis> first = TakeAxes(group.command.request.defines);
+    std::vector<std::string>& defines = group.command.request.defines;
+    std::vector<MacroAxis> first = TakeAxes(defines);
+    // What the shader's own `defines` say holds, `null` too.
+    std::erase_if(defines, [&](const std::string& define) {
+      const std::string_view macro = std::string_view(define).substr(0, define.find('='));
+      return std::ranges::find(group.axes, macro, &MacroAxis::macro) != group.axes.end();
+    });
     group.axes.insert(group.axes.begin(), first.begin(), first.end());
     groups_.push_back(std::move(group));
   }
