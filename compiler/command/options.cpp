@@ -202,8 +202,30 @@ void FinishTarget(Reading& reading) {
   // Each entry of a batch may have a target of its own.
   if (!reading.vulkan_option.empty() && !request.target.IsVulkan() && command.batch.empty()) {
     reading.without_effect.push_back(
-        {reading.vulkan_option,
-         fmt::format("it is for target `vulkan`, and this is `{}`", request.target.name())});
+        {reading.vulkan_option, fmt::format("it is for target `vulkan`, and this is `{}`",
+                                            request.hlsl.wanted ? "hlsl" : request.target.name())});
+  }
+}
+
+// Names the options about GLSL that the text of the HLSL has no use for.
+void ReportForHlsl(Reading& reading) {
+  const ProgramRequest& request = reading.command.request;
+  if (!request.hlsl.wanted) return;
+  const StyleOptions& style = request.style;
+  const std::pair<bool, const char*> given[] = {
+      {style.clip_space.flip_y, "--flip-y"},
+      {style.clip_space.negative_one_to_one, "--depth-range"},
+      {style.invariant, "--invariant"},
+      {style.base_vertex_is_zero, "--base-vertex"},
+      {style.base_instance_is_zero, "--base-instance"},
+      {style.separable, "--separable"},
+      {style.blocks != glsl::BlockStyle::kNamed, "--blocks"},
+      {!style.names.empty(), "--names"},
+      {reading.validate == true, "--validate"},
+  };
+  for (const auto& [is_given, option] : given) {
+    if (is_given)
+      reading.without_effect.push_back({option, "with --target=hlsl the text stays as it is"});
   }
 }
 
@@ -347,6 +369,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
     command.request.link.keep_outputs = true;
   FinishPreprocess(reading);
   FinishTarget(reading);
+  ReportForHlsl(reading);
   if (reading.validate == true && command.request.outputs.spirv)
     reading.without_effect.push_back({"--validate", "it is for GLSL; `spirv-val` is for SPIR-V"});
   // A remark about the options is a warning even where the shader's warnings are errors.
