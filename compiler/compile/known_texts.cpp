@@ -17,9 +17,10 @@ constexpr std::size_t kAlwaysKept = 2, kMostTokensOfOne = 2'000'000;
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 std::string KeyOf(const Plan& plan, const SourceInput& input) {
-  std::string key = fmt::format("{}\n{}\n{}\n{} {} {} {}", input.path, plan.check.entry_call,
-                                input.preamble, input.shader_model_major, input.shader_model_minor,
-                                static_cast<int>(input.stage), static_cast<int>(input.language));
+  std::string key =
+      fmt::format("{}\n{}\n{}\n{} {} {} {} {}", input.path, plan.check.entry_call, input.preamble,
+                  input.shader_model_major, input.shader_model_minor, static_cast<int>(input.stage),
+                  static_cast<int>(input.language), input.spirv_minor ? *input.spirv_minor + 1 : 0);
   for (const auto* list : {&input.include_dirs, &input.defines, &input.forced_includes}) {
     for (const std::string& text : *list) key += '\n' + text;
     key += '\n';

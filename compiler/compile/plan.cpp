@@ -19,6 +19,13 @@
 namespace clipc {
 namespace {
 
+// The version of the SPIR-V that is made of the text, or that another compiler makes of its GLSL.
+std::optional<unsigned> SpirvMinorOf(const ProgramRequest& request) {
+  const bool is_for_vulkan = request.target.IsVulkan();
+  if (!request.outputs.spirv && !is_for_vulkan) return std::nullopt;
+  return request.outputs.spirv.value_or(SpirvRequest{}).MinorVersion(is_for_vulkan);
+}
+
 SourceInput InputOf(const ProgramRequest& request, std::string path,
                     std::optional<std::string> text, const ir::Profile& profile) {
   return {.path = std::move(path),
@@ -30,6 +37,7 @@ SourceInput InputOf(const ProgramRequest& request, std::string path,
           .read_include = request.includes.read,
           .shader_model_major = profile.major,
           .shader_model_minor = profile.minor,
+          .spirv_minor = SpirvMinorOf(request),
           .stage = profile.stage.value_or(Stage::kVertex),
           .language = request.language.version,
           .pasted = profile.major < 6 || request.language.legacy_macro_expansion

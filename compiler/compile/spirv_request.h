@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,6 +30,12 @@ struct SpirvRequest {
   std::string entry = {};                // the name of the entry point; empty: `main`
   bool has_reflection = false;  // variables have their semantics and the names of their types
   bool nan_clamp = false;       // min, max and clamp give the operand that is a number
+
+  // The minor version of the SPIR-V: for OpenGL 0, for Vulkan that of its version.
+  unsigned MinorVersion(bool is_for_vulkan) const {
+    constexpr unsigned kMinor[] = {0, 3, 5, 6, 4};  // by VulkanVersion
+    return is_for_vulkan ? version.value_or(kMinor[static_cast<std::size_t>(vulkan)]) : 0;
+  }
 };
 
 }  // namespace clipc

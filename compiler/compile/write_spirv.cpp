@@ -98,13 +98,6 @@ spirv::Debug DebugOf(const SpirvRequest& request, const Source& source, std::str
   return debug;
 }
 
-// The minor version of the SPIR-V: for OpenGL 0, for Vulkan that of its version.
-std::uint32_t MinorVersion(const glsl::Target& target, const SpirvRequest& request) {
-  constexpr std::uint32_t kMinor[] = {0, 3, 5, 6, 4};  // by VulkanVersion
-  if (!target.IsVulkan()) return 0;
-  return request.version.value_or(kMinor[static_cast<std::size_t>(request.vulkan)]);
-}
-
 bool IsOfWave(ir::Builtin input) {
   return input == ir::Builtin::kLaneCount || input == ir::Builtin::kLaneIndex;
 }
@@ -119,7 +112,7 @@ void CheckSpirv(const ir::Program& program, const glsl::Target& target, const Sp
                 Diagnostics& diagnostics) {
   using ir::IntrinsicCategory;
   constexpr std::uint32_t kFirstWithWaves = 3;
-  const std::uint32_t minor = MinorVersion(target, request);
+  const std::uint32_t minor = request.MinorVersion(target.IsVulkan());
   const bool has_waves = minor >= kFirstWithWaves;
   const auto report = [&](Span span, std::string_view name) -> Diagnostic& {
     return diagnostics.Report(span, diag::NotInSpirv, name, fmt::format("1.{}", minor),
@@ -156,7 +149,7 @@ spirv::Written WriteSpirv(const Lowered& lowered, const glsl::GlslInfo& info,
                           const DebugText& text) {
   const glsl::Target& target = lowered.target;
   spirv::Options made;
-  made.minor_version = MinorVersion(target, request);
+  made.minor_version = request.MinorVersion(target.IsVulkan());
   if (!request.entry.empty()) made.entry = request.entry;
   made.nan_clamp = request.nan_clamp;
   made.invariant = options.invariant;

@@ -74,6 +74,8 @@ struct SourceInput {
   std::function<std::optional<std::string>(const std::string& path)> read_include = {};
   int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
+  // 3 for SPIR-V 1.3, where SPIR-V is what becomes of the text: DXC's macros for that are visible.
+  std::optional<unsigned> spirv_minor = {};
   Stage stage = Stage::kVertex;
   LanguageVersion language = LanguageVersion::k2021;
   PastedOperands pasted = PastedOperands::kExpanded;

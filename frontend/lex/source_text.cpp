@@ -98,6 +98,13 @@ void DefineTarget(const SourceInput& input, std::string& out) {
       "#define __SHADER_STAGE_AMPLIFICATION 14\n",
       static_cast<int>(input.language), InfoOf(input.stage).number, input.shader_model_major,
       input.shader_model_minor);
+  if (input.spirv_minor) {
+    out += fmt::format(
+        "#define __spirv__ 1\n"
+        "#define __SPIRV_MAJOR_VERSION__ 1\n"
+        "#define __SPIRV_MINOR_VERSION__ {}\n",
+        *input.spirv_minor);
+  }
 }
 
 }  // namespace
