@@ -336,10 +336,17 @@ Tokens Lex(Source& source, Diagnostics& diagnostics, std::string_view entry) {
   }
 }
 
+// Whether the token is never a part of a longer one.
+static bool EndsAlone(const clang::Token& token) {
+  return token.isOneOf(tok::l_paren, tok::r_paren, tok::l_square, tok::r_square, tok::l_brace,
+                       tok::r_brace, tok::semi, tok::comma, tok::tilde);
+}
+
 std::string Preprocess(Source& source, Diagnostics& diagnostics) {
   Source::State& state = source.state();
   std::string text, file;
   unsigned line = 0;
+  bool follows_macro = false;  // and might be one token with what follows
   llvm::SmallString<64> buffer;
   RunPreprocessor(
       state, diagnostics, [&](const clang::Token& token, clang::Preprocessor& preprocessor) {
@@ -361,9 +368,11 @@ std::string Preprocess(Source& source, Diagnostics& diagnostics) {
           return;
         }
         // A space is also written where a macro has put two tokens side by side that must stay two.
-        if (!text.empty() && text.back() != '\n') text += ' ';
-        if (!token.hasLeadingSpace() && text.ends_with(' ') && !token.getLocation().isMacroID())
-          text.pop_back();
+        const bool is_of_macro = token.getLocation().isMacroID();
+        const bool was_beside = !token.hasLeadingSpace() && !is_of_macro;
+        const bool stays = !follows_macro || EndsAlone(token);
+        if (!text.empty() && text.back() != '\n' && !(was_beside && stays)) text += ' ';
+        follows_macro = is_of_macro && !EndsAlone(token);
         text += preprocessor.getSpelling(token, buffer).str();
       });
   state.guard.Report(diagnostics);
