@@ -157,6 +157,20 @@ T SmoothstepOf(T low, T high, T x) {
   return t * t * slope;
 }
 
+// x to the power of a whole number of at least 1: the product of x, x * x, x * x * x * x and so on,
+// from the least on, as fxc multiplies (TranslatePowUsingFxcMulOnlyPattern in DXC's
+// HLOperationLower.cpp).
+template <typename T>
+T WholePowerOf(T x, std::uint32_t power) {
+  T product = 1;
+  for (bool is_first = true; power != 0; power >>= 1, x = x * x) {
+    if (!(power & 1)) continue;
+    product = is_first ? x : product * x;
+    is_first = false;
+  }
+  return product;
+}
+
 template <typename T>
 T FloatFunction(Intrinsic op, T x, T y, T z) {
   using enum Intrinsic;
@@ -167,6 +181,7 @@ T FloatFunction(Intrinsic op, T x, T y, T z) {
     case kMax: return std::fmax(x, y);  // of a number and NaN, the number
     case kMin: return std::fmin(x, y);
     case kPow: return PowOf(x, y);
+    case kWholePower: return WholePowerOf(x, static_cast<std::uint32_t>(y));
     case kStep: return y >= x ? T{1} : T{0};
     case kClamp: return std::fmin(std::fmax(x, y), z);
     case kFma: return std::fma(x, y, z);

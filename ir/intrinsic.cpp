@@ -66,6 +66,7 @@ COMMON(kSign)
 COMMON(kSmoothstep)
 COMMON(kTranspose)
 COMMON(kWaveReadLaneFirst)
+COMMON(kWholePower)
 #undef COMMON
 
 const IntrinsicInfo& InfoOf(Intrinsic op) {
@@ -121,6 +122,7 @@ bool IsComposed(Intrinsic op) {
     case kRcp:
     case kSaturate:
     case kSincos:
+    case kWholePower:
     case kUnpackS8S16:
     case kUnpackS8S32:
     case kUnpackU8U16:

@@ -16,7 +16,7 @@ struct CommonIntrinsic {
   static const Intrinsic kAll, kAny, kAsDouble, kAsFloat, kAsUint, kAttributeAtVertex,
       kCheckAccessFullyMapped, kClip, kDot, kEmitVertex, kEndPoints, kEndPrimitive, kFloor,
       kInputOfVertex, kIsFirstPoint, kIsNan, kMad, kMax, kMin, kMul, kNonUniform, kOutputOfPoint,
-      kPow, kSaturate, kSign, kSmoothstep, kTranspose, kWaveReadLaneFirst;
+      kPow, kSaturate, kSign, kSmoothstep, kTranspose, kWaveReadLaneFirst, kWholePower;
 };
 
 // One argument, or the result, of a signature.

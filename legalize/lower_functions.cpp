@@ -2,10 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/invariant.h"
+#include "ir/scalar.h"
 #include "legalize/constant.h"
 #include "legalize/functions.h"
 #include "legalize/legalize.h"
@@ -31,6 +36,7 @@ class FunctionLowering {
  private:
   void Lower(ExprId expr, const IntrinsicCall call) {
     const auto listed = std::as_const(program_).expr_lists[call.arguments];
+    if (call.op == CommonIntrinsic::kWholePower) return BecomePower(expr, listed[0], listed[1]);
     const Type& first = legalizer_.TypeOf(listed[0]);
     const Function* function = FindFunction(call.op, first, legalizer_.needs);
     if (!function) return;
@@ -74,6 +80,30 @@ class FunctionLowering {
                                                 program_.exprs[expr].type,
                                                 [&](HelperBody& body) { Define(body, function); });
     program_.exprs[expr].node = Call{helper, arguments};
+  }
+
+  // pow5(x) { float x2 = x * x; return x * (x2 * x2); }
+  void BecomePower(ExprId expr, ExprId x, ExprId exponent) {
+    const auto constant = ConstantOf(program_, exponent);
+    CLIPC_CHECK(constant);
+    const auto power = static_cast<std::uint32_t>(
+        constant->kind == Scalar::kDouble ? DoubleOf(constant->bits) : FloatOf(constant->bits));
+    const TypeId type = program_.exprs[expr].type;
+    const Parameter parameter{"x", type, Storage::kIn};
+    legalizer_.BecomeCall(expr, fmt::format("pow{}", power), {&parameter, 1}, {&x, 1},
+                          [&](HelperBody& body) { DefinePower(body, power); });
+  }
+
+  static void DefinePower(HelperBody& body, std::uint32_t power) {
+    Formula f(body);
+    Local square = f[0];
+    std::optional<Local> product;
+    for (std::uint32_t factor = 1;; factor *= 2) {
+      if (power & factor) product = product ? f.Let("product", *product * square) : square;
+      const Term next = square * square;
+      if (factor * 4 > power) return f.Return(product ? *product * next : next);
+      square = f.Let(fmt::format("x{}", 2 * factor), next);
+    }
   }
 
   void Define(HelperBody& body, const Function& function) {

@@ -166,6 +166,10 @@ ValueCheck::Sign ValueCheck::SignOfCall(const IntrinsicCall& call) {
       const bool neither = std::min(first, second) == Sign::kNotNegative;
       return neither ? Sign::kNotNegative : std::max(first, second);
     }
+    case Intrinsic::kWholePower: {
+      const auto is_even = [](double number) { return std::fmod(number, 2) == 0; };
+      return AnyLiteral(program_, arguments[1], is_even) ? Sign::kNotNegative : of(0);
+    }
     case Intrinsic::kMin: return std::max(of(0), of(1));
     case Intrinsic::kClamp:
       return of(1) == Sign::kNotNegative ? Sign::kNotNegative : Sign::kUnknown;
