@@ -2,6 +2,7 @@
 #include "frontend/check/bit_field.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
@@ -119,18 +120,21 @@ bool AddBitField(Context& context, const ast::VarDecl& var, TypeId structure, Sy
   return true;
 }
 
-ExprId FieldNamed(Context& context, ExprId object, Name name, Span span) {
-  const TypeId type = context.TypeIdOf(object);
-  const auto field = FindField(context, type, name);
+ExprId FieldNamed(Context& context, ExprId object, TypeId owner, Name name, Span span) {
+  const auto field = FindField(context, context.TypeIdOf(object), owner, name);
   if (!field) return {};
-  const std::vector<BitField>& all = InfoOf(context, type)->bits;
-  const auto bits = std::ranges::find(all, name, &BitField::name);
+  const SymbolId member = FindMember(context, owner, name);
+  const auto all = InfoOf(context, owner)->bits | std::views::reverse;
+  const auto bits = std::ranges::find_if(all, [&](const BitField& candidate) {
+    return candidate.name == name && candidate.field == context[member].value;
+  });
   if (bits == all.end()) {
     const ExprId value = context.At(span).Field(object, *field);
-    NoteValue(context, value, FindMember(context, type, name));
+    NoteValue(context, value, member);
     return value;
   }
-  const BitField found = *bits;
+  BitField found = *bits;
+  found.field = *field;
   return ReadBits(context, object, found, span);
 }
 

@@ -14,8 +14,9 @@ namespace clipc::check {
 // false after an error, which was reported.
 bool AddBitField(Context& context, const ast::VarDecl& var, TypeId structure, SymbolId symbol,
                  Field field);
-// The field, or the bit-field, of the object that has this name; none if none has.
-ExprId FieldNamed(Context& context, ExprId object, Name name, Span span);
+// The field, or the bit-field, of the object to which `owner`, the object's type or a base of it,
+// gives this name; none if it gives none.
+ExprId FieldNamed(Context& context, ExprId object, TypeId owner, Name name, Span span);
 // The value of the bit-field of an object of its struct's type, as FieldNamed returns it.
 ExprId ReadBits(Context& context, ExprId object, const BitField& bits, Span span);
 // The number in which the bit-field has the value, and every other bit is 0.

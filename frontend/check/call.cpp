@@ -14,6 +14,7 @@
 #include "frontend/check/member.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/overload.h"
+#include "frontend/check/power.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/template.h"
@@ -88,7 +89,7 @@ ExprId CallIntrinsic(Context& context, NamedCall& call) {
     for (ExprId& argument : call.arguments) argument = TakeSteps(context, argument, steps);
   }
   const ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
-  return WithPrologue(context, steps, value);
+  return WithPrologue(context, steps, ExpandPower(context, value));
 }
 
 // The call of the shader's function `symbol`, or of the intrinsic of that name, if there is one.
@@ -182,13 +183,15 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
                             span, context, context.diagnostics},
                            object);
   }
-  const SymbolId symbol = FindMember(context, type, member.name);
+  const TypeId named = OwnerOf(context, member, type);
+  if (context.IsError(named)) return context.ErrorExpr(span);
+  const SymbolId symbol = FindMember(context, named, member.name);
   if (!symbol) {
     ReportNoMember(context, type, member.name, member.name_span);
     return context.ErrorExpr(span);
   }
   if (context[symbol].kind != SymbolKind::kFunction) {
-    const auto field = object ? FindField(context, type, member.name) : std::nullopt;
+    const auto field = object ? FindField(context, type, named, member.name) : std::nullopt;
     const ExprId value = field ? context.At(member.name_span).Field(object, *field)
                                : UseSymbol(context, symbol, member.name_span);
     return CallValue(context, {value, std::string(context[member.name]), member.name_span}, expr,

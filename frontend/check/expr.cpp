@@ -175,6 +175,9 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
       As<Literal>(context.program, value) && EvaluateInteger(context.program, value) == 0;
   if (!is_zero && RefusesBits(context, context.TypeIdOf(value), type, span))
     return context.ErrorExpr(span);
+  // A cast takes the first components, which are not those of a base after another one.
+  if (FirstFieldOf(context, context.TypeIdOf(value), type).value_or(0) != 0)
+    return Implicit(context, value, type);
   if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
     const ast::ExprId path = PathOfCast(context, value, expr.operand, type);
     const ExprId converted = ConvertExplicit(context.program, value, type, context);
@@ -245,8 +248,9 @@ ExprId UseSymbol(Context& context, SymbolId id, Span span) {
     }
     case SymbolKind::kField: {
       const VarId self = context.view.body ? context.view.body->self : VarId{};
-      const ExprId field =
-          self ? FieldNamed(context, context.At(span).Ref(self), symbol.name, span) : ExprId{};
+      const ExprId field = self ? FieldNamed(context, context.At(span).Ref(self),
+                                             context[symbol.scope].self, symbol.name, span)
+                                : ExprId{};
       if (field) return field;
       context.Report(span, diag::FieldWithoutObject, context[symbol.name])
           .Note(symbol.span, diag::DeclaredHere, context[symbol.name]);

@@ -136,7 +136,37 @@ std::string ElementAdvice(Context& context, TypeId type, Name name, ast::ExprId 
              : "";
 }
 
+// The type itself or the first of its bases that was declared with the name; none if none was.
+TypeId BaseNamed(const Context& context, TypeId type, Name name) {
+  const StructInfo* info = InfoOf(context, type);
+  if (!info || context[info->scope].name == name) return info ? type : TypeId{};
+  for (TypeId base : info->bases) {
+    if (const TypeId found = BaseNamed(context, base, name)) return found;
+  }
+  return {};
+}
+
+// The struct whose method is being checked.
+TypeId StructOfMethod(const Context& context) {
+  ScopeId scope = context.view.scope;
+  while (scope && context[scope].kind != ScopeKind::kStruct) scope = context[scope].parent;
+  return scope ? context[scope].self : TypeId{};
+}
+
 }  // namespace
+
+TypeId OwnerOf(Context& context, const ast::MemberExpr& expr, TypeId type) {
+  if (context[type].kind != TypeKind::kStruct) return type;
+  if (expr.of) {
+    if (const TypeId base = BaseNamed(context, type, expr.of)) return base;
+    return context.FailType(expr.name_span, diag::NoSuchMember, context.TypeName(type),
+                            fmt::format("{}::{}", context[expr.of], context[expr.name]), "");
+  }
+  const auto* name = context.GetIf<ast::NameExpr>(expr.base);
+  if (!name || !name->name.scopes.empty() || context[name->name.name] != "this") return type;
+  const TypeId owner = StructOfMethod(context);
+  return owner && FirstFieldOf(context, type, owner) ? owner : type;
+}
 
 ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
   if (const auto* owner = context.GetIf<ast::TypeExpr>(expr.base))
@@ -160,8 +190,10 @@ ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
       break;
     default: break;
   }
-  if (const ExprId field = FieldNamed(context, base, expr.name, span)) return field;
-  const SymbolId member = FindMember(context, type, expr.name);
+  const TypeId owner = OwnerOf(context, expr, type);
+  if (context.IsError(owner)) return context.ErrorExpr(span);
+  if (const ExprId field = FieldNamed(context, base, owner, expr.name, span)) return field;
+  const SymbolId member = FindMember(context, owner, expr.name);
   if (!member) {
     ReportNoMember(context, type, expr.name, expr.name_span, expr.base);
     return context.ErrorExpr(span);

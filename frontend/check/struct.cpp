@@ -87,6 +87,7 @@ void AddMember(Context& context, ast::DeclId id, TypeId type) {
         context.names.Declare(is_static ? SymbolKind::kVariable : SymbolKind::kField, scope,
                               var->name, id, var->name_span);
     if (is_static) return;
+    if (var->init) context.Report(var->name_span, diag::FieldInitialised, context[var->name]);
     Field field = MakeField(context, *var);
     if (var->bit_width && !context.IsError(field.type)) {
       if (!context.options.has_templates)
@@ -179,11 +180,27 @@ SymbolId FindMember(const Context& context, TypeId type, Name name) {
   return info ? context.names.FindNested(info->scope, name) : SymbolId{};
 }
 
-std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name) {
+std::optional<std::uint32_t> FirstFieldOf(const Context& context, TypeId type, TypeId base) {
+  if (type == base) return 0;
   const StructInfo* info = InfoOf(context, type);
+  if (!info) return std::nullopt;
+  std::uint32_t first = 0;
+  for (TypeId parent : info->bases) {
+    if (const auto inside = FirstFieldOf(context, parent, base)) return first + *inside;
+    first += static_cast<std::uint32_t>(context.types.StructOf(parent).fields.size());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> FindField(const Context& context, TypeId type, TypeId base,
+                                       Name name) {
+  const StructInfo* info = InfoOf(context, base);
   const SymbolId id = info ? context.names.FindIn(info->scope, name) : SymbolId{};
   if (!id || context[id].kind != SymbolKind::kField) return std::nullopt;
-  const std::uint32_t field = context[id].value;
+  const auto first = FirstFieldOf(context, type, base);
+  if (!first || context[id].value >= context.types.StructOf(base).fields.size())
+    return std::nullopt;
+  const std::uint32_t field = *first + context[id].value;
   if (field >= context.types.StructOf(type).fields.size()) return std::nullopt;
   return field;
 }
@@ -194,12 +211,7 @@ bool IsInterface(const Context& context, TypeId type) {
 }
 
 bool DerivesFrom(const Context& context, TypeId derived, TypeId base) {
-  const StructInfo* info = InfoOf(context, derived);
-  if (!info) return false;
-  for (TypeId parent : info->bases) {
-    if (parent == base || DerivesFrom(context, parent, base)) return true;
-  }
-  return false;
+  return derived != base && FirstFieldOf(context, derived, base);
 }
 
 void DeclareLocalType(Context& context, ast::DeclId id) {

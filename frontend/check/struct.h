@@ -17,8 +17,12 @@ const StructInfo* InfoOf(const Context& context, TypeId type);
 // The member `name` of a struct or of its bases; none if it has no such member, and for types of
 // another kind.
 SymbolId FindMember(const Context& context, TypeId type, Name name);
-// The number of the field in the struct; nullopt if the struct does not have such a field.
-std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name);
+// The number that the first field of `base`, the struct itself or a base of it, has in the struct;
+// nullopt for other types.
+std::optional<std::uint32_t> FirstFieldOf(const Context& context, TypeId type, TypeId base);
+// The number in the struct of the field that `base` calls `name`: a struct may have a field of the
+// same name. nullopt if there is none.
+std::optional<std::uint32_t> FindField(const Context& context, TypeId type, TypeId base, Name name);
 bool IsInterface(const Context& context, TypeId type);
 bool DerivesFrom(const Context& context, TypeId derived, TypeId base);
 // Declares a struct, typedef or enum inside a function.

@@ -59,15 +59,14 @@ ExprId Implicit(Context& context, ExprId value, TypeId to) {
     return ConvertImplicit(context.program, value, to, context.diagnostics, &context);
   }
   if (DerivesFrom(context, from, to)) {
-    // The fields of the first base come first.
     Exprs prologue, fields;
     const ExprId object = Repeatable(context, value, prologue);
     const Struct& base = context.types.StructOf(to);
-    const StructInfo& info = *InfoOf(context, to);
-    for (std::size_t i = 0; i < base.fields.size(); ++i) {
-      const auto field = FindField(context, from, info.fields[i]);
-      fields.push_back(context.At(span).Field(Clone(context.program, object), *field));
-    }
+    const std::uint32_t first = *FirstFieldOf(context, from, to);
+    if (context.types.StructOf(from).fields.size() < first + base.fields.size())
+      return context.ErrorExpr(span);  // a struct that is too large has no fields
+    for (std::uint32_t i = 0; i < base.fields.size(); ++i)
+      fields.push_back(context.At(span).Field(Clone(context.program, object), first + i));
     return WithPrologue(context, prologue, context.At(span).ConstructOf(to, fields));
   }
   return context.Fail(span, diag::CannotConvert, context.TypeName(from), context.TypeName(to));

@@ -104,6 +104,7 @@ struct IndexExpr {
 // S<int>::x, where the base is a TypeExpr.
 struct MemberExpr {
   ExprId base;
+  Name of;  // S in a.S::x, the struct or the base of a that has the member; none: a's own type
   Name name;
   Span name_span;
   List<ExprId> arguments;  // explicit template arguments: buffer.Load<float4>(0)

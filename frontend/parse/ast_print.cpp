@@ -198,7 +198,9 @@ void Printer::PutPart(ExprId id) {
                  [this](const IndexExpr& e) { Put(e.base, "[", e.index, "]"); },
                  [this](const MemberExpr& e) {
                    const bool of_type = std::holds_alternative<TypeExpr>(file_.exprs[e.base].node);
-                   Put(e.base, of_type ? "::" : ".", e.name, Arguments{e.arguments});
+                   Put(e.base, of_type ? "::" : ".");
+                   if (e.of) Put(e.of, "::");
+                   Put(e.name, Arguments{e.arguments});
                  },
                  [this](const InitListExpr& e) { Put(Sequence{"{", e.elements, "}"}); },
                  [this](const SizeofExpr& e) { Put("sizeof(", e.operand, ")"); },

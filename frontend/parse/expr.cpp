@@ -189,8 +189,10 @@ ExprId Parser::ParseMember(ExprId base, std::size_t start) {
   Next();
   MemberExpr member{};
   member.base = base;
-  // `a.S::x` names the base class S of a.
-  while (At(kColonColon, 1) && AtName()) Skip(2);
+  while (At(kColonColon, 1) && AtName()) {
+    member.of = Peek().name();
+    Skip(2);
+  }
   if (!At(kIdentifier)) {
     Unexpected("the name of a member after `.`");
     return base;
