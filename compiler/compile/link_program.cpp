@@ -57,8 +57,15 @@ std::uint32_t CountOf(const ir::Program& program, const ir::IoVar& io) {
   return type.kind == ir::TypeKind::kArray ? type.count : 1;
 }
 
+// The number of distances that the lowering makes of the clip planes, in every variant.
+std::size_t PlaneDistances(const Job& job, const ir::Program& program) {
+  const bool are_written =
+      job.plan.lowering.lowering == Lowering::kClipDistance && !job.request.planes.variants;
+  return are_written ? program.clip_planes.size() : 0;
+}
+
 // The tools below match variables by semantic, location or name, which these do not have in GLSL.
-void CheckBuiltins(const ir::Program& program, const ir::Program& next, Diagnostics& diagnostics) {
+void CheckBuiltins(Job& job, const ir::Program& program, const ir::Program& next) {
   for (const auto& [output, input] : kPassedOn) {
     const ir::IoVar* read = Find(next.inputs, input);
     // Only a stage that emits primitives gives them numbers.
@@ -66,14 +73,14 @@ void CheckBuiltins(const ir::Program& program, const ir::Program& next, Diagnost
     if (!read || is_given) continue;
     const ir::IoVar* written = Find(program.outputs, output);
     std::size_t count = written ? CountOf(program, *written) : 0;
-    if (output == ir::Builtin::kClipDistance) count = std::max(count, program.clip_planes.size());
+    if (output == ir::Builtin::kClipDistance) count = std::max(count, PlaneDistances(job, program));
     const std::uint32_t needed = CountOf(next, *read);
     if (count >= needed) continue;
     const std::string what = count == 0
                                  ? fmt::format("`{}`", read->semantic)
                                  : fmt::format("component {} of `{}`", count, read->semantic);
-    diagnostics.Report(program.functions[program.entry].span, diag::BuiltinUnwritten,
-                       InfoOf(program.stage).name, what, InfoOf(next.stage).name);
+    job.diagnostics.Report(program.functions[program.entry].span, diag::BuiltinUnwritten,
+                           InfoOf(program.stage).name, what, InfoOf(next.stage).name);
   }
 }
 
@@ -142,7 +149,7 @@ void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& pro
                                    .zero_unwritten = link.zero_unwritten,
                                    .is_es = job.request.target.IsEs()};
   const link::Matches matches = link::Match(program, reader, options, job.diagnostics);
-  CheckBuiltins(program, next.program, job.diagnostics);
+  CheckBuiltins(job, program, next.program);
   if (!job.diagnostics.has_errors()) link::Apply(program, reader, matches, options);
 }
 
