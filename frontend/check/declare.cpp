@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/declare.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
 #include "base/overloaded.h"
@@ -106,10 +109,22 @@ void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl
   context.names.Declare(SymbolKind::kType, scope, decl.name, id, decl.name_span);
 }
 
+// Whether the function's name is that of an operator which dxc does not let a struct overload
+// (err_hlsl_overloading_operator_disallowed): one that changes its operand, and `->`.
+bool IsOfFixedOperator(std::string_view name) {
+  if (!name.starts_with("operator")) return false;
+  name.remove_prefix(std::string_view("operator").size());
+  constexpr std::string_view kComparisons[] = {"==", "!=", "<=", ">="};
+  return name == "++" || name == "--" || name.starts_with("->") ||
+         (name.ends_with("=") && std::ranges::find(kComparisons, name) == std::end(kComparisons));
+}
+
 void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& decl,
                      ScopeId scope) {
   if (decl.is_template && !context.options.has_templates)
     ReportLanguage(context, decl.name_span, "templates", LanguageVersion::k2021);
+  if (IsOfFixedOperator(context[decl.name]))
+    context.Report(decl.name_span, diag::OperatorNotOverloaded, context[decl.name]);
   DeclareTypeInside(context, decl.return_type, scope);
   const bool is_special = decl.is_template && decl.template_parameters.empty();
   const bool has_arguments = !decl.template_arguments.empty();

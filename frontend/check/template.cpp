@@ -11,6 +11,7 @@
 #include "frontend/check/type.h"
 #include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
+#include "frontend/typing/constant.h"
 
 namespace clipc::check {
 namespace {
@@ -73,8 +74,9 @@ std::string InstanceKey(ast::DeclId decl, ScopeId scope, TypeId self,
 }
 
 // Adds to `found` the arguments of the template that follow from passing a value of `type` to a
-// parameter whose type is written as `pattern`.
-void Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
+// parameter whose type is written as `pattern`. Returns false if it follows too that an argument is
+// a type of other numbers than the one that was found before ([temp.deduct.type] of C++, clause 2).
+bool Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
             List<ast::TemplateParameter> parameters, std::vector<std::uint64_t>& found) {
   const ast::Type& pattern = context[pattern_id];
   const Type given = context[type];
@@ -86,11 +88,12 @@ void Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
   };
   if (const auto i = parameter_of(pattern.name.name); i && !pattern.has_arguments) {
     if (found[*i] == kUnknown) found[*i] = type.index;
-    return;
+    const Type& before = context[TypeId{static_cast<std::uint32_t>(found[*i])}];
+    return !before.IsNumeric() || !given.IsNumeric() || before.scalar == given.scalar;
   }
   // vector<T, N>, matrix<T, R, C>
   const std::string_view text = context[pattern.name.name];
-  if ((text != "vector" && text != "matrix") || !given.IsNumeric()) return;
+  if ((text != "vector" && text != "matrix") || !given.IsNumeric()) return true;
   const std::uint64_t parts[] = {context.types.Make(given.scalar).index,
                                  text == "vector" ? given.columns : given.rows, given.columns};
   for (std::uint32_t a = 0; a < pattern.arguments.size && a < 3; ++a) {
@@ -101,7 +104,9 @@ void Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
     if (const auto* used = std::get_if<ast::NameExpr>(&argument.node)) name = used->name.name;
     const auto i = name ? parameter_of(name) : std::nullopt;
     if (i && found[*i] == kUnknown) found[*i] = parts[a];
+    if (i && a == 0 && found[*i] != parts[a]) return false;
   }
+  return true;
 }
 
 // A specialisation of a struct that fits the arguments of the template.
@@ -275,6 +280,41 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
   return made;
 }
 
+namespace {
+
+bool IsLiteral(const Program& program, ExprId expr) {
+  if (const auto* unary = As<Unary>(program, expr)) expr = unary->operand;
+  return As<Literal>(program, expr) || IsLiteralList(program, expr);
+}
+
+// Adds to `found` what follows from the arguments of a call. A literal becomes whatever type of
+// numbers the other arguments agree on. Returns false where arguments do not agree.
+bool DeduceFromArguments(Context& context, const ast::FunctionDecl& decl, ExprSpan arguments,
+                         std::vector<std::uint64_t>& found) {
+  const auto deduce = [&](std::uint32_t i, std::vector<std::uint64_t>& into) {
+    const auto& parameter = context.Get<ast::VarDecl>(context[decl.parameters][i]);
+    return Deduce(context, parameter.type, context.TypeIdOf(arguments[i]), decl.template_parameters,
+                  into);
+  };
+  bool agrees = true;
+  for (std::uint32_t i = 0; i < arguments.size(); ++i)
+    if (!IsLiteral(context.program, arguments[i])) agrees = deduce(i, found) && agrees;
+  const std::vector<std::uint64_t> before = found;
+  for (std::uint32_t i = 0; i < arguments.size(); ++i) {
+    if (!IsLiteral(context.program, arguments[i])) continue;
+    std::vector<std::uint64_t> own = before;
+    deduce(i, own);
+    for (std::size_t p = 0; p < own.size(); ++p) {
+      if (before[p] != kUnknown || own[p] == kUnknown) continue;
+      agrees = agrees && (found[p] == kUnknown || found[p] == own[p]);
+      found[p] = own[p];
+    }
+  }
+  return agrees;
+}
+
+}  // namespace
+
 FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
                                    List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   const Symbol symbol = context[id];
@@ -283,11 +323,8 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
   if (explicit_arguments.size > found.size() || arguments.size() > decl.parameters.size) return {};
   if (!ReadTemplateArguments(context, decl.template_parameters, explicit_arguments, found))
     return {};
-  for (std::uint32_t i = 0; i < arguments.size(); ++i) {
-    const ast::DeclId parameter = context[decl.parameters][i];
-    Deduce(context, context.Get<ast::VarDecl>(parameter).type, context.TypeIdOf(arguments[i]),
-           decl.template_parameters, found);
-  }
+  if (!DeduceFromArguments(context, decl, arguments, found) && explicit_arguments.empty())
+    return {};
   const ScopeId scope =
       BindTemplate(context, decl.template_parameters, symbol.scope, OrderOf(context, id), found);
   if (!scope) return {};

@@ -2,6 +2,9 @@
 #include "frontend/check/type.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "frontend/check/buffer.h"
 #include "frontend/check/enum.h"
@@ -114,12 +117,32 @@ TypeId ResolveType(Context& context, ast::TypeId id) {
   return ResolveTypeSymbol(context, context.structs.symbols.at(type.struct_definition.index));
 }
 
+// The type of at least 16 bits in place of `uint16_t3` and the like, which have exactly 16 and are
+// in dxc with -enable-16bit-types alone; empty for other names.
+std::string WiderThan16Bits(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
+      {"int16_t", "min16int"}, {"uint16_t", "min16uint"}, {"float16_t", "min16float"}};
+  for (const auto& [exact, wider] : kTypes)
+    if (name.starts_with(exact)) return fmt::format("{}{}", wider, name.substr(exact.size()));
+  return {};
+}
+
 TypeId ResolveNamedType(Context& context, const ast::Type& type) {
   const bool is_plain = type.name.scopes.empty() && !type.name.from_global;
   if (!type.name.name) return context.types.Error();
   if (is_plain && !type.has_arguments) {
-    if (const auto numeric = NumericType(context, type.name.name))
+    // `uint16_t` and the like are young names, which older files have a typedef for.
+    const std::string_view text = context[type.name.name];
+    const bool may_be_own = text.find("_t") != std::string_view::npos;
+    const bool is_own = may_be_own && Find(context, type.name, true);
+    if (const auto numeric = is_own ? std::nullopt : NumericType(context, type.name.name)) {
+      const std::string wider = may_be_own ? WiderThan16Bits(text) : "";
+      if (!wider.empty())
+        return context.FailType(
+            type.span, diag::Unsupported,
+            fmt::format("`{}`, a type of 16 bits in memory (`{}` may have more),", text, wider));
       return OfProfile(context, *numeric, type.span);
+    }
   }
   if (const SymbolId symbol = Find(context, type.name, true)) {
     if (const auto instance = InstantiateStruct(context, symbol, type)) return *instance;

@@ -66,9 +66,12 @@ bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const Syste
                      : value.use == SystemValue::Use::kTarget ? "SV_TARGET"
                                                               : ToUpper(leaf.cursor.semantic.name);
   auto& seen = seen_[static_cast<std::size_t>(direction)];
-  const auto [found, is_new] =
-      seen.try_emplace({std::move(name), leaf.cursor.semantic.index}, First{leaf.span, leaf.type});
   const bool is_input = IsInput(direction, program_.stage);
+  const bool is_one = !is_input && value.use == SystemValue::Use::kBuiltin &&
+                      value.builtin == Builtin::kPosition;  // whatever its index
+  const std::uint32_t index = is_one ? 0 : leaf.cursor.semantic.index;
+  const auto [found, is_new] =
+      seen.try_emplace({std::move(name), index}, First{leaf.span, leaf.type});
   if (is_new || (is_input && program_.profile.IsDirect3D9())) return true;
   // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
   // SPIR-V. An output that the pipeline reads cannot have two values.

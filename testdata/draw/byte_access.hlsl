@@ -36,7 +36,7 @@ float4 loads(uint id : SV_VertexID, uint n : N) : SV_Position {
   sum += (asuint(v.position.z) & 0xff) + (asuint(v.turn[1][0]) & 0xff) + (asuint(v.turn[0].y) & 0xff);
   sum += (asuint(v.weights[1]) & 0xff) + (v.inner[1].i.y & 0xff) + v.inner[0].b;
   sum += (asuint(places[1].y) & 0xff) + (asuint(m[3].x) & 0xff) + (asuint(m[0].y) & 0xff);
-  return float4(sum, bytes.Load<bool>(4 * id), bytes.Load<int16_t>(8) & 0xff, n);
+  return float4(sum, bytes.Load<bool>(4 * id), bytes.Load<min16int>(8) & 0xff, n);
 }
 
 // STORES: written_store3(start, floatBitsToUint(v.position));

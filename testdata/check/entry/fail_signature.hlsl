@@ -1,5 +1,6 @@
 // What the entry point's signature must be like, each rule with its message.
 // RUN: not %clipc -T vs_5_0 -E twice %s 2>&1 | FileCheck %s --check-prefix=TWICE
+// RUN: not %clipc -T vs_5_0 -E two_indices %s 2>&1 | FileCheck %s --check-prefix=INDICES
 // RUN: %clipc -T vs_5_0 -E counted %s -o %t 2>&1 | FileCheck %s --check-prefix=COUNTED
 // RUN: not %clipc -T vs_5_0 -E of_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=TARGET
 // RUN: not %clipc -T vs_5_0 -E into_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=FRONT
@@ -12,6 +13,8 @@
 // TWICE: error: semantic `SV_POSITION0` is used twice among the outputs; each index of a semantic may be used once [semantic-twice, X4571]
 // TWICE: note: first used here
 float4 twice(float4 a : POSITION, out float4 b : SV_Position) : sv_position0 { return b = a; }
+// INDICES: error: semantic `SV_POSITION0` is used twice among the outputs
+void two_indices(float4 a : POSITION, out float4 b : SV_Position, out float4 c : SV_Position1) { b = c = a; }
 // A matrix takes an index a row, and this is plain data. COUNTED: warning: semantic `TEXCOORD2` is used twice among the inputs
 float4 counted(float4x4 m : TEXCOORD0, float4 b : TEXCOORD2) : SV_Position { return mul(b, m); }
 

@@ -32,5 +32,7 @@ float4 main(float4 position : POSITION) : SV_Position {
   Box l;
   // CHECK: [[#@LINE+1]]:12: error: `SamplerState` has no size [size-unknown, X3000]
   uint n = sizeof(SamplerState);
+  // CHECK: [[#@LINE+1]]:3: error: `uint16_t3`, a type of 16 bits in memory (`min16uint3` may have more), is not supported [unsupported]
+  uint16_t3 three = 0;
   return position;
 }
