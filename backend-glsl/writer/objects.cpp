@@ -51,8 +51,13 @@ std::span<const TextureUse> UsesOf(const std::vector<TextureUse>& uses, VarId te
                                   [](const TextureUse& use) { return use.texture.index; });
 }
 
+// Resources lie in the order of their variables, but for those that a pass has added.
 const Resource& ResourceOf(const WriterContext& context, VarId var) {
-  return *std::ranges::find(context.program.resources, var, &Resource::var);
+  const std::vector<Resource>& all = context.program.resources;
+  const auto at = std::ranges::lower_bound(
+      all, var.index, {}, [](const Resource& resource) { return resource.var.index; });
+  if (at != all.end() && at->var == var) return *at;
+  return *std::ranges::find(all, var, &Resource::var);
 }
 
 // The giver of bindings.
