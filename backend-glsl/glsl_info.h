@@ -28,6 +28,7 @@ struct GlslInfo {
     // The shader reads the input, and so declares it. An input that is not read keeps its location,
     // so that the same vertex layout fits.
     bool is_used = true;
+    friend bool operator==(const Variable&, const Variable&) = default;
   };
   struct UniformMember {
     ir::VarId var;
@@ -47,12 +48,14 @@ struct GlslInfo {
     std::string NameAt(std::uint32_t offset) const {
       return rows_begin ? name + "[" + std::to_string((offset - *rows_begin) / kRow) + "]" : name;
     }
+    friend bool operator==(const UniformMember&, const UniformMember&) = default;
   };
   // The place where the host binds a block or an object; without a binding, the host finds it by
   // name.
   struct Binding {
     std::optional<std::uint32_t> set, binding;
     std::uint32_t count = 1;  // of an array: so many bindings of OpenGL from `binding` on
+    friend bool operator==(const Binding&, const Binding&) = default;
   };
   struct UniformBlock : Binding {
     ir::CbufferId cbuffer;
@@ -63,6 +66,7 @@ struct GlslInfo {
     bool is_push_constant = false;  // a push constant of Vulkan: no buffer is bound
     bool is_shared = false;         // the other stage of a pair has the block too
     std::vector<UniformMember> members;
+    friend bool operator==(const UniformBlock&, const UniformBlock&) = default;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
   struct Object : Binding {
@@ -70,6 +74,7 @@ struct GlslInfo {
     std::string name;
     ir::ObjectKind kind =
         ir::ObjectKind::kOther;  // of the texture; of the sampler if there is none
+    friend bool operator==(const Object&, const Object&) = default;
   };
 
   std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs, one for one
@@ -86,6 +91,7 @@ struct GlslInfo {
     const auto found = std::ranges::find(blocks, cbuffer, &UniformBlock::cbuffer);
     return found == blocks.end() ? nullptr : &*found;
   }
+  friend bool operator==(const GlslInfo&, const GlslInfo&) = default;
 };
 
 }  // namespace clipc::glsl

@@ -44,19 +44,37 @@ void MatchDistances(const Program& before, const GlslInfo& info, Program& after)
 
 }  // namespace
 
-ProgramLayout::ProgramLayout(std::span<const LegalStage> stages) : others_(stages.size()) {
+ProgramLayout::ProgramLayout(std::span<const LegalStage> stages) {
   for (std::size_t i = 1; i < stages.size(); ++i)
     NameInterface(stages[i - 1].program, stages[i].program, stages[i].options.names);
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    for (std::size_t k = 0; k < stages.size(); ++k)
-      if (k != i) others_[i].push_back(CompareStages(stages[i].program, stages[k].program));
+  for (const LegalStage& stage : stages) {
+    std::vector<OtherStage> others;
+    for (const LegalStage& other : stages)
+      if (&other != &stage) others.push_back(CompareStages(stage.program, other.program));
+    stages_.push_back({stage.program, stage.known, std::move(others)});
   }
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    const auto& [program, target, options] = stages[i];
-    for (std::size_t k = 0; k < i; ++k) others_[i][k].laid = &writers_[k]->info();
-    if (i > 0) MatchDistances(stages[i - 1].program, writers_[i - 1]->info(), program);
-    writers_.push_back(std::make_unique<StageWriter>(program, target, options, others_[i]));
+    const auto& [program, target, options, known] = stages[i];
+    Stage& stage = stages_[i];
+    for (std::size_t k = 0; k < i; ++k) stage.others[k].laid = &InfoOf(k);
+    if (i > 0) MatchDistances(stages[i - 1].program, InfoOf(i - 1), program);
+    if (known) stage.form = known->Find(program, stage.others);
+    if (!stage.form)
+      stage.writer = std::make_unique<StageWriter>(program, target, options, stage.others);
   }
+}
+
+const GlslInfo& ProgramLayout::InfoOf(std::size_t stage) const {
+  const Stage& laid = stages_[stage];
+  return laid.form ? laid.form->info : laid.writer->info();
+}
+
+std::string ProgramLayout::Write(std::size_t stage, CommentOf comment_of) {
+  Stage& laid = stages_[stage];
+  if (laid.form) return laid.form->text;
+  std::string text = laid.writer->Finish(std::move(comment_of));
+  if (laid.known) laid.known->Add(laid.program, laid.others, laid.writer->info(), text);
+  return text;
 }
 
 }  // namespace clipc::glsl

@@ -5,7 +5,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "backend-glsl/glsl_info.h"
@@ -13,6 +12,7 @@
 #include "backend-glsl/target.h"
 #include "backend-glsl/write_options.h"
 #include "backend-glsl/writer/stage_writer.h"
+#include "backend-glsl/written_forms.h"
 #include "ir/program.h"
 
 namespace clipc::glsl {
@@ -22,6 +22,9 @@ struct LegalStage {
   ir::Program& program;
   const Target& target;
   const WriteOptions& options;
+  // What is known of the stage from other programs, and learns how it is written in this one; null:
+  // nothing. Such a stage is written without comments.
+  WrittenForms* known = nullptr;
 };
 
 // What the stages of a program declare: the names, locations, bindings and blocks of all of them,
@@ -34,15 +37,20 @@ class ProgramLayout {
   // IoVar::reader of both. Requires that CheckTarget reported no error.
   explicit ProgramLayout(std::span<const LegalStage> stages);
 
-  const GlslInfo& InfoOf(std::size_t stage) const { return writers_[stage]->info(); }
+  const GlslInfo& InfoOf(std::size_t stage) const;
   // Writes a stage, each once.
-  std::string Write(std::size_t stage, CommentOf comment_of = {}) {
-    return writers_[stage]->Finish(std::move(comment_of));
-  }
+  std::string Write(std::size_t stage, CommentOf comment_of = {});
 
  private:
-  std::vector<std::vector<OtherStage>> others_;  // of each stage, what it must know of the others
-  std::vector<std::unique_ptr<StageWriter>> writers_;
+  struct Stage {
+    const ir::Program& program;
+    WrittenForms* known;
+    std::vector<OtherStage> others;  // what it must know of the others
+    // One of the two: how it is written in another program, or what writes it here.
+    std::shared_ptr<const WrittenForm> form = nullptr;
+    std::unique_ptr<StageWriter> writer = nullptr;
+  };
+  std::vector<Stage> stages_;
 };
 
 }  // namespace clipc::glsl

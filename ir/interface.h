@@ -165,6 +165,7 @@ struct Reader {
   std::size_t member = 0;
 
   bool IsWhole() const { return columns == 1 && dimensions.empty(); }
+  friend bool operator==(const Reader&, const Reader&) = default;
 };
 
 // One input or output of the shader: a scalar or vector of float, int, uint or double (a bool
@@ -194,6 +195,7 @@ struct IoVar {
   std::uint32_t blend_index = 0;
   bool has_min_precision = false;  // its type in the HLSL is half, min16float or the like
   bool is_of_patch = false;        // of the whole patch, and not of each of its control points
+  friend bool operator==(const IoVar&, const IoVar&) = default;
 };
 
 // The locations that an input or output of this scalar or vector type needs: two for three or four

@@ -66,6 +66,7 @@ struct Input {
   // them and in order.
   std::optional<std::size_t> group = {};
   bool has_own_location = true;  // a member has a location itself, not only its group
+  friend bool operator==(const Input&, const Input&) = default;
 };
 
 struct UniformMember {

@@ -2,6 +2,7 @@
 #include "compiler/compile/back_end.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -36,11 +37,15 @@ std::string SourceLine(const Source& source, Span span) {
   return line;
 }
 
-// Lays out a lowered program, which outlives the layout.
-glsl::ProgramLayout LayOut(std::span<Job> jobs, std::vector<Lowered>& lowered) {
+// Lays out a lowered program, which outlives the layout. `known`, if given, has what is known of
+// each shader, or null.
+glsl::ProgramLayout LayOut(std::span<Job> jobs, std::vector<Lowered>& lowered,
+                           std::span<const std::shared_ptr<FittedShader>> known = {}) {
   std::vector<glsl::LegalStage> stages;
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    stages.push_back({lowered[i].program, lowered[i].target, jobs[i].plan.write});
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    stages.push_back({lowered[i].program, lowered[i].target, jobs[i].plan.write,
+                      !known.empty() && known[i] ? &known[i]->forms : nullptr});
+  }
   return glsl::ProgramLayout(stages);
 }
 
@@ -168,7 +173,9 @@ void RunBackEnd(std::span<Job> jobs, std::vector<ir::Program> typed, CompileResu
     for (std::size_t i = 0; i < jobs.size(); ++i)
       outputs.listing += (i == 0 ? "" : "\n") + WriteGlsl(jobs, i, layout, true);
   }
-  glsl::ProgramLayout layout = LayOut(jobs, lowered->shaders);
+  const bool is_plain = !wanted.source_lines;  // without comments
+  glsl::ProgramLayout layout =
+      is_plain ? LayOut(jobs, lowered->shaders, lowered->known) : LayOut(jobs, lowered->shaders);
   Describe(*lowered, layout, request, outputs);
   Finished finished = Finish(jobs, lowered->shaders, layout);
   std::string_view unjudged = finished.unjudged;

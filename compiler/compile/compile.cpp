@@ -71,10 +71,14 @@ bool StopsInFront(const DebugOptions& debug) {
   return std::ranges::find(names, debug.stop_after) != names.end();
 }
 
-// The meaning of a job's shader. `wants`, if given, sees the tokens: see Front.
+// The meaning of a job's shader, or an empty program and Job::shader. `wants`, if given, sees the
+// tokens: see Front.
 ir::Program ProgramOf(Job& job, std::string& dump,
                       const std::function<bool(const Tokens&)>& wants) {
-  if (job.known()) return job.known()->Check(job.plan.check, job.diagnostics);
+  if (job.known()) {
+    job.shader = job.known()->Check(job.plan.check, job.diagnostics);
+    return {};
+  }
   return Front(job.source(), job.plan.check, job.diagnostics, PassesOf(job, dump), wants);
 }
 

@@ -41,6 +41,7 @@ class Job {
   const std::string& path;  // of the file, the label in messages
   Diagnostics diagnostics;
   Plan plan;
+  std::shared_ptr<KnownShader> shader;  // of a known text, once that is checked
   Watch* const watch;
   ValidTexts& valid;
 

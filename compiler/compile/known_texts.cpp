@@ -17,15 +17,8 @@ constexpr std::size_t kAlwaysKept = 2, kMostTokensOfOne = 2'000'000;
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 std::string KeyOf(const Plan& plan, const SourceInput& input) {
-  std::string key =
-      fmt::format("{}\n{}\n{}\n{} {} {} {} {}", input.path, plan.check.entry_call, input.preamble,
-                  input.shader_model_major, input.shader_model_minor, static_cast<int>(input.stage),
-                  static_cast<int>(input.language), input.spirv_minor ? *input.spirv_minor + 1 : 0);
-  for (const auto* list : {&input.include_dirs, &input.defines, &input.forced_includes}) {
-    for (const std::string& text : *list) key += '\n' + text;
-    key += '\n';
-  }
-  return key;
+  return fmt::format("{} {} {} {}", static_cast<int>(input.stage), input.shader_model_major,
+                     input.shader_model_minor, plan.check.entry_call);
 }
 
 std::string KeyOf(const std::string& glsl, const glsl::Target& target, Stage stage) {
@@ -34,27 +27,29 @@ std::string KeyOf(const std::string& glsl, const glsl::Target& target, Stage sta
 
 }  // namespace
 
-ir::Program KnownText::Check(const CheckOptions& options, Diagnostics& diagnostics) {
+std::shared_ptr<KnownShader> KnownText::Check(const CheckOptions& options,
+                                              Diagnostics& diagnostics) {
   std::string key = options.profile.name + '\n' + options.entry;
   for (const std::string& entry : options.planes_entries) key += '\n' + entry;
   if (const auto known = checked_.find(key); known != checked_.end()) {
-    diagnostics = known->second.messages;
-    return known->second.program;
+    diagnostics = known->second->messages;
+    return known->second;
   }
-  ir::Program program = clipc::Check(file, options, diagnostics);
-  exprs_ += program.exprs.size();
-  if (!diagnostics.has_errors() && exprs_ <= kMostExprs)
-    checked_.emplace(std::move(key), Checked{program, diagnostics});
-  return program;
+  auto shader =
+      std::make_shared<KnownShader>(clipc::Check(file, options, diagnostics), diagnostics);
+  exprs_ += shader->program.exprs.size();
+  if (!diagnostics.has_errors() && exprs_ <= kMostExprs) checked_.emplace(std::move(key), shader);
+  return shader;
 }
 
 std::shared_ptr<KnownText> KnownTexts::Get(FrontendContext& context, const ProgramRequest& request,
                                            const Plan& plan, const SourceInput& input) {
-  // A caller who gives the text or the includes may give others of the same name the next time.
-  const bool is_of_file = !input.text && !request.includes.read && input.path != "-";
   const bool wants_tokens = request.debug.changes_result() || request.outputs.preprocess;
-  if (!request.language.is_in_effect || !is_of_file || wants_tokens || !plan.check.profile.stage)
-    return nullptr;
+  // The files that a caller's function gives are not those of `context`.
+  const bool is_shared = request.language.effect != 0 && !request.includes.read && !wants_tokens;
+  if (!is_shared || !plan.check.profile.stage) return nullptr;
+  if (effect_ != request.language.effect) *this = {};
+  effect_ = request.language.effect;
   std::string key = KeyOf(plan, input);
   if (const auto known = texts_.find(key); known != texts_.end()) return known->second.text;
   auto text = std::make_shared<KnownText>(context, input, request.warnings);

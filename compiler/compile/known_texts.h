@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "base/diagnostics.h"
 #include "base/stage.h"
+#include "compiler/compile/known_shader.h"
 #include "compiler/compile/plan.h"
 #include "compiler/compile/request.h"
 #include "frontend/check/check.h"
@@ -28,22 +30,19 @@ struct KnownText {
 
   // Returns what clipc::Check does. `options` differ from those of another call in the profile,
   // the entry and whose planes it has alone, and `diagnostics` has the `messages`.
-  ir::Program Check(const CheckOptions& options, Diagnostics& diagnostics);
+  std::shared_ptr<KnownShader> Check(const CheckOptions& options, Diagnostics& diagnostics);
 
   Source source;
   Diagnostics messages;  // of lexing and parsing
   ast::File file;
 
  private:
-  struct Checked {
-    ir::Program program;
-    Diagnostics messages;
-  };
-  std::map<std::string, Checked> checked_;  // by profile, entry and planes_entries
-  std::size_t exprs_ = 0;                   // of all programs
+  // By profile, entry and planes_entries.
+  std::map<std::string, std::shared_ptr<KnownShader>> checked_;
+  std::size_t exprs_ = 0;  // of all programs
 };
 
-// The texts of an effect, by the profile and the call that they were read for.
+// The texts of the last effect, by the profile and the call that they were read for.
 class KnownTexts {
  public:
   // Reads the text of a shader, or finds it. Returns null where it is none of an effect or has
@@ -58,6 +57,7 @@ class KnownTexts {
   };
   void Keep(std::string key, Kept text);
 
+  std::uint64_t effect_ = 0;  // LanguageOptions::effect
   std::map<std::string, Kept> texts_;
   std::deque<std::map<std::string, Kept>::iterator> by_age_;  // the oldest first
   std::size_t tokens_ = 0;                                    // of all texts

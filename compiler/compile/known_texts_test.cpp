@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile/known_texts.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -22,14 +24,16 @@ class KnownTextsOfEffect : public testing::Test {
     file << "float4 main(float4 p : P) : SV_Position { return p; }\n";
   }
 
-  const KnownText* Get(const char* profile, const char* define = "NONE") {
+  std::shared_ptr<KnownText> Share(const char* profile, std::uint64_t effect) {
     ProgramRequest request;
     request.first() = {.path = path_, .profile = profile};
-    request.language.is_in_effect = true;
-    request.defines = {define};
+    request.language.effect = effect;
     Diagnostics diagnostics(request.warnings);
     const Plan plan = Resolve(request, 0, diagnostics);
-    return texts_.Get(context_, request, plan, InputOf(request, 0, plan, diagnostics)).get();
+    return texts_.Get(context_, request, plan, InputOf(request, 0, plan, diagnostics));
+  }
+  const KnownText* Get(const char* profile, std::uint64_t effect = 1) {
+    return Share(profile, effect).get();
   }
 
  private:
@@ -51,11 +55,19 @@ TEST_F(KnownTextsOfEffect, KeepsTwoOfAnySize) {
 
 TEST_F(KnownTextsOfEffect, DropsTheOldest) {
   Write(90'000);
-  const KnownText* first = Get("vs_5_0", "FIRST");
-  const KnownText* second = Get("vs_5_0", "SECOND");
-  Get("vs_5_0", "THIRD");
-  EXPECT_EQ(Get("vs_5_0", "SECOND"), second);
+  const KnownText* first = Get("vs_4_0");
+  const KnownText* second = Get("vs_4_1");
+  Get("vs_5_0");
+  EXPECT_EQ(Get("vs_4_1"), second);
   EXPECT_NE(first, nullptr);
+}
+
+TEST_F(KnownTextsOfEffect, DropsThoseOfTheLastEffect) {
+  Write(30);
+  const std::weak_ptr<const KnownText> of_first = Share("vs_5_0", 1);
+  EXPECT_EQ(Get("vs_5_0", 1), of_first.lock().get());
+  Get("vs_5_0", 2);
+  EXPECT_TRUE(of_first.expired());
 }
 
 }  // namespace

@@ -103,6 +103,11 @@ void Widen(ir::Program& program, ir::VarId input, std::uint32_t count) {
 
 }  // namespace
 
+bool ReadsBuiltins(const ir::Program& program) {
+  return std::ranges::any_of(
+      kPassedOn, [&](const PassedOn& pair) { return Find(program.inputs, pair.input) != nullptr; });
+}
+
 bool WidenDistances(const ir::Program& before, ir::Program& program) {
   bool is_any = false;
   if (!InfoOf(program.stage).reads_vertices) return is_any;

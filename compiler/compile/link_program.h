@@ -20,6 +20,9 @@ void LinkWithNeighbour(Job& job, ir::Program& program, std::vector<std::string>&
 // before writes: OpenGL links arrays of one size. Returns whether one was smaller.
 bool WidenDistances(const ir::Program& before, ir::Program& program);
 
+// Whether the program reads what the stage before writes to a variable of GLSL's own.
+bool ReadsBuiltins(const ir::Program& program);
+
 // Fits the program to the stage after it, which is lowered.
 void LinkWithNext(Job& job, Job& next_job, const Lowered& next, ir::Program& program);
 

@@ -85,6 +85,64 @@ Lowered LowerAlone(LinkedShader&& shader, const ProgramRequest& request, Diagnos
   return lowered;
 }
 
+// Whether each shader becomes the same in every program of an effect in which the next stage reads
+// the same of it.
+bool CanShare(std::span<const Job> jobs) {
+  const ProgramRequest& request = jobs.front().request;
+  return !request.planes.variants && !request.neighbour &&
+         jobs.front().plan.lowering.lowering != Lowering::kDiscard &&
+         std::ranges::all_of(jobs, [](const Job& job) {
+           return job.shader && !InfoOf(job.shader->program.stage).reads_vertices &&
+                  !ReadsBuiltins(job.shader->program);
+         });
+}
+
+// Lowers a shader for what reads its outputs, which is lowered, and puts it before that. Returns
+// whether it has no errors.
+bool LowerShader(std::span<Job> jobs, std::size_t number, std::vector<ir::Program>& programs,
+                 LoweredProgram& lowered, CompileResult& result) {
+  Job& job = jobs[number];
+  const ProgramRequest& request = job.request;
+  ir::Program& program = programs[number];
+  const std::size_t written = program.outputs.size();
+  const ir::VarId position = Fit(jobs, number, lowered.shaders, program, result.dependencies);
+  if (job.diagnostics.has_errors()) return false;
+  if (request.outputs.facts && InfoOf(program.stage).has_stage_after)
+    lowered.position = FollowPosition(program);
+  LowerOptions options = OptionsOf(job, number, position, result.dump);
+  options.passes.drops_unneeded = number + 1 < jobs.size() && program.outputs.size() < written;
+  options.passes.discarded_planes = DiscardedPlanes(jobs, programs, number);
+  if (options.passes.discarded_planes > 0) CheckDiscards(program, job.diagnostics);
+  LinkedShader shader{std::move(program), std::move(options)};
+  if (request.planes.variants) lowered.linked.insert(lowered.linked.begin(), shader);
+  lowered.shaders.insert(lowered.shaders.begin(),
+                         LowerAlone(std::move(shader), request, job.diagnostics));
+  return !job.diagnostics.has_errors() && !job.IsStopped();
+}
+
+// LowerShader, for a shader that other programs of the effect may have, too.
+bool ShareShader(std::span<Job> jobs, std::size_t number, std::vector<ir::Program>& programs,
+                 LoweredProgram& lowered, CompileResult& result) {
+  Job& job = jobs[number];
+  const bool is_last = number + 1 == jobs.size();
+  const FittedShader* after = is_last ? nullptr : lowered.known[number + 1].get();
+  const bool is_known = is_last || after;  // what it is fitted to
+  if (is_known) lowered.known[number] = job.shader->Find(jobs.size(), after);
+  if (const auto& known = lowered.known[number]) {
+    lowered.shaders.insert(lowered.shaders.begin(), known->lowered);
+    lowered.position = known->position;
+    return true;
+  }
+  programs[number] = job.shader->program;
+  const std::size_t messages = job.diagnostics.all().size();
+  if (!LowerShader(jobs, number, programs, lowered, result)) return false;
+  if (is_known && job.diagnostics.all().size() == messages) {
+    lowered.known[number] =
+        job.shader->Add(jobs.size(), after, lowered.shaders.front(), lowered.position);
+  }
+  return true;
+}
+
 }  // namespace
 
 ir::PassOptions PassesOf(Job& job, std::string& dump) {
@@ -103,8 +161,10 @@ ir::PassOptions PassesOf(Job& job, std::string& dump) {
 
 std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::Program> programs,
                                            CompileResult& result) {
-  const ProgramRequest& request = jobs.front().request;
   LoweredProgram lowered;
+  const bool can_share = CanShare(jobs);
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    if (jobs[i].shader && !can_share) programs[i] = jobs[i].shader->program;
   FitTessellation(jobs, programs);
   if (std::ranges::any_of(jobs, [](const Job& job) { return job.diagnostics.has_errors(); }))
     return std::nullopt;
@@ -113,27 +173,15 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
     is_widened |= WidenDistances(programs[i - 1], programs[i]);
   // GLSL has the size of an array that not all is read of where all stages declare their vertices.
   for (Job& job : jobs) job.plan.write.separable |= is_widened;
+  lowered.known.resize(jobs.size());
   for (std::size_t i = jobs.size(); i-- > 0;) {
-    Job& job = jobs[i];
-    ir::Program& program = programs[i];
-    const std::size_t written = program.outputs.size();
-    const ir::VarId position = Fit(jobs, i, lowered.shaders, program, result.dependencies);
-    if (job.diagnostics.has_errors()) return std::nullopt;
-    if (request.outputs.facts && InfoOf(program.stage).has_stage_after)
-      lowered.position = FollowPosition(program);
-    LowerOptions options = OptionsOf(job, i, position, result.dump);
-    options.passes.drops_unneeded = i + 1 < jobs.size() && program.outputs.size() < written;
-    options.passes.discarded_planes = DiscardedPlanes(jobs, programs, i);
-    if (options.passes.discarded_planes > 0) CheckDiscards(program, job.diagnostics);
-    LinkedShader shader{std::move(program), std::move(options)};
-    if (request.planes.variants) lowered.linked.insert(lowered.linked.begin(), shader);
-    lowered.shaders.insert(lowered.shaders.begin(),
-                           LowerAlone(std::move(shader), request, job.diagnostics));
-    if (job.diagnostics.has_errors() || job.IsStopped()) return std::nullopt;
+    const bool is_lowered = can_share ? ShareShader(jobs, i, programs, lowered, result)
+                                      : LowerShader(jobs, i, programs, lowered, result);
+    if (!is_lowered) return std::nullopt;
   }
   const Lowered& first = lowered.shaders.front();
   if (first.is_complete) return lowered;
-  if (request.debug.dump_after.empty()) result.dump = ir::Print(first.program);
+  if (jobs.front().request.debug.dump_after.empty()) result.dump = ir::Print(first.program);
   return std::nullopt;
 }
 

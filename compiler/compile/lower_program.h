@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "compiler/compile/count_matrices.h"
 #include "compiler/compile/job.h"
+#include "compiler/compile/known_shader.h"
 #include "compiler/compile/result.h"
 #include "compiler/compile/stages.h"
 #include "ir/program.h"
@@ -30,7 +32,9 @@ struct LinkedShader {
 };
 
 struct LoweredProgram {
-  std::vector<Lowered> shaders;      // by stage
+  std::vector<Lowered> shaders;  // by stage
+  // Of each, what is known of it from other programs of the effect; null: nothing.
+  std::vector<std::shared_ptr<FittedShader>> known;
   std::vector<LinkedShader> linked;  // beside them, if they are to be lowered again
   PositionMatrices position;         // if facts are asked for
 };

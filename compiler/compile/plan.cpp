@@ -79,7 +79,7 @@ std::optional<ir::Profile> ProfileOf(const std::string& name, const LanguageOpti
 CheckOptions CheckOptionsOf(const LanguageOptions& language, std::optional<ir::Profile> profile) {
   CheckOptions options;
   if (profile) options = CheckOptions::For(*std::move(profile), language.version);
-  options.has_preshader = language.is_in_effect;
+  options.has_preshader = language.effect != 0;
   options.call_names_parameters = language.call_names_parameters;
   options.packing = language.packing;
   options.byte_matrices_by_row = language.byte_matrices_by_row;

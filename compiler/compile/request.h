@@ -65,9 +65,10 @@ struct Neighbour {
 // The version of HLSL and the way it is read.
 struct LanguageOptions {
   LanguageVersion version = LanguageVersion::k2021;
-  // The shaders are those of an effect: they have a preshader, CheckOptions::has_preshader, and
-  // their text is that of other shaders too, which a Compiler reads once.
-  bool is_in_effect = false;
+  // The number of the effect that the shaders are of, which then have a preshader,
+  // CheckOptions::has_preshader; 0: they are of none. The requests with one number differ in their
+  // shaders alone, whose text does not change, and a Compiler does once what several of them need.
+  std::uint64_t effect = 0;
   bool call_names_parameters = false;        // CheckOptions::call_names_parameters
   std::vector<std::string> shadow_samplers;  // CheckOptions::shadow_samplers
   bool legacy_macro_expansion = false;       // read `##` as fxc from shader model 6 on too

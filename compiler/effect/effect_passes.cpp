@@ -2,6 +2,7 @@
 #include "compiler/effect/effect_passes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cstdint>
 #include <iterator>
@@ -275,7 +276,7 @@ class ProgramFinder {
                                  .profile = stage.profile});
     }
     request.first().text = text;
-    request.language.is_in_effect = true;
+    request.language.effect = number_;
     request.outputs.facts = true;
     request.planes.given_to_device = !command_.header.empty();  // which names them
     for (const EffectStage& stage : program.shaders) {
@@ -290,6 +291,12 @@ class ProgramFinder {
     return found_.groups.size() - 1;
   }
 
+  static std::uint64_t NextNumber() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+  }
+
+  const std::uint64_t number_ = NextNumber();  // LanguageOptions::effect
   const ast::Effect& effect_;
   const CommandLine& command_;
   Diagnostics& diagnostics_;
