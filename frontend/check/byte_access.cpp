@@ -11,6 +11,7 @@
 #include "frontend/check/value.h"
 #include "frontend/typing/intrinsics.h"
 #include "frontend/typing/objects.h"
+#include "ir/packing.h"
 
 namespace clipc::check {
 namespace {
@@ -55,7 +56,7 @@ class Access {
     HoldIndex();
     address = Implicit(context, address, context.types.Make(Scalar::kUint));
     if (const auto* literal = context.GetIf<Literal>(address)) {
-      next_ = static_cast<std::uint32_t>(literal->bits);
+      start_ = static_cast<std::uint32_t>(literal->bits);
     } else {
       address_ = Held(address);
     }
@@ -87,7 +88,7 @@ class Access {
   // The address of the next word.
   ExprId Address() {
     Builder at = context_.At(span_);
-    if (!address_) return at.Uint(next_);
+    if (!address_) return at.Uint(start_ + next_);
     const ExprId start = CopyOf(address_);
     return next_ == 0 ? start : at.BinaryOf(BinaryOp::kAdd, start, at.Uint(next_));
   }
@@ -146,9 +147,17 @@ class Access {
     }
   }
 
+  // Goes on to the next multiple of the size of the type's widest number: dxc pads structs to it,
+  // as a structured buffer does (RawBufferMethods.cpp of its SPIR-V back end, "natural" layout).
+  void Align(TypeId id) {
+    next_ = static_cast<std::uint32_t>(
+        ir::RoundUp(next_, ir::Structured(context_.types, id).alignment));
+  }
+
   // The value that lies at the next words.
   ExprId Value(TypeId id) {
     const Type type = context_[id];
+    Align(id);
     if (type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector) return Words(id);
     Exprs parts;
     if (type.kind == TypeKind::kMatrix) {
@@ -166,6 +175,7 @@ class Access {
       parts.push_back(Value(context_.types.PartType(id, i)));
       if (context_.IsError(parts.back())) return parts.back();
     }
+    Align(id);
     return context_.At(span_).ConstructOf(id, parts);
   }
 
@@ -212,7 +222,9 @@ class Access {
 
   // Adds the stores of a value.
   void StoreParts(ExprId value) {
-    const Type type = context_.TypeOf(value);
+    const TypeId id = context_.TypeIdOf(value);
+    const Type type = context_[id];
+    Align(id);
     if (type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector) return StoreWords(value);
     Builder at = context_.At(span_);
     if (type.kind == TypeKind::kMatrix && context_.options.byte_matrices_by_row) {
@@ -229,8 +241,9 @@ class Access {
       }
       return;
     }
-    const std::uint32_t count = context_.types.PartCount(context_.TypeIdOf(value));
+    const std::uint32_t count = context_.types.PartCount(id);
     for (std::uint32_t i = 0; i < count; ++i) StoreParts(at.Part(CopyOf(value), i));
+    Align(id);
   }
 
   TypeId VectorOf(Scalar scalar, int count) {
@@ -242,9 +255,10 @@ class Access {
   ExprId object_;
   TypeId type_;
   Span span_;
-  bool is_single_;          // whether the value is one load or store
-  ExprId address_;          // none if it is a literal, which `next_` then includes
-  std::uint32_t next_ = 0;  // bytes from `address_` to the next word
+  bool is_single_;  // whether the value is one load or store
+  ExprId address_;  // none if it is a literal, `start_`
+  std::uint32_t start_ = 0;
+  std::uint32_t next_ = 0;  // bytes from the address to the next word
   Exprs prologue_, stores_;
 };
 

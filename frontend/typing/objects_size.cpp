@@ -5,17 +5,11 @@
 
 #include "frontend/typing/object_call.h"
 #include "frontend/typing/objects.h"
+#include "ir/packing.h"
 
 // GetDimensions of textures and buffers: assignments to the arguments, chained with commas.
 namespace clipc::typing {
 namespace {
-
-// The bytes of one element of a StructuredBuffer: its components, one after the other.
-std::uint32_t StrideOf(const TypeTable& types, TypeId id) {
-  std::uint32_t bytes = 0;
-  for (const Scalar kind : KindsOf(types, id)) bytes += ByteSize(kind);
-  return bytes;
-}
 
 class SizeCheck : IntrinsicCheck {
  public:
@@ -66,7 +60,7 @@ class SizeCheck : IntrinsicCheck {
     Assign(0, Query(ObjectOp::kBufferSize, program.types.Make(Scalar::kInt)));
     if (count == 2) {
       const TypeId element = ElementOf(program.types, TypeOf(object_));
-      Assign(1, Make().Uint(StrideOf(program.types, element)));
+      Assign(1, Make().Uint(Structured(program.types, element).size));
     }
     return Chain();
   }
