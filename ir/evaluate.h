@@ -59,6 +59,8 @@ struct ObjectRequest {
   // Where a store or an atomic operation changes a part of an element: the number of its first
   // component, counted through structs, arrays and matrices.
   std::optional<std::uint32_t> part = std::nullopt;
+  // The kind of the value of an atomic operation, which is that of a word of bytes.
+  Scalar kind = Scalar::kUint;
 
   std::span<const std::uint64_t> Of(OperandKind kind) const {
     const OperandRun& run = runs[static_cast<std::size_t>(kind)];

@@ -317,6 +317,7 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
       for (std::size_t w = base; w < stack_.size(); ++w)
         bits.push_back(ToBits(stack_[w], TypeOf(operand).scalar));
       run.count = static_cast<std::uint32_t>(bits.size()) - run.first;
+      if (kind == OperandKind::kValue) request.kind = TypeOf(operand).scalar;
     }
     if (kind == OperandKind::kCoordinate && neighbours_ && AsksNeighbours(node.op))
       coordinates = CoordinatesOf(expr, RepOf(operand), std::span(stack_).subspan(base));

@@ -9,6 +9,7 @@
 
 #include "base/invariant.h"
 #include "ir/access.h"
+#include "ir/intrinsic_list.h"
 #include "legalize/formula.h"
 #include "legalize/legalize.h"
 #include "legalize/word_buffers.h"
@@ -35,6 +36,9 @@ class ByteBufferLowering {
       const ExprId bytes = b.LiteralOf(legalizer_.TypeOf(expr).scalar, kWord);
       return legalizer_.Become(expr, b.BinaryOf(BinaryOp::kMul, words, bytes));
     }
+    const bool compares_sizes = call.op == ObjectOp::kAtomicMin || call.op == ObjectOp::kAtomicMax;
+    if (compares_sizes && legalizer_.TypeOf(expr).scalar == Scalar::kInt)
+      return BecomeChange(expr, call, buffer);
     // An atomic operation has the address of a word.
     const std::uint32_t place = OperandsOf(call, OperandKind::kPlace).begin;
     const List<ExprId> list{place, 1};
@@ -59,6 +63,36 @@ class ByteBufferLowering {
                   is_load ? type : program_.types.Void(), [&](HelperBody& body) {
                     is_load ? Load(body, access, type) : Store(body, access, program_.types[type]);
                   });
+  }
+
+  // Makes the operation of an int a call of a function of the buffer, whose words are uints.
+  void BecomeChange(ExprId expr, const ObjectCall& call, VarId buffer) {
+    const bool is_least = call.op == ObjectOp::kAtomicMin;
+    AccessorCall access(legalizer_, expr, call);
+    access.Pass("address", OperandOf(program_, call, OperandKind::kPlace));
+    access.Pass("value", OperandOf(program_, call, OperandKind::kValue));
+    access.Become(changes_[{buffer, is_least, access.is_marked()}],
+                  access.Name() + (is_least ? "_min" : "_max"), program_.types.Make(Scalar::kInt),
+                  [&](HelperBody& body) { Change(body, access, is_least); });
+  }
+
+  // Puts in the value until no other invocation has changed the word since it was read.
+  static void Change(HelperBody& body, const AccessorCall& access, bool is_least) {
+    Formula f(body);
+    Builder& b = body.b;
+    const std::size_t last = access.parameters().size() - 1;
+    const Local i = f.Let("i", f[last - 1] / kWord), value = f[last];
+    const Local word = f.Let("word", Term(&body, access.Load(body, Term(i).expr)));
+    const Local expected{&body, b.Local("expected", b.TypeOf(Term(word).expr))};
+    body.Add(b.Stmt(Declare{expected.var, {}}));
+    const Term old{&body, b.ConvertTo(Scalar::kInt, Term(expected).expr)};
+    const Term changed = f.Call(is_least ? Intrinsic::kMin : Intrinsic::kMax, {old, value});
+    const ExprId exchanged = access.CompareExchange(body, Term(i).expr, Term(expected).expr,
+                                                    b.ConvertTo(Scalar::kUint, changed.expr));
+    const StmtId steps[] = {b.Eval(b.AssignTo(Term(expected).expr, Term(word).expr)),
+                            b.Eval(b.AssignTo(Term(word).expr, exchanged))};
+    body.Add(b.Stmt(DoWhile{b.BlockOf(steps), (word != expected).expr}));
+    body.Return(b.ConvertTo(Scalar::kInt, Term(word).expr));
   }
 
   static void Load(HelperBody& body, const AccessorCall& access, TypeId type) {
@@ -86,6 +120,8 @@ class ByteBufferLowering {
   Program& program_;
   // By buffer, type of the value, whether it is loaded, and whether the index is marked.
   std::map<std::tuple<VarId, TypeId, bool, bool>, FunctionId> functions_;
+  // By buffer, whether the least value stays, and whether the index is marked.
+  std::map<std::tuple<VarId, bool, bool>, FunctionId> changes_;
 };
 
 }  // namespace

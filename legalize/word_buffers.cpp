@@ -128,6 +128,16 @@ void AccessorCall::Store(HelperBody& body, ExprId number, ExprId word) const {
                                {OperandKind::kValue, word}}));
 }
 
+ExprId AccessorCall::CompareExchange(HelperBody& body, ExprId number, ExprId comparand,
+                                     ExprId word) const {
+  return body.b.ObjectCallOf(ObjectOp::kAtomicCompareExchange,
+                             body.program.types.Make(Scalar::kUint),
+                             {{OperandKind::kObject, Object(body)},
+                              {OperandKind::kPlace, number},
+                              {OperandKind::kComparand, comparand},
+                              {OperandKind::kValue, word}});
+}
+
 void AccessorCall::Become(FunctionId& function, std::string_view name, TypeId result,
                           const Define& define) {
   Program& program = legalizer_.program;

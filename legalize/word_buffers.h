@@ -37,6 +37,9 @@ class AccessorCall {
   // In a function with these parameters: the load of a word, and the store of one.
   ir::ExprId Load(HelperBody& body, ir::ExprId number) const;
   void Store(HelperBody& body, ir::ExprId number, ir::ExprId word) const;
+  // The word that was there, in the place of which `word` is if it was `comparand`.
+  ir::ExprId CompareExchange(HelperBody& body, ir::ExprId number, ir::ExprId comparand,
+                             ir::ExprId word) const;
 
   // Makes the expression a call of `function`; of none, of a new one that `define` writes.
   void Become(ir::FunctionId& function, std::string_view name, ir::TypeId result,

@@ -86,6 +86,11 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
   if (object) {
     const auto address = call.Converted(0, type);
     if (!address) return call.Error();
+    // A byte has no type: that of the value decides (atomic_imax and atomic_umax of fxc in
+    // vkd3d's test_atomic_instructions, any_int32 in DXC's gen_intrin_main.txt).
+    const bool compares_sizes = atomic->op == kAtomicMin || atomic->op == kAtomicMax;
+    if (compares_sizes && BaseOf(call.ArgumentType(1).scalar) == Scalar::kInt)
+      type = call.program.types.Make(Scalar::kInt);
     operands = {{OperandKind::kObject, object}, {OperandKind::kPlace, *address}};
   } else if (is_shared) {
     if (!call.IsTarget(0)) return call.Error();

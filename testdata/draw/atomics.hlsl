@@ -13,6 +13,7 @@ struct Output {
   nointerpolation uint4 after : AFTER;
   nointerpolation int4 numbers : NUMBERS;
   nointerpolation uint4 words : WORDS;
+  nointerpolation int4 signs : SIGNS;
 };
 
 Output main(float4 p : POSITION, int n : NUMBER, uint id : SV_VertexID) {
@@ -32,8 +33,13 @@ Output main(float4 p : POSITION, int n : NUMBER, uint id : SV_VertexID) {
   InterlockedMax(numbers[i], -2, o.numbers.y);
   numbers[i + 1] = n * 2;
   o.numbers.zw = int2(numbers[i], numbers[i + 1]);
-  bytes.InterlockedMax(16 * id, 5, o.words.x);
-  bytes.InterlockedMin(16 * id + 4, 9, o.words.y);
+  bytes.InterlockedMax(16 * id, 5u, o.words.x);
+  bytes.InterlockedMin(16 * id + 4, 9u, o.words.y);
+  // Of a word of bytes, the value says whether it has a sign (fxc's atomic_imax and atomic_umax in vkd3d's
+  // test_atomic_instructions; OpAtomicSMin in DXC's method.rw-byte-address-buffer.atomic).
+  bytes.InterlockedMin(16 * id + 4, n - 5, o.signs.x);
+  bytes.InterlockedMax(16 * id + 4, n, o.signs.y);
+  o.signs.zw = asint(bytes.Load2(16 * id));
   bytes.Store2(16 * id + 8, uint2(id, n));
   o.words.x += bytes.Load(16 * id);
   o.words.zw = bytes.Load2(16 * id + 8);

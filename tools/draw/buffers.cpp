@@ -164,7 +164,7 @@ class Access {
 
   void Change() {
     Scalar kind =
-        IsByteAddress(type_.object) ? Scalar::kUint : ElementKind(program_, request_.object);
+        IsByteAddress(type_.object) ? request_.kind : ElementKind(program_, request_.object);
     std::uint64_t byte = Place() * Stride();
     if (request_.part) {
       std::uint32_t next = 0;

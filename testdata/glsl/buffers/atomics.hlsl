@@ -52,6 +52,17 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
+// CHECK-NEXT: int bytes_max(uint address, int value) {
+// CHECK-NEXT:     uint i = address / 4u;
+// CHECK-NEXT:     uint word = bytes[i];
+// CHECK-NEXT:     uint expected;
+// CHECK-NEXT:     do {
+// CHECK-NEXT:         expected = word;
+// CHECK-NEXT:         word = atomicCompSwap(bytes[i], expected, uint(max(int(expected), value)));
+// CHECK-NEXT:     } while (word != expected);
+// CHECK-NEXT:     return int(word);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint id = uint(gl_VertexID - gl_BaseVertexARB);
 // CHECK-NEXT:     uint before;
@@ -66,7 +77,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     atomicOr(counts[2], id);
 // CHECK-NEXT:     converted = float(atomicXor(counts[3], id));
 // CHECK-NEXT:     byte_before = atomicAdd(bytes[(id * 4u + 4u) / 4u], 3u);
-// CHECK-NEXT:     atomicMax(bytes[16u / 4u], 3u);
+// CHECK-NEXT:     bytes_max(16u, 3);
 // CHECK-NEXT:     uint swapped;
 // CHECK-NEXT:     uint was;
 // CHECK-NEXT:     swapped = atomicExchange(counts[4], id);
