@@ -13,10 +13,14 @@
 namespace clipc::check {
 namespace {
 
-// Whether the path names variables and members alone, so that it may be checked twice.
+// Whether the path names variables, members and elements alone, so that it may be checked twice.
 bool IsPlainPath(const Context& context, ast::ExprId path) {
-  const auto* member = context.GetIf<ast::MemberExpr>(path);
-  return member ? IsPlainPath(context, member->base) : context.Is<ast::NameExpr>(path);
+  if (const auto* member = context.GetIf<ast::MemberExpr>(path))
+    return IsPlainPath(context, member->base);
+  const auto* index = context.GetIf<ast::IndexExpr>(path);
+  if (!index) return context.Is<ast::NameExpr>(path);
+  return IsPlainPath(context, index->base) &&
+         (context.Is<ast::Literal>(index->index) || IsPlainPath(context, index->index));
 }
 
 bool IsMultisampled(const Type& type) {

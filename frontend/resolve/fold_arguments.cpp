@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/overloaded.h"
-#include "frontend/resolve/object_slots.h"
+#include "frontend/resolve/object_choices.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/call_order.h"
@@ -299,6 +299,7 @@ bool NamesObject(const Program& program, ExprId expr) {
 
 bool ChoosesObject(const Program& program) {
   if (!program.calls_objects) return false;
+  if (BranchesChoose(program)) return true;
   for (const ExprId id : program.exprs.ids()) {
     if (ChoosesElement(program, id)) return true;
     const auto* choice = As<Conditional>(program, id);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "frontend/resolve/object_choices.h"
 #include "frontend/resolve/object_slots.h"
 #include "frontend/typing/constant.h"
 #include "frontend/typing/object_call.h"
@@ -72,22 +73,35 @@ class OffsetFinder {
   // Marks the variables in the offsets and indices that are not literals.
   void FindParts() {
     const auto has_index = [&](const Index& index) { return !As<Literal>(program_, index.index); };
+    const auto has_choice = [&](const Conditional& choice) {
+      return IsObjectType(program_.types, program_.exprs[choice.when_true].type);
+    };
     const auto has_offset = [&](const ObjectCall& call) {
       return OperandsOf(call, OperandKind::kOffset).size > 0;
     };
     if (!program_.calls_objects) return;
-    if (!MayHaveExpr<Index>(program_, has_index) &&
-        (what_ != What::kOffsets || !MayHaveExpr<ObjectCall>(program_, has_offset)))
+    if (what_ == What::kLocalObjects) {
+      branches_choose_ = BranchesChoose(program_);
+      const bool may_choose = branches_choose_ || MayHaveExpr<Conditional>(program_, has_choice);
+      if (!may_choose && !(choices_.HasVariables() && MayHaveExpr<Index>(program_, has_index)))
+        return;
+    } else if (!MayHaveExpr<Index>(program_, has_index) &&
+               !MayHaveExpr<ObjectCall>(program_, has_offset)) {
       return;
+    }
     is_source_.resize(program_.vars.size());
     must_be_known_.resize(program_.vars.size());
-    for (const FunctionId id : program_.functions.ids())
-      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) { FindPart(expr); });
+    for (const FunctionId id : program_.functions.ids()) {
+      const Function& function = program_.functions[id];
+      ForEachExpr(program_, function.body, [&](ExprId expr) { FindPart(expr); });
+      if (!branches_choose_) continue;
+      for (const ExprId condition : ChoosingConditions(program_, function))
+        MarkSources(condition, true);
+    }
   }
 
   void FindPart(ExprId expr) {
-    if (ChoosesByIndex(expr))
-      return MarkSources(std::get<Index>(program_.exprs[expr].node).index, true);
+    for (const ExprId choice : ChoicesIn(expr)) MarkSources(choice, true);
     const auto* call = what_ == What::kOffsets ? As<ObjectCall>(program_, expr) : nullptr;
     if (!call) return;
     for (const ExprId offset : program_.expr_lists[OperandsOf(*call, OperandKind::kOffset)]) {
@@ -96,9 +110,10 @@ class OffsetFinder {
     }
   }
 
-  bool ChoosesByIndex(ExprId expr) const {
-    return what_ == What::kOffsets ? ChoosesSampler(program_, expr)
-                                   : ChoosesElement(program_, expr);
+  // The parts of the expression that choose what must be known, and are not written as numbers.
+  std::vector<ExprId> ChoicesIn(ExprId expr) {
+    if (what_ == What::kLocalObjects) return choices_.In(expr);
+    return ChoosesSampler(program_, expr) ? OpenIndices(program_, expr) : std::vector<ExprId>();
   }
 
   void MarkSources(ExprId part, bool must_be_known) {
@@ -167,6 +182,10 @@ class OffsetFinder {
 
   void Read(StmtId stmt) {
     if (const auto* loop = As<For>(program_, stmt); loop && Unroll(stmt, For(*loop))) return;
+    if (const auto* branch = As<If>(program_, stmt); branch && branches_choose_) {
+      const ExprId condition = branch->condition;
+      if (const auto bits = ConstantBits(program_, condition)) ReplaceBy(condition, *bits);
+    }
     ForEachPart(
         program_, stmt,
         [&](ExprId root) { ForEachExpr(program_, root, [&](ExprId expr) { ReadExpr(expr); }); },
@@ -178,12 +197,10 @@ class OffsetFinder {
   }
 
   void ReadExpr(ExprId expr) {
-    if (const auto* call = As<Call>(program_, expr)) return ReadCall(expr, Call(*call));
-    if (ChoosesByIndex(expr)) {
-      const ExprId index = std::get<Index>(program_.exprs[expr].node).index;
-      if (const auto bits = ConstantBits(program_, index)) ReplaceBy(index, *bits);
-      return;
+    for (const ExprId choice : ChoicesIn(expr)) {
+      if (const auto bits = ConstantBits(program_, choice)) ReplaceBy(choice, *bits);
     }
+    if (const auto* call = As<Call>(program_, expr)) return ReadCall(expr, Call(*call));
     const auto* call = what_ == What::kOffsets ? As<ObjectCall>(program_, expr) : nullptr;
     if (!call) return;
     const List<ExprId> offsets = OperandsOf(*call, OperandKind::kOffset);
@@ -433,12 +450,14 @@ class OffsetFinder {
   const What what_;
   Diagnostics& diagnostics_;
   bool has_parts_ = false;
+  bool branches_choose_ = false;  // local objects
   // By VarId: offsets depend on it; it is assigned to; an offset that may not vary depends on it.
   std::vector<bool> is_source_, is_assigned_, must_be_known_;
   std::map<std::vector<std::uint64_t>, FunctionId> copies_;  // by function and constants
   std::set<FunctionId> is_read_;
   std::vector<FunctionId> unread_;
   std::map<VarId, Before> known_;
+  ObjectChoices choices_{program_};
   std::size_t made_ = 0;
   bool is_reported_ = false;
 };

@@ -26,6 +26,7 @@ class ObjectResolver {
   struct Instance {
     FunctionId function;
     Slots result;
+    std::vector<VarId> returned;   // Frame::returned
     std::vector<Slots> ins, outs;  // the objects before and after a call, by original parameter
   };
 
@@ -41,17 +42,24 @@ class ObjectResolver {
     std::vector<StmtId> declarations;  // the declarations of the companions
     std::vector<StmtId> before;        // statements to run before the current one
     std::optional<Slots> result;       // the objects that the function returns
-    int depth = 0;                     // the number of branches and loops around the statement
-    bool may_emit = true;              // false if nothing can be put before the expression
+    // Parameters that give the caller the indices known at run time in `result`, in order and by
+    // part and position in the path.
+    std::vector<VarId> returned;
+    std::map<std::pair<SlotPath, std::size_t>, VarId> returned_of;
+    int depth = 0;         // the number of branches and loops around the statement
+    bool may_emit = true;  // false if nothing can be put before the expression
   };
   struct Value {
-    ExprId expr;  // none for an object, and for an expression that Before() took
+    ExprId expr;  // none of a type that IsRemoved, and for an expression that Before() took
     Slots slots;
   };
 
   // ---- types
   bool Holds(TypeId type);
   bool IsObject(TypeId type) const { return IsObjectType(program_.types, type); }
+  // Whether nothing is left of a value without its objects: it is one, or has nothing else. Asked
+  // before RemoveFields.
+  bool IsRemoved(TypeId type);
   bool IsNeeded();
   void NumberFields();
   void RemoveFields();
@@ -86,6 +94,7 @@ class ObjectResolver {
   void RewriteParts(Stmt& stmt);
   bool RewriteDeclare(Declare& node);
   void RewriteReturn(Return& node, Span span);
+  void ReturnIndices(const SlotPath& path, ObjectPath& object, Span span);
 
   // ---- expressions
   Value Visit(ExprId id);
@@ -100,12 +109,14 @@ class ObjectResolver {
   Value VisitNode(ExprId id, const ObjectCall& call);
   Value VisitNode(ExprId id, const auto&) { return VisitOther(id); }
   Value VisitOther(ExprId id);
+  Value ResultOf(ExprId call, const Instance& instance, std::vector<ExprId>& arguments);
   ExprId Make(const ObjectPath& object, Span span);
 
   // ---- binding
   std::optional<std::pair<VarId, SlotPath>> PlaceOf(ExprId expr) const;
   void Bind(VarId var, const SlotPath& place, Slots slots, Span span);
   void Keep(VarId var, const SlotPath& path, ObjectPath& object, Span span);
+  void Store(VarId var, ObjectIndex& index, Span span);
   void Before(ExprId expr, Span span);
   std::string NameOf(ExprId expr) const;
   void ReportChoice(const std::string& name, TypeId type, Span span);
@@ -113,8 +124,9 @@ class ObjectResolver {
   Program& program_;
   const StructRegisters& registers_;
   Diagnostics& diagnostics_;
-  std::map<TypeId, bool> holds_;
-  // The numbers of fields after the objects are removed, by StructId and field; ~0 for an object.
+  std::map<TypeId, bool> holds_, is_removed_;
+  // The numbers of fields after those that hold nothing but objects are removed, by StructId and
+  // field; ~0 for these.
   std::vector<std::vector<std::uint32_t>> field_numbers_;
   std::map<VarId, Slots> globals_;
   std::map<FunctionId, FunctionId> in_place_;

@@ -49,13 +49,4 @@ bool IsObjectType(const TypeTable& types, TypeId type) {
   return types[types.Innermost(type)].kind == TypeKind::kObject;
 }
 
-bool ChoosesElement(const Program& program, ExprId expr) {
-  const auto* index = As<Index>(program, expr);
-  if (!index || As<Literal>(program, index->index)) return false;
-  const TypeTable& types = program.types;
-  if (types[types.Innermost(program.exprs[expr].type)].kind != TypeKind::kObject) return false;
-  const VarId root = RootOf(program, expr);
-  return root && program.vars[root].storage != Storage::kResource;
-}
-
 }  // namespace clipc::resolve

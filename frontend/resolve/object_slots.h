@@ -49,8 +49,4 @@ bool StartsWith(const SlotPath& path, const SlotPath& prefix);
 // Whether the type is an object or an array of objects.
 bool IsObjectType(const TypeTable& types, TypeId type);
 
-// Whether the expression is an element of an array of objects that is not a resource itself, at an
-// index that is not written as a number.
-bool ChoosesElement(const Program& program, ExprId expr);
-
 }  // namespace clipc::resolve

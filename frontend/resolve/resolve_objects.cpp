@@ -34,12 +34,13 @@ void ObjectResolver::Run() {
   program_.main = InPlace(program_.main);
   program_.entry = entry_;
   program_.functions = std::move(functions_);
-  RemoveFields();
+  std::erase_if(program_.globals, [&](VarId id) { return IsRemoved(program_.vars[id].type); });
   for (CbufferId id : program_.cbuffers.ids()) {
     std::erase_if(program_.cbuffers[id].members, [&](const CbufferMember& member) {
-      return globals_.contains(member.var) && member.size == 0;
+      return IsRemoved(program_.vars[member.var].type);
     });
   }
+  RemoveFields();
 }
 
 // ---- types
@@ -57,6 +58,17 @@ bool ObjectResolver::Holds(TypeId type) {
       holds = Holds(field.type) || holds;
   }
   return holds_[type] = holds;
+}
+
+bool ObjectResolver::IsRemoved(TypeId type) {
+  if (!Holds(type)) return false;
+  const TypeId inner = program_.types.Innermost(type);
+  if (program_.types[inner].kind != TypeKind::kStruct) return true;
+  const auto [known, is_new] = is_removed_.try_emplace(inner, false);
+  if (!is_new) return known->second;
+  return is_removed_[inner] =
+             std::ranges::all_of(program_.types.StructOf(inner).fields,
+                                 [&](const Field& field) { return IsRemoved(field.type); });
 }
 
 // Whether the shader must be changed. Nearly all shaders use objects as global variables only, and
@@ -82,7 +94,7 @@ void ObjectResolver::NumberFields() {
     std::vector<std::uint32_t>& numbers = field_numbers_.emplace_back();
     std::uint32_t next = 0;
     for (const Field& field : program_.types[id].fields)
-      numbers.push_back(IsObject(field.type) ? ~0u : next++);
+      numbers.push_back(IsRemoved(field.type) ? ~0u : next++);
   }
 }
 
@@ -91,16 +103,17 @@ void ObjectResolver::RemoveFields() {
     // An array begins a register, also one of objects, which takes no room (vkd3d's test of
     // offsets after objects, checked against native). The fields after it are not moved.
     bool is_after_array = false;
+    const std::vector<std::uint32_t>& numbers = field_numbers_[id.index];
     for (std::uint32_t i = 0; i < program_.types[id].fields.size(); ++i) {
       Field& field = program_.types[id].fields[i];
-      if (IsObject(field.type)) {
+      if (numbers[i] == ~0u) {
         is_after_array = is_after_array || program_.types[field.type].kind == TypeKind::kArray;
       } else if (std::exchange(is_after_array, false)) {
         field.offset = FieldOffset(program_.types, id, i);
       }
     }
-    std::erase_if(program_.types[id].fields,
-                  [&](const Field& field) { return IsObject(field.type); });
+    auto number = numbers.begin();
+    std::erase_if(program_.types[id].fields, [&](const Field&) { return *number++ == ~0u; });
   }
 }
 
@@ -261,7 +274,7 @@ ObjectResolver::Instance ObjectResolver::MakeInstance(FunctionId id,
       frame.slots[copy] = arguments[i];
       frame.depths[copy] = 0;
     }
-    if (!IsObject(program_.vars[copy].type)) kept.push_back(copy);
+    if (!IsRemoved(program_.vars[copy].type)) kept.push_back(copy);
   }
   kept.insert(kept.end(), extra.begin(), extra.end());
   function.parameters = kept;
@@ -273,7 +286,10 @@ ObjectResolver::Instance ObjectResolver::MakeInstance(FunctionId id,
     const bool is_out = program_.vars[parameter].storage != Storage::kIn;
     instance.outs.push_back(is_out ? frame.slots[parameter] : Slots{});
   }
-  if (IsObject(function.return_type)) function.return_type = program_.types.Void();
+  if (IsRemoved(function.return_type)) function.return_type = program_.types.Void();
+  instance.returned = frame.returned;
+  function.parameters.insert(function.parameters.end(), frame.returned.begin(),
+                             frame.returned.end());
   instance.function = functions_.Add(std::move(function));
   NoteEntry(id, instance.function);
   return instance;

@@ -71,17 +71,25 @@ void ObjectResolver::Keep(VarId var, const SlotPath& path, ObjectPath& object, S
       companion = at.Local(program_.vars[var].name + "_index", type);
       frame_->declarations.push_back(at.Stmt(Declare{companion, {}}));
     }
-    const ExprId value = index.expr ? index.expr : at.Ref(index.var);
-    Before(at.AssignTo(at.Ref(companion),
-                       at.ConvertTo(program_.types[program_.vars[companion].type].scalar, value)),
-           span);
-    index = {0, companion, {}};
+    Store(companion, index, span);
   }
 }
 
-// Makes the expression run before the current statement.
+// Puts an index that is known only at run time into the variable, which takes its place.
+void ObjectResolver::Store(VarId var, ObjectIndex& index, Span span) {
+  Builder at(program_, span);
+  const ExprId value = index.expr ? index.expr : at.Ref(index.var);
+  const Scalar kind = program_.types[program_.vars[var].type].scalar;
+  Before(at.AssignTo(at.Ref(var), at.ConvertTo(kind, value)), span);
+  index = {0, var, {}};
+}
+
+// Makes the expression run before the current statement. A call has the number of a new function,
+// which IsPure does not know.
 void ObjectResolver::Before(ExprId expr, Span span) {
-  if (IsPure(program_, expr)) return;
+  const bool calls =
+      AnyExpr(program_, expr, [&](ExprId part) { return As<Call>(program_, part) != nullptr; });
+  if (!calls && IsPure(program_, expr)) return;
   if (frame_ == nullptr || !frame_->may_emit) {
     diagnostics_.Report(span, diag::Unsupported, "choosing an object in the condition of a loop");
     return;

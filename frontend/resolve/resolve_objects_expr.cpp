@@ -14,7 +14,7 @@ ObjectResolver::Value ObjectResolver::Visit(ExprId id) {
 }
 
 ObjectResolver::Value ObjectResolver::VisitOther(ExprId id) {
-  if (IsObject(program_.exprs[id].type)) return {};
+  if (IsRemoved(program_.exprs[id].type)) return {};
   MapOperands(program_, id, [&](ExprId operand) { return Visit(operand).expr; });
   return {id, {}};
 }
@@ -23,7 +23,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const VarRef& ref) {
   const VarId var = ref.var;
   const TypeId type = program_.vars[var].type;
   if (!Holds(type)) return {id, {}};
-  Value value{IsObject(type) ? ExprId{} : id, {}};
+  Value value{IsRemoved(type) ? ExprId{} : id, {}};
   if (program_.vars[var].storage == Storage::kResource) {
     value.slots[{}] = {var, {}};
   } else if (const auto global = globals_.find(var); global != globals_.end()) {
@@ -47,9 +47,9 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Index& node) {
   const Type array = ir::TypeOf(program_, node.base);
   const Value base = Visit(node.base);
   const ExprId index = Visit(node.index).expr;
-  const bool is_object = IsObject(program_.exprs[id].type);
+  const bool is_removed = IsRemoved(program_.exprs[id].type);
   program_.exprs[id].node = Index{base.expr, index};
-  Value value{is_object ? ExprId{} : id, {}};
+  Value value{is_removed ? ExprId{} : id, {}};
   if (base.slots.empty()) return value;
   const auto* ref = As<VarRef>(program_, index);
   const bool is_named = ref && program_.vars[ref->var].storage == Storage::kConstant;
@@ -82,7 +82,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Assign& node) {
     return {id, {}};
   }
   Bind(place->first, place->second, value.slots, span);
-  Value result{IsObject(type) ? ExprId{} : id, {}};
+  Value result{IsRemoved(type) ? ExprId{} : id, {}};
   const bool is_static = program_.vars[place->first].storage == Storage::kStatic;
   for (const auto& [path, object] :
        is_static ? globals_[place->first] : frame_->slots[place->first]) {
@@ -107,7 +107,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Comma& node) {
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Construct& node) {
-  Value value{IsObject(program_.exprs[id].type) ? ExprId{} : id, {}};
+  Value value{IsRemoved(program_.exprs[id].type) ? ExprId{} : id, {}};
   std::vector<ExprId> arguments;
   for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
     const Value part = Visit(program_.expr_lists[node.arguments][i]);
@@ -128,7 +128,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Conditional& no
     return {id, {}};
   }
   program_.exprs[id].node = Conditional{condition, yes.expr, no.expr};
-  return {IsObject(type) ? ExprId{} : id, yes.slots};
+  return {IsRemoved(type) ? ExprId{} : id, yes.slots};
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Call& call) {
@@ -153,6 +153,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Call& call) {
   }
   const Instance* instance = InstanceFor(call.function, slots, kept, span);
   if (!instance) return {id, {}};
+  const Value result = ResultOf(id, *instance, kept);
   program_.exprs[id].node = Call{instance->function, program_.expr_lists.Add(kept)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Var& parameter = program_.vars[callee.parameters[i]];
@@ -167,10 +168,44 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Call& call) {
       Bind(places[i]->first, places[i]->second, instance->outs[i], span);
     }
   }
-  if (!IsObject(callee.return_type)) return {id, instance->result};
-  program_.exprs[id].type = program_.types.Void();
-  if (!IsReturnOnly(instance->function)) Before(id, span);
-  return {{}, instance->result};
+  if (IsRemoved(callee.return_type)) {
+    program_.exprs[id].type = program_.types.Void();
+    if (!IsReturnOnly(instance->function)) Before(id, span);
+  } else if (result.expr != id) {
+    Builder at(program_, span);
+    const ExprId call_itself = at.Add(program_.exprs[id].type, program_.exprs[id].node);
+    Before(at.AssignTo(Clone(program_, result.expr), call_itself), span);
+  }
+  return result;
+}
+
+// What a call gives: the indices of its objects, which the function returns in parameters, are in
+// variables after it. So the call runs first then, and its value is a variable, too.
+ObjectResolver::Value ObjectResolver::ResultOf(ExprId call, const Instance& instance,
+                                               std::vector<ExprId>& arguments) {
+  const TypeId type = program_.exprs[call].type;
+  Builder at(program_, program_.exprs[call].span);
+  Value result{IsRemoved(type) ? ExprId{} : call, instance.result};
+  const auto local = [&](const std::string& name, TypeId of) {
+    const VarId var = at.Local(name, of);
+    frame_->declarations.push_back(at.Stmt(Declare{var, {}}));
+    return var;
+  };
+  if (!instance.returned.empty() && !frame_) {
+    ReportChoice(functions_[instance.function].name, type, program_.exprs[call].span);
+    return result;
+  }
+  for (const VarId returned : instance.returned) {
+    const VarId index = local(program_.vars[returned].name, program_.vars[returned].type);
+    arguments.push_back(at.Ref(index));
+    for (auto& [_, object] : result.slots) {
+      for (ObjectIndex& part : object.indices)
+        if (part.var == returned) part.var = index;
+    }
+  }
+  if (!instance.returned.empty() && result.expr)
+    result.expr = at.Ref(local(functions_[instance.function].name + "_result", type));
+  return result;
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const ObjectCall& call) {

@@ -102,7 +102,7 @@ bool ObjectResolver::RewriteDeclare(Declare& node) {
   frame_->depths[node.var] = frame_->depth;
   frame_->slots[node.var].clear();
   Bind(node.var, {}, std::move(value.slots), program_.vars[node.var].span);
-  return !IsObject(type);
+  return !IsRemoved(type);
 }
 
 void ObjectResolver::RewriteReturn(Return& node, Span span) {
@@ -111,13 +111,28 @@ void ObjectResolver::RewriteReturn(Return& node, Span span) {
   Value value = Visit(node.value);
   node.value = value.expr;
   if (!Holds(type)) return;
-  for (const auto& [path, object] : value.slots) {
-    if (!object.IsKnown()) return ReportChoice(program_.vars[object.resource].name, type, span);
-  }
+  for (auto& [path, object] : value.slots) ReturnIndices(path, object, span);
   if (frame_->result && *frame_->result != value.slots) {
     return ReportChoice(frame_->function->name + "()", type, span);
   }
   frame_->result = std::move(value.slots);
+}
+
+// Gives the caller the indices that are known only at run time.
+void ObjectResolver::ReturnIndices(const SlotPath& path, ObjectPath& object, Span span) {
+  for (std::size_t i = 0; i < object.indices.size(); ++i) {
+    ObjectIndex& index = object.indices[i];
+    if (index.IsLiteral()) continue;
+    VarId& returned = frame_->returned_of[{path, i}];
+    if (!returned) {
+      returned = program_.vars.Add({.name = program_.vars[object.resource].name + "_index",
+                                    .type = program_.types.Make(TypeOf(index)),
+                                    .storage = Storage::kOut,
+                                    .span = span});
+      frame_->returned.push_back(returned);
+    }
+    Store(returned, index, span);
+  }
 }
 
 }  // namespace clipc::resolve

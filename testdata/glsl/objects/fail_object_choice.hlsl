@@ -28,9 +28,10 @@ float4 main(float2 uv : TEXCOORD, bool first : FIRST) : SV_Position {
   else map = stone;
   Texture2D changed = wood;
 // CHECK-NEXT: fail_object_choice.hlsl:[[#@LINE+3]]:31: error: `changed` of type `Texture2D<float4>` is not one particular global; an object cannot be chosen at run time [object-not-global, X3031]
-// CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < 2; ++i) changed = stone;
+// CHECK-NEXT:    [[#@LINE+2]] |   for (int k = 0; k < 2; ++k) changed = stone;
 // CHECK-NEXT:       |                               ^~~~~~~~~~~~~~~
-  for (int i = 0; i < 2; ++i) changed = stone;
+  for (int k = 0; k < 2; ++k) changed = stone;
+  int i = uv.x;
   Maps empty;
   Maps both[2];
   both[0].color = wood;

@@ -1,11 +1,11 @@
-// The constants of all calls choose the texture.
+// A constant chooses the texture, whatever else is asked.
 // RUN: %clipc -T ps_6_0 --verify --dump-after=fold-object-choices --stop-after=fold-object-choices %s | FileCheck %s
 // RUN: %draw compare %s -T ps_6_0
 // AUTOUPDATE
 Texture2D day, night;
 SamplerState s;
 float4 Read(bool is_day, float2 uv) {
-  Texture2D map = is_day ? day : night;
+  Texture2D map = is_day || uv.x > 2 ? day : night;
   return map.Sample(s, uv);
 }
 float4 main(float2 uv : UV) : SV_Target { return Read(true, uv); }
