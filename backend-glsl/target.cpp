@@ -297,6 +297,7 @@ legalize::Needs Target::FindNeeds() const {
       .wide_bit_numbers = IsEs() && Has(Feature::kBitFunctions),
       .half_packing = lacks(Feature::kHalfPacking),
       .determinants = lacks(Feature::kDeterminant),
+      .signed_words = true,
       // VUID-StandaloneSpirv-UniformConstant-04655
       .flat_arrays = IsVulkan() || lacks(Feature::kArraysOfArrays),
       // glslang makes the texture with its sampler before the choice, which SPIR-V has in another

@@ -171,6 +171,16 @@ Ref Writer::Atomic(const IntrinsicCall& node) {
                 arguments.size() > 2 ? arguments[1] : ExprId{}, arguments.back());
 }
 
+// The least or greatest int of a word: the instruction alone says that it has a sign.
+Ref Writer::AtomicOfWord(ObjectOp op, Ref pointer, ExprId operand) {
+  const Shape shape = ShapeAt(operand), word = ShapeOf(Scalar::kUint, 1, 1);
+  const Ref value = Converted(Value(operand), shape, word.scalar);
+  const Ref scope = types_.Uint(NumberOf(spv::Scope::Device)), relaxed = types_.Uint(0);
+  const Ref before =
+      Emit(InstructionsOf(op).of_int, types_.Of(word.scalar), {pointer, scope, relaxed, value});
+  return Converted(before, word, shape.scalar);
+}
+
 // The number of elements.
 Ref Writer::BufferLength(TypeId type, ExprId object) {
   const Ref block = ObjectPointer(object);
@@ -183,7 +193,11 @@ Ref Writer::BufferCall(TypeId type, const clipc::ir::ObjectCall& node) {
   if (node.has_texel) return Lack("the status of a read of a structured buffer");
   if (IsAtomic(node.op)) {
     const StoredPart part = PartAlong(node);
-    return Atomic(node, ComponentPointer(part, 0));
+    const Scalar memory = Types::InMemory(ShapeOf(program_.types[part.place.type])).scalar;
+    const Ref pointer = ComponentPointer(part, 0);
+    const ExprId value = OperandOf(program_, node, OperandKind::kValue);
+    const bool is_word = memory == Scalar::kUint && ShapeAt(value).scalar == Scalar::kInt;
+    return is_word ? AtomicOfWord(node.op, pointer, value) : Atomic(node, pointer);
   }
   if (node.op == ObjectOp::kStore) {
     StoreInBuffer(node);

@@ -41,7 +41,6 @@ void Writer::WriteFunction(FunctionId id) {
   code_.clear();
   locals_.clear();
   in_main_ = id == program_.main;
-  keeps_numbers_ = options_.nan_clamp || function.is_helper;
   Words type{result}, parameters;
   for (const VarId parameter : function.parameters) {
     const Var& var = (*this)[parameter];

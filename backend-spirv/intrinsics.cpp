@@ -80,28 +80,27 @@ Ref Writer::Extended(std::uint32_t function, Ref type, std::initializer_list<Ref
   return result;
 }
 
+// min, max and clamp give the operand that is a number: min and max of the Direct3D 11.3 functional
+// specification, and the native results of vkd3d's test_shader_instructions (ps_min_max).
 Ref Writer::Minimum(const Shape& shape, Ref a, Ref b) {
-  const std::uint32_t of_float = keeps_numbers_ ? GLSLstd450NMin : GLSLstd450FMin;
-  return Extended(FunctionFor(shape, {of_float, GLSLstd450SMin, GLSLstd450UMin}), types_.Of(shape),
-                  {a, b});
+  return Extended(FunctionFor(shape, {GLSLstd450NMin, GLSLstd450SMin, GLSLstd450UMin}),
+                  types_.Of(shape), {a, b});
 }
 
 Ref Writer::Maximum(const Shape& shape, Ref a, Ref b) {
-  const std::uint32_t of_float = keeps_numbers_ ? GLSLstd450NMax : GLSLstd450FMax;
-  return Extended(FunctionFor(shape, {of_float, GLSLstd450SMax, GLSLstd450UMax}), types_.Of(shape),
-                  {a, b});
+  return Extended(FunctionFor(shape, {GLSLstd450NMax, GLSLstd450SMax, GLSLstd450UMax}),
+                  types_.Of(shape), {a, b});
 }
 
-Ref Writer::Clamped(const Shape& shape, Ref value, Ref low, Ref high, bool by_number) {
-  const std::uint32_t of_float = by_number ? GLSLstd450NClamp : GLSLstd450FClamp;
-  return Extended(FunctionFor(shape, {of_float, GLSLstd450SClamp, GLSLstd450UClamp}),
+Ref Writer::Clamped(const Shape& shape, Ref value, Ref low, Ref high) {
+  return Extended(FunctionFor(shape, {GLSLstd450NClamp, GLSLstd450SClamp, GLSLstd450UClamp}),
                   types_.Of(shape), {value, low, high});
 }
 
 // saturate() of NaN is 0: ftos of the Direct3D 11.3 functional specification.
 Ref Writer::Saturated(const Shape& shape, Ref value) {
   return Clamped(shape, value, types_.Splat(shape, 0),
-                 types_.Splat(shape, Types::OneOf(shape.scalar)), true);
+                 types_.Splat(shape, Types::OneOf(shape.scalar)));
 }
 
 // mul(left, right). SPIR-V's matrices are the transposes of HLSL's, so the factors are swapped:
@@ -268,7 +267,7 @@ Ref Writer::OfNumbers(ir::Intrinsic op, const Evaluated& of) {
   switch (op) {
     case kMin: return Minimum(of.shape, of.values[0], of.values[1]);
     case kMax: return Maximum(of.shape, of.values[0], of.values[1]);
-    case kClamp: return Clamped(of.shape, of.values[0], of.values[1], of.values[2], keeps_numbers_);
+    case kClamp: return Clamped(of.shape, of.values[0], of.values[1], of.values[2]);
     case kAll: return of.shape.HasRows() ? Lack("all() of a matrix") : truth(spv::Op::OpAll);
     case kAny: return of.shape.HasRows() ? Lack("any() of a matrix") : truth(spv::Op::OpAny);
     case kDot:

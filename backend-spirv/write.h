@@ -69,7 +69,6 @@ struct Debug {
 struct Options {
   std::uint32_t minor_version = 3;    // of SPIR-V 1.x
   std::string entry = "main";         // the name of the entry point
-  bool nan_clamp = false;             // min, max and clamp give the operand that is a number
   bool invariant = false;             // the position is invariant
   bool keeps_bindings = false;        // objects and buffers that nothing reads are declared too
   bool relaxed_precision = false;     // of half and of the types of minimum precision

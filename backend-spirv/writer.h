@@ -147,7 +147,7 @@ class Writer : private Emitter {
   Ref Extended(std::uint32_t function, Ref type, std::initializer_list<Ref> arguments);
   Ref Minimum(const Shape& shape, Ref a, Ref b);
   Ref Maximum(const Shape& shape, Ref a, Ref b);
-  Ref Clamped(const Shape& shape, Ref value, Ref low, Ref high, bool by_number);
+  Ref Clamped(const Shape& shape, Ref value, Ref low, Ref high);
   Ref Saturated(const Shape& shape, Ref value);
   Ref Derivative(ir::Intrinsic op, const Shape& shape, Ref value);
   Ref Writing(const ir::IntrinsicCall& node);
@@ -192,6 +192,7 @@ class Writer : private Emitter {
   Ref BufferLength(ir::TypeId type, ir::ExprId object);
   Ref Atomic(const ir::ObjectCall& node, Ref pointer);
   Ref Atomic(const ir::IntrinsicCall& node);
+  Ref AtomicOfWord(ir::ObjectOp op, Ref pointer, ir::ExprId value);
   Ref Atomic(ir::ObjectOp op, Ref pointer, spv::Scope by, ir::ExprId comparand, ir::ExprId value);
 
   const ir::Expr& operator[](ir::ExprId id) const { return program_.exprs[id]; }
@@ -233,7 +234,6 @@ class Writer : private Emitter {
   std::vector<ir::VarId> late_;  // static variables whose value `main` computes
 
   bool in_main_ = false;
-  bool keeps_numbers_ = false;  // min, max and clamp give the operand that is a number
   std::vector<Loop> loops_;
   Ref judged_ = 0;  // the value of the last expression
 };

@@ -37,7 +37,8 @@ class ByteBufferLowering {
       return legalizer_.Become(expr, b.BinaryOf(BinaryOp::kMul, words, bytes));
     }
     const bool compares_sizes = call.op == ObjectOp::kAtomicMin || call.op == ObjectOp::kAtomicMax;
-    if (compares_sizes && legalizer_.TypeOf(expr).scalar == Scalar::kInt)
+    if (compares_sizes && legalizer_.needs.signed_words &&
+        legalizer_.TypeOf(expr).scalar == Scalar::kInt)
       return BecomeChange(expr, call, buffer);
     // An atomic operation has the address of a word.
     const std::uint32_t place = OperandsOf(call, OperandKind::kPlace).begin;

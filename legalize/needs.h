@@ -30,6 +30,7 @@ struct Needs {
   bool half_packing = false;  // f16tof32 and f32tof16
   bool determinants = false;
   // ---- objects and indices
+  bool signed_words = false;  // the least and greatest int of a word of bytes, which is a uint
   ArraySplit split_arrays = ArraySplit::kNone;
   bool flat_arrays = false;      // arrays of objects have one dimension
   bool simple_operands = false;  // operands of a sample have no choice in them

@@ -101,10 +101,8 @@ void SetStage(Reading& reading, const std::string& value) {
                     AsWritten(reading, value)));
 }
 
-void SetNanClamp(Reading& reading, const std::string&) {
-  reading.spirv_option = reading.option;
-  reading.spirv.nan_clamp = true;
-}
+// SPIR-V is always written so.
+void SetNanClamp(Reading& reading, const std::string&) { reading.spirv_option = reading.option; }
 
 // Reads glslang's -S with a stage, or glslc's, which has no value: a listing of the SPIR-V.
 void SetStageOrListing(Reading& reading, const std::string& value) {

@@ -29,7 +29,6 @@ struct SpirvRequest {
   std::optional<unsigned> version = {};  // 5 for SPIR-V 1.5; none: that of the Vulkan version
   std::string entry = {};                // the name of the entry point; empty: `main`
   bool has_reflection = false;  // variables have their semantics and the names of their types
-  bool nan_clamp = false;       // min, max and clamp give the operand that is a number
 
   // The minor version of the SPIR-V: for OpenGL 0, for Vulkan that of its version.
   unsigned MinorVersion(bool is_for_vulkan) const {

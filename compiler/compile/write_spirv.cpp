@@ -151,7 +151,6 @@ spirv::Written WriteSpirv(const Lowered& lowered, const glsl::GlslInfo& info,
   spirv::Options made;
   made.minor_version = request.MinorVersion(target.IsVulkan());
   if (!request.entry.empty()) made.entry = request.entry;
-  made.nan_clamp = request.nan_clamp;
   made.invariant = options.invariant;
   made.keeps_bindings = target.KeepsBindings();
   made.relaxed_precision = options.relaxed_precision;

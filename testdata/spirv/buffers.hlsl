@@ -35,6 +35,8 @@ RWStructuredBuffer<row_major float4x4> places : register(u5);
 // CHECK-NEXT: OpStore
 // CHECK:     OpArrayLength %uint
 // CHECK:     OpAtomicUMax %uint
+// CHECK:     OpAtomicSMin %uint
+// CHECK-NEXT: OpBitcast %int
 // CHECK:     OpAtomicIAdd %int
 // OLD: OpDecorate %read_block BufferBlock
 // OLD: OpVariable %_ptr_Uniform_read_block Uniform
@@ -49,12 +51,14 @@ float4 main(float4 p : SV_Position, float4 value : VALUE) : SV_Target {
   flags[i].yw = value.xy > value.zw;
   uint size, stride, old;
   read.GetDimensions(size, stride);
-  bytes.InterlockedMax(4 * i, 7, old);
+  bytes.InterlockedMax(4 * i, 7u, old);
+  int least;
+  bytes.InterlockedMin(4 * i, -(int)i, least);
   const Particle one = read[i];
   written[i + 256] = one;
   float4 sum = mul(float4(one.position, 1), places[i]) + float4(mul(value.xy, one.turn), one.cells[i & 1]);
   sum += float4(written[i + 256].position, 1) + places[i][2] + (flags[i] ? 1.0 : 2.0);
   sum.x += one.is_lit ? 1 : written[i].cells[1].y + old;
   InterlockedAdd(written[i].cells[0].x, 3);
-  return sum + written[i].cells[0].x + size + stride + all(taken.Consume() == taken.Consume());
+  return sum + written[i].cells[0].x + size + stride + least + all(taken.Consume() == taken.Consume());
 }
