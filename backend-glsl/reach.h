@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/kept_blocks.h"
 #include "ir/program.h"
 
 namespace clipc::glsl {
@@ -10,11 +11,11 @@ namespace clipc::glsl {
 // The parts of a program that `main` reaches. The writer writes no others but helper functions, of
 // which only accessors reach anything themselves, a buffer.
 struct Reached {
-  std::vector<ir::FunctionId> functions;  // callees before callers, `main` last; no helpers
-  std::vector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration
-  std::vector<bool> vars;                 // by VarId: mentioned anywhere
-  std::vector<bool> cbuffers;             // by CbufferId
-  std::vector<ir::VarId> per_vertex;  // the inputs of which a GetAttributeAtVertex reads a vertex
+  KeptVector<ir::FunctionId> functions;  // callees before callers, `main` last; no helpers
+  KeptVector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration
+  std::vector<bool> vars;                // by VarId: mentioned anywhere
+  std::vector<bool> cbuffers;            // by CbufferId
+  KeptVector<ir::VarId> per_vertex;  // the inputs of which a GetAttributeAtVertex reads a vertex
 
   bool Has(ir::VarId var) const { return vars[var.index]; }
   bool Has(ir::CbufferId cbuffer) const { return cbuffers[cbuffer.index]; }

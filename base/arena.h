@@ -6,33 +6,50 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
+#include <new>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/id.h"
 #include "base/invariant.h"
+#include "base/kept_blocks.h"
 
 namespace clipc {
 
 // The owner of all values of type T of one tree, in the order of their creation. Values lie in
-// fixed blocks, so references stay valid while the arena grows and a node may be read while others
-// are added.
+// blocks of one size, so references stay valid while the arena grows and a node may be read while
+// others are added.
 template <typename T>
 class Arena {
  public:
+  Arena() = default;
+  Arena(const Arena& other) {
+    blocks_.reserve(other.blocks_.size());
+    for (const Id<T> id : other.ids()) Make(other[id]);
+  }
+  Arena(Arena&& other) noexcept { Swap(other); }
+  Arena& operator=(Arena other) noexcept {
+    Swap(other);
+    return *this;
+  }
+  ~Arena() {
+    for (const Id<T> id : ids()) std::destroy_at(&(*this)[id]);
+    for (T* const block : blocks_) KeptAllocator<T>().deallocate(block, kBlock);
+  }
+
   Id<T> Add(T value) { return Make(std::move(value)); }
 
   // Makes a value in place, from its members or from the arguments of its constructor.
   template <typename... Parts>
   Id<T> Make(Parts&&... parts) {
-    if (size_ == room_) AddBlock();
-    blocks_.back().emplace_back(std::forward<Parts>(parts)...);
+    if (size_ == kBlock * blocks_.size()) AddBlock();
+    new (blocks_.back() + size_ % kBlock) T(std::forward<Parts>(parts)...);
     return Id<T>{size_++};
   }
 
-  T& operator[](Id<T> id) { return In(blocks_, id.index); }
-  const T& operator[](Id<T> id) const { return In(blocks_, id.index); }
+  T& operator[](Id<T> id) { return blocks_[id.index / kBlock][id.index % kBlock]; }
+  const T& operator[](Id<T> id) const { return blocks_[id.index / kBlock][id.index % kBlock]; }
 
   std::uint32_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -40,10 +57,11 @@ class Arena {
   // Whether holds(value) is true for any value, without the cost of finding each by its id.
   template <typename Holds>
   bool AnyOf(Holds&& holds) const {
-    for (const std::vector<T>& block : blocks_) {
-      for (const T& value : block) {
-        if (holds(value)) return true;
-      }
+    std::size_t left = size_;
+    for (const T* const block : blocks_) {
+      const std::size_t count = std::min(left, kBlock);
+      if (std::any_of(block, block + count, holds)) return true;
+      left -= count;
     }
     return false;
   }
@@ -67,32 +85,20 @@ class Arena {
 
  private:
   void AddBlock() {
-    const std::size_t count = blocks_.size() < kSmallBlocks ? kSmall : kLarge;
     if (blocks_.empty()) blocks_.reserve(kFirstBlocks);
-    blocks_.emplace_back();
-    blocks_.back().reserve(count);
-    room_ += count;
+    blocks_.push_back(KeptAllocator<T>().allocate(kBlock));
+  }
+  void Swap(Arena& other) {
+    blocks_.swap(other.blocks_);
+    std::swap(size_, other.size_);
   }
 
-  static auto& In(auto& blocks, std::size_t index) {
-    if (index < kSmallBlocks * kSmall) return blocks[index / kSmall][index % kSmall];
-    index -= kSmallBlocks * kSmall;
-    return blocks[kSmallBlocks + index / kLarge][index % kLarge];
-  }
-
-  // The number of values in one of the first blocks: about the nodes of one kind in a small shader,
-  // which has many small nodes and a few large ones. A block of large nodes stays below the size
-  // that allocators keep at hand.
-  static constexpr std::size_t kSmall =
-      sizeof(T) < 48 ? 64 : std::max<std::size_t>(1, std::bit_floor(1024 / sizeof(T)));
+  // The number of values in a block of 2 KiB: a small shader has about as many nodes of one kind.
+  static constexpr std::size_t kBlock =
+      std::max<std::size_t>(1, std::bit_floor(std::size_t{2048} / sizeof(T)));
   static constexpr std::size_t kFirstBlocks = 8;  // that the list makes room for at first
-  // After them come blocks of 32 KiB, so that the list of blocks of a large shader stays in cache.
-  static constexpr std::size_t kSmallBlocks = 64;
-  static constexpr std::size_t kLarge =
-      std::max<std::size_t>(1, std::bit_floor(std::size_t{32768} / sizeof(T)));
-  std::vector<std::vector<T>> blocks_;
+  KeptVector<T*> blocks_;
   std::uint32_t size_ = 0;
-  std::size_t room_ = 0;  // the number of values that the blocks are for
 };
 
 // A run of values in one Pool. A node holds these eight bytes instead of a vector.
@@ -112,7 +118,7 @@ class Pool {
   List<T> Add(std::span<const T> values) {
     const List<T> list{static_cast<std::uint32_t>(values_.size()),
                        static_cast<std::uint32_t>(values.size())};
-    std::vector<T> old;
+    KeptVector<T> old;
     if (const std::size_t size = values_.size() + values.size(); size > values_.capacity()) {
       old.reserve(std::max({size, 2 * values_.capacity(), kFirst}));
       old.insert(old.end(), values_.begin(), values_.end());
@@ -133,7 +139,7 @@ class Pool {
  private:
   static constexpr std::size_t kFirst = 16;  // values that the first list makes room for
 
-  std::vector<T> values_;
+  KeptVector<T> values_;
 };
 
 }  // namespace clipc

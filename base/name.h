@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/arena.h"
 #include "base/id.h"
+#include "base/kept_blocks.h"
 
 namespace clipc {
 
@@ -29,7 +29,7 @@ class Names {
   void Grow();
 
   Arena<std::string> texts_;
-  std::vector<Name> slots_;  // a hash table of Names; its size is a power of two
+  KeptVector<Name> slots_;  // a hash table of Names; its size is a power of two
 };
 
 }  // namespace clipc

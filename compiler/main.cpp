@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "base/kept_blocks.h"
 #include "base/system.h"
 #include "compiler/driver.h"
 
@@ -7,6 +8,7 @@ extern const char kCommit[];  // made by cmake/write_commit.cmake
 }  // namespace clipc
 
 int main(int argc, char** argv) {
+  clipc::KeepBlocksToTheEnd();
   clipc::system::PrepareStandardStreams();
   return clipc::RunCommandLine(clipc::system::Arguments(argc, argv), clipc::kCommit);
 }

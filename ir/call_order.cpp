@@ -3,8 +3,13 @@
 
 namespace clipc::ir {
 
-std::vector<FunctionId> CalleesFirst(const Program& program) {
-  return CalleesFirst(program, [](const Expr&) {}, [](FunctionId) { return true; });
+KeptVector<FunctionId> CalleesFirst(const Program& program) {
+  std::size_t calls = 0;
+  program.exprs.AnyOf([&](const Expr& expr) {
+    if (std::holds_alternative<Call>(expr.node)) ++calls;
+    return false;
+  });
+  return CalleesFirst(program, [](const Expr&) {}, [](FunctionId) { return true; }, calls);
 }
 
 }  // namespace clipc::ir

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <cstdint>
 
+#include "base/kept_blocks.h"
 #include "ir/access.h"
 #include "ir/program.h"
 #include "ir/walk.h"
@@ -13,30 +14,35 @@ namespace clipc::ir {
 // The functions that `main` reaches, each once, callees before callers and `main` last: what is
 // asked of them in this order needs no recursion, as generated shaders have call chains of any
 // length. Requires functions without recursion.
-std::vector<FunctionId> CalleesFirst(const Program& program);
+KeptVector<FunctionId> CalleesFirst(const Program& program);
 
 // The same for the functions that enters(FunctionId) is true for, `main` among them, and calls
-// visit(const Expr&) for every expression of each before those of its callees.
+// visit(const Expr&) for every expression of each before those of its callees. With the number of
+// `calls` that the program has, only as many bodies are walked as it takes to find them.
 template <typename OnExpr, typename Enters>
-std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit, Enters&& enters) {
+KeptVector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit, Enters&& enters,
+                                    std::size_t calls = SIZE_MAX) {
   struct Begun {
     FunctionId function;
-    std::vector<FunctionId> callees;
+    KeptVector<FunctionId> callees;
     std::size_t next = 0;
   };
   const auto begin = [&](FunctionId function) {
     Begun begun{function, {}};
+    if (calls == 0) return begun;
     ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
       const Expr& expr = program.exprs[id];
       visit(expr);
       const auto* call = std::get_if<Call>(&expr.node);
-      if (call && enters(call->function)) begun.callees.push_back(call->function);
+      if (!call) return;
+      --calls;
+      if (enters(call->function)) begun.callees.push_back(call->function);
     });
     return begun;
   };
-  std::vector<FunctionId> order;
-  std::vector<bool> is_begun(program.functions.size());
-  std::vector<Begun> path;
+  KeptVector<FunctionId> order;
+  KeptVector<bool> is_begun(program.functions.size());
+  KeptVector<Begun> path;
   order.reserve(is_begun.size()), path.reserve(8);
   path.push_back(begin(program.main));
   while (!path.empty()) {

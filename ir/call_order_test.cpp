@@ -26,7 +26,7 @@ TEST(CallOrder, CalleesStandBeforeCallersAndEachFunctionOnce) {
   Define(program, {left});  // nothing reaches it
   const FunctionId right = Define(program, {left, shared});
   program.main = Define(program, {right, left});
-  const std::vector<FunctionId> expected = {shared, left, right, program.main};
+  const KeptVector<FunctionId> expected = {shared, left, right, program.main};
   EXPECT_EQ(CalleesFirst(program), expected);
 }
 

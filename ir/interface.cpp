@@ -13,7 +13,7 @@ std::uint32_t LocationCount(const Type& type) {
   return IsWide(type.scalar) && type.Components() > 2 ? 2 : 1;
 }
 
-void SortByLocation(std::vector<IoVar>& list) {
+void SortByLocation(IoVars& list) {
   const auto is_built_in = [](const IoVar& io) { return io.builtin != Builtin::kNone; };
   if (std::ranges::is_sorted(list | std::views::filter(std::not_fn(is_built_in)), {},
                              &IoVar::location))

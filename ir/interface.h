@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/kept_blocks.h"
 #include "base/span.h"
 #include "base/stage.h"
 #include "ir/ids.h"
@@ -198,12 +199,14 @@ struct IoVar {
   friend bool operator==(const IoVar&, const IoVar&) = default;
 };
 
+using IoVars = KeptVector<IoVar>;
+
 // The locations that an input or output of this scalar or vector type needs: two for three or four
 // components of 64 bits.
 std::uint32_t LocationCount(const Type& type);
 // Sorts the inputs or outputs that are not built in by location and puts them after the built-in
 // ones. A list in which they have that order already is left as it is.
-void SortByLocation(std::vector<IoVar>& list);
+void SortByLocation(IoVars& list);
 
 // The semantic of the outputs that carry distances to clip planes to a fragment shader that
 // discards. A shader cannot name it: the names that begin with SV_ are Direct3D's.

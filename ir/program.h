@@ -60,7 +60,7 @@ struct Program {
   // The generated function without parameters and result: it reads the inputs, calls the entry
   // once, and writes the outputs, which in a stage that emits vertices Stream::emit does.
   FunctionId main;
-  std::vector<IoVar> inputs, outputs;
+  IoVars inputs, outputs;
   std::vector<OutputGroup> output_groups;  // where the next stage is known
   // The kStatic, kShared and kConstant variables at global scope that are reached, in order of
   // declaration.

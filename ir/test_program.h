@@ -102,8 +102,7 @@ class TestProgram : public Program {
   std::string error;
 
  private:
-  VarId AddIo(std::vector<IoVar>& list, std::string name, TypeId type, Builtin builtin,
-              std::string semantic) {
+  VarId AddIo(IoVars& list, std::string name, TypeId type, Builtin builtin, std::string semantic) {
     IoVar io;
     io.var = AddVar(std::move(name), type, &list == &inputs ? Storage::kInput : Storage::kOutput);
     io.builtin = builtin;

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "base/arena.h"
 #include "base/id.h"
+#include "base/kept_blocks.h"
 #include "base/span.h"
 #include "ir/object.h"
 
@@ -198,7 +198,7 @@ class TypeTable {
 
   Arena<Type> types_;  // the types that are not common
   Arena<Struct> structs_;
-  std::unordered_map<std::uint64_t, TypeId> by_key_;  // the same types by a packed key
+  KeptMap<std::uint64_t, TypeId> by_key_;  // the same types by a packed key
 };
 
 // The kind of each component of a type in order, through structs and arrays; an object counts as

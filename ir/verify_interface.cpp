@@ -64,7 +64,7 @@ class InterfaceVerifier {
 
   // ---- inputs and outputs
 
-  void CheckIo(const std::vector<IoVar>& list, Storage storage, const std::string& direction) {
+  void CheckIo(const IoVars& list, Storage storage, const std::string& direction) {
     std::set<VarId> seen;
     std::bitset<64> builtins;
     const IoVar* last = nullptr;  // the one before that is not built in

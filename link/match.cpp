@@ -33,7 +33,7 @@ class Applier {
   }
 
   void Run() {
-    std::vector<IoVar> outputs;
+    IoVars outputs;
     std::uint32_t end = 0;  // after the last location that the pixel shader has
     for (std::size_t i = 0; i < matches_.outputs.size(); ++i) {
       IoVar output = program_.outputs[i];
@@ -82,7 +82,7 @@ class Applier {
   }
 
   // Adds outputs that are 0 for an input that nothing writes.
-  void AddZeros(const Input& input, std::size_t number, std::vector<IoVar>& outputs) {
+  void AddZeros(const Input& input, std::size_t number, IoVars& outputs) {
     const Span span = program_.functions[program_.entry].span;
     const TypeId type = TypeOfElement(input.type);
     Builder builder(program_, span);

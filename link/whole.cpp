@@ -17,7 +17,7 @@ bool IsRowOfSame(const Program& program, const IoVar& first, const IoVar& output
 }
 
 // The same for inputs or outputs.
-void KeepMatricesWhole(const Program& program, std::vector<IoVar>& list, bool only_square) {
+void KeepMatricesWhole(const Program& program, IoVars& list, bool only_square) {
   for (std::size_t first = 0; first < list.size();) {
     std::size_t end = first;
     while (end < list.size() && IsRowOfSame(program, list[first], list[end])) ++end;

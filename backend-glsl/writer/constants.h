@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "backend-glsl/target.h"
+#include "base/kept_blocks.h"
 #include "ir/program.h"
 #include "legalize/shape.h"
 
@@ -52,7 +52,7 @@ class Constants {
   const ir::Program& program_;
   const Target& target_;
   const legalize::Needs& needs_;
-  std::vector<Answer> values_;  // by VarId
+  KeptVector<Answer> values_;  // by VarId
 };
 
 }  // namespace clipc::glsl

@@ -6,13 +6,14 @@
 #include "backend-glsl/other_stage.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/writer/code.h"
+#include "base/kept_object.h"
 #include "ir/program.h"
 
 namespace clipc::glsl {
 
 // The writer of one stage, in two steps: all names and places of what the stage declares, and then
 // its text. The arguments outlive it.
-class StageWriter {
+class StageWriter : public KeptObject {
  public:
   StageWriter(const ir::Program& program, const Target& target, const WriteOptions& options,
               OtherStages others = {});

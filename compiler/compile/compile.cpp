@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "base/kept_blocks.h"
 #include "compiler/compile/back_end.h"
 #include "compiler/compile/collect_messages.h"
 #include "compiler/compile/dump_tokens.h"
@@ -217,6 +218,7 @@ FrontendContext& Compiler::ContextFor(const ProgramRequest& request) {
 }
 
 CompileResult Compiler::Compile(const ProgramRequest& request) {
+  KeepBlocks();
   try {
     return CompileIn({ContextFor(request), memory_->texts, memory_->valid}, request);
   } catch (const std::bad_alloc&) {

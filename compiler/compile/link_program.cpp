@@ -46,7 +46,7 @@ constexpr PassedOn kPassedOn[] = {{ir::Builtin::kPosition, ir::Builtin::kPositio
                                   {ir::Builtin::kCullDistance, ir::Builtin::kCullDistanceInput},
                                   {ir::Builtin::kPrimitiveIdOutput, ir::Builtin::kPrimitiveId}};
 
-const ir::IoVar* Find(const std::vector<ir::IoVar>& list, ir::Builtin builtin) {
+const ir::IoVar* Find(const ir::IoVars& list, ir::Builtin builtin) {
   const auto found = std::ranges::find(list, builtin, &ir::IoVar::builtin);
   return found == list.end() ? nullptr : &*found;
 }

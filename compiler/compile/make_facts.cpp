@@ -138,7 +138,7 @@ class Describer {
     return fact;
   }
 
-  std::vector<VariableFact> Signature(const std::vector<IoVar>& signature,
+  std::vector<VariableFact> Signature(const IoVars& signature,
                                       const std::vector<GlslInfo::Variable>& written) const {
     std::vector<VariableFact> facts;
     facts.reserve(signature.size());

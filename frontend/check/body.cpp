@@ -103,7 +103,7 @@ void CheckBodies(Context& context) {
 
 void CheckRecursion(Context& context) {
   using Edge = Overloads::CallEdge;
-  std::vector<Edge>& calls = context.functions.calls;
+  KeptVector<Edge>& calls = context.functions.calls;
   std::ranges::stable_sort(calls, {}, &Edge::caller);
   enum : std::uint8_t { kNew, kOpen, kDone };
   std::vector<std::uint8_t> state(context.program.functions.size(), kNew);

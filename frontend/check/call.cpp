@@ -41,9 +41,9 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
 
 // The functions of a name, and the instances of templates of that name that the arguments
 // determine.
-std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
-                                         List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
-  std::vector<FunctionInfoId> candidates;
+KeptVector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
+                                        List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
+  KeptVector<FunctionInfoId> candidates;
   if (explicit_arguments.empty()) candidates = OverloadsOf(context, symbol, self);
   for (SymbolId id = symbol; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
@@ -98,7 +98,7 @@ ExprId CallOverload(Context& context, NamedCall& call, SymbolId symbol, bool is_
   const Span name_span = call.spans.name;
   const VarId self = context.view.body ? context.view.body->self : VarId{};
   const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
-  const std::vector<FunctionInfoId> overloads =
+  const KeptVector<FunctionInfoId> overloads =
       CandidatesOf(context, symbol, is_method && self ? context[self].type : TypeId{},
                    call.callee.arguments, call.arguments);
   const Choice choice = ChooseOverload(context, overloads, call.arguments, name, name_span);
@@ -197,7 +197,7 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     return CallValue(context, {value, std::string(context[member.name]), member.name_span}, expr,
                      span);
   }
-  const std::vector<FunctionInfoId> overloads =
+  const KeptVector<FunctionInfoId> overloads =
       CandidatesOf(context, symbol, type, member.arguments, arguments);
   const Choice choice =
       ChooseOverload(context, overloads, arguments, member.name, member.name_span);

@@ -5,12 +5,12 @@
 #include <span>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/kept_blocks.h"
 #include "base/not_copied.h"
 #include "frontend/check/check_options.h"
 #include "frontend/check/overloads.h"
@@ -71,18 +71,18 @@ struct Context final : TemporaryMaker {
   Structs structs;
   Globals globals;
   // The operands of casts of paths, by the expression that each became: cast_target.h.
-  std::unordered_map<std::uint32_t, ast::ExprId> casts;
+  KeptMap<std::uint32_t, ast::ExprId> casts;
   // What is known of enum classes (enum_class.h): the enum of an expression and of a variable, none
   // for a number. They are empty if the file has no enum class.
-  std::unordered_map<std::uint32_t, SymbolId> enum_values;
-  std::unordered_map<std::uint32_t, SymbolId> enum_symbols;
+  KeptMap<std::uint32_t, SymbolId> enum_values;
+  KeptMap<std::uint32_t, SymbolId> enum_symbols;
   // The bit-fields that are read, by the expression that each became: bit_field.h.
-  std::unordered_map<std::uint32_t, BitAccess> bits;
-  std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
-  std::vector<StmtId> stmts;          // the statements of the blocks in progress
-  bool drops_value = false;           // whether the assignment checked next is a statement
-  int depth = 0;                      // the weights of the RecursionGuards that are open
-  bool is_too_large = false;          // whether RecursionGuard has reported that it is
+  KeptMap<std::uint32_t, BitAccess> bits;
+  KeptVector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
+  KeptVector<StmtId> stmts;          // the statements of the blocks in progress
+  bool drops_value = false;          // whether the assignment checked next is a statement
+  int depth = 0;                     // the weights of the RecursionGuards that are open
+  bool is_too_large = false;         // whether RecursionGuard has reported that it is
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
   // syntax tree, a node or variable of the program, a symbol, the text of a name.

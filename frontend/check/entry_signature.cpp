@@ -115,7 +115,7 @@ GroupLimits LimitsOf(const Profile& profile) {
 // The constant with a [[vk::constant_id]] that an argument of [numthreads] names; none without one.
 // Reports one that the argument computes with: a group has the number of one constant.
 VarId GroupSizeConstant(Context& context, ast::ExprId argument) {
-  const std::vector<SymbolId> used = std::exchange(context.globals.used_as_constants, {});
+  const auto used = std::exchange(context.globals.used_as_constants, {});
   for (const SymbolId id : used) {
     const auto& var = context.Get<ast::VarDecl>(context[id].decl);
     if (!ConstantIdOf(context, var.attributes)) continue;

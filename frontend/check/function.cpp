@@ -20,7 +20,7 @@ FunctionInfoId InfoOfFunction(Context& context, SymbolId id, TypeId self) {
 }
 
 void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, FunctionInfo& info,
-                  std::vector<Parameter>& parameters) {
+                  KeptVector<Parameter>& parameters) {
   Parameter parameter;
   parameter.decl = id;
   parameter.type = WithoutString(context, ResolveVarType(context, var), var);
@@ -133,7 +133,7 @@ void ResolveSignature(Context& context, FunctionInfoId id) {
   if (context.types.Innermost(info.return_type) == context.types.String())
     info.return_type = context.FailType(decl.name_span, diag::StringUsed, context[decl.name]);
   if (context.IsError(info.return_type)) info.is_broken = true;
-  std::vector<Parameter> parameters;
+  KeptVector<Parameter> parameters;
   parameters.reserve(decl.parameters.size);
   for (ast::DeclId parameter : context[decl.parameters]) {
     AddParameter(context, context.Get<ast::VarDecl>(parameter), parameter, info, parameters);
@@ -151,20 +151,20 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
                             });
 }
 
-const std::vector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self) {
+const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self) {
   const Symbol& symbol = context[first];
   const SymbolId newest = context.names.NewestIn(symbol.scope, symbol.name);
   const std::uint64_t key = Overloads::KeyOf(newest, self);
   if (const auto known = context.functions.overloads.find(key);
       known != context.functions.overloads.end())
     return known->second;
-  std::vector<SymbolId> symbols;
+  KeptVector<SymbolId> symbols;
   for (SymbolId id = newest; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     if (DeclOf(context, id).is_template) continue;
     symbols.push_back(id);
   }
-  std::vector<FunctionInfoId> overloads;
+  KeptVector<FunctionInfoId> overloads;
   std::unordered_map<std::string, std::size_t> by_parameters;
   for (auto id = symbols.rbegin(); id != symbols.rend(); ++id) {
     const FunctionInfoId added = InfoOfFunction(context, *id, self);

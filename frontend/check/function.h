@@ -20,7 +20,7 @@ void ResolveSignature(Context& context, FunctionInfoId id);
 bool SameParameters(const Context& context, const FunctionInfo& a, const FunctionInfo& b);
 // All functions that have the name and scope of `first`, declared so far or later, except
 // templates. A prototype and its definition are one function.
-const std::vector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self);
+const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self);
 // The signature as messages have it: "f(float, out int)".
 std::string SignatureText(const Context& context, const FunctionInfo& info);
 

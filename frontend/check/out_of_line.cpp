@@ -6,7 +6,7 @@
 
 namespace clipc::check {
 
-std::vector<ast::DeclId> OutOfLine::Of(Context& context, Name name, ScopeId scope) {
+KeptVector<ast::DeclId> OutOfLine::Of(Context& context, Name name, ScopeId scope) {
   const auto found = members_.find(name.index);
   if (found == members_.end()) return {};
   MemberDefinitions& member = found->second;

@@ -3,9 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "frontend/check/symbols.h"
 #include "frontend/parse/ast.h"
 
@@ -21,7 +20,7 @@ class OutOfLine {
   }
   // The definitions of the member `name` of the struct that has this scope, in the order of the
   // text.
-  std::vector<ast::DeclId> Of(Context& context, Name name, ScopeId scope);
+  KeptVector<ast::DeclId> Of(Context& context, Name name, ScopeId scope);
 
  private:
   struct Definition {
@@ -29,11 +28,11 @@ class OutOfLine {
     ast::DeclId decl;
   };
   struct MemberDefinitions {
-    std::vector<Definition> definitions;
+    KeptVector<Definition> definitions;
     std::size_t placed = 0;  // the number of definitions, from the first on, in by_scope
-    std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> by_scope;
+    KeptMap<std::uint32_t, KeptVector<ast::DeclId>> by_scope;
   };
-  std::unordered_map<std::uint32_t, MemberDefinitions> members_;  // by Name
+  KeptMap<std::uint32_t, MemberDefinitions> members_;  // by Name
 };
 
 }  // namespace clipc::check

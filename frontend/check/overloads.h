@@ -5,10 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <vector>
 
 #include "base/arena.h"
+#include "base/kept_blocks.h"
 #include "base/name.h"
 #include "frontend/check/out_of_line.h"
 #include "frontend/check/symbols.h"
@@ -40,43 +39,43 @@ struct Overloads {
   std::span<const Parameter> operator[](List<Parameter> list) const { return parameters[list]; }
 
   // The names of the operators that the file declares: "operator+" by "+".
-  std::unordered_map<std::string_view, Name> operators;
+  KeptMap<std::string_view, Name> operators;
   Arena<FunctionInfo> infos;
   Pool<Parameter> parameters;
   // The functions of symbols, by KeyOf.
-  std::unordered_map<std::uint64_t, FunctionInfoId> of_symbol;
+  KeptMap<std::uint64_t, FunctionInfoId> of_symbol;
   // The overload sets, by KeyOf the newest symbol of the name.
-  std::unordered_map<std::uint64_t, std::vector<FunctionInfoId>> overloads;
+  KeptMap<std::uint64_t, KeptVector<FunctionInfoId>> overloads;
   OutOfLine out_of_line;
   // The specialisations `template<> int f<int>(int x)`, which have no name of their own, by the
   // Name of the template.
-  std::unordered_map<std::uint32_t, std::vector<SymbolId>> specialisations;
+  KeptMap<std::uint32_t, KeptVector<SymbolId>> specialisations;
   // Whether a method changes its object, by DeclId.
-  std::unordered_map<std::uint32_t, bool> changes_self;
+  KeptMap<std::uint32_t, bool> changes_self;
   // The instances of templates, each the index of a TypeId or FunctionInfoId, by declaration, scope
   // and arguments.
-  std::unordered_map<std::string, std::uint32_t> instances;
+  KeptMap<std::string, std::uint32_t> instances;
   bool has_too_many_instances = false;  // which was reported
   // The functions that are reached, in the order in which their bodies are checked.
-  std::vector<FunctionInfoId> waiting;
+  KeptVector<FunctionInfoId> waiting;
   struct CallEdge {
     FunctionId caller, callee;
     Span span;
   };
-  std::vector<CallEdge> calls;
+  KeptVector<CallEdge> calls;
   // The calls, on members of constant buffers, of methods that may change their objects.
   struct UniformCall {
     FunctionId method;
     VarId uniform;
     Span span;
   };
-  std::vector<UniformCall> uniform_calls;
+  KeptVector<UniformCall> uniform_calls;
   // The functions that may reach their ends without a `return`, which JudgeEnds judges.
   struct OpenEnd {
     FunctionId function;
     Span name;
   };
-  std::vector<OpenEnd> open_ends;
+  KeptVector<OpenEnd> open_ends;
 };
 
 }  // namespace clipc::check

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory_resource>
 #include <span>
 #include <unordered_map>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "base/not_copied.h"
 #include "frontend/check/symbols.h"
 
@@ -87,11 +89,13 @@ class ScopeTable {
   Arena<Symbol> symbols_;
   Arena<Scope> scopes_;
   ScopeId global_;
-  std::pmr::monotonic_buffer_resource memory_{4096};
+  // The memory of the symbols of most shaders, which so ask for none.
+  std::array<std::byte, 4096> first_memory_;
+  std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
   std::pmr::unordered_map<std::uint64_t, SymbolId> newest_{64, &memory_};  // by scope and name
-  std::vector<SymbolId> local_by_name_;                                    // by Name: the innermost
-  std::vector<SymbolId> locals_;
-  std::vector<std::uint32_t> scope_starts_;  // the number of symbols at each LocalScope's start
+  KeptVector<SymbolId> local_by_name_;                                     // by Name: the innermost
+  KeptVector<SymbolId> locals_;
+  KeptVector<std::uint32_t> scope_starts_;  // the number of symbols at each LocalScope's start
 };
 
 }  // namespace clipc::check

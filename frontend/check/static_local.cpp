@@ -107,7 +107,7 @@ void CountCalls(const Program& program, StmtId id, int each, std::vector<int>& t
 // How often control may reach each function: 0, 1 or more.
 std::vector<int> TimesOfFunctions(const Program& program) {
   std::vector<int> times(program.functions.size());
-  std::vector<FunctionId> order = CalleesFirst(program);
+  KeptVector<FunctionId> order = CalleesFirst(program);
   std::ranges::reverse(order);
   times[program.main.index] = 1;
   for (const FunctionId caller : order) {

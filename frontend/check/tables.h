@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <deque>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "base/kept_blocks.h"
 #include "frontend/check/out_of_line.h"
 #include "frontend/check/symbols.h"
 #include "frontend/parse/ast.h"
@@ -19,13 +19,13 @@ namespace clipc::check {
 
 // The structs and enums of the text.
 struct Structs {
-  std::deque<StructInfo> infos;  // by StructId
+  std::deque<StructInfo, KeptAllocator<StructInfo>> infos;  // by StructId
   // The types that are defined inside another declaration, by DeclId.
-  std::unordered_map<std::uint32_t, SymbolId> symbols;
+  KeptMap<std::uint32_t, SymbolId> symbols;
   // The values of enums, as far as they are known, by the SymbolId of the enum.
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> enum_values;
+  KeptMap<std::uint32_t, KeptVector<std::uint32_t>> enum_values;
   // The specialisations `template<> struct S<float> {..}`, by the SymbolId of the template.
-  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> specialisations;
+  KeptMap<std::uint32_t, KeptVector<ast::DeclId>> specialisations;
   bool IsSpecialisation(SymbolId symbol, ast::DeclId decl) const {
     const auto found = specialisations.find(symbol.index);
     return found != specialisations.end() &&
@@ -43,19 +43,19 @@ struct Globals {
   BufferId buffer;         // the buffer $Globals
   BufferId params_buffer;  // the buffer $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
-  std::vector<Ordered> reached, resources;
-  std::unordered_map<std::uint32_t, Register> registers;              // by VarId of a resource
-  StructRegisters struct_registers;                                   // of uniform structs
-  std::unordered_map<std::uint32_t, std::string> formats;             // by VarId of an image
-  std::unordered_map<std::uint32_t, std::uint32_t> attachments;       // by VarId of a subpass input
-  std::unordered_map<std::uint32_t, std::uint32_t> counter_bindings;  // by VarId of a buffer
+  KeptVector<Ordered> reached, resources;
+  KeptMap<std::uint32_t, Register> registers;              // by VarId of a resource
+  StructRegisters struct_registers;                        // of uniform structs
+  KeptMap<std::uint32_t, std::string> formats;             // by VarId of an image
+  KeptMap<std::uint32_t, std::uint32_t> attachments;       // by VarId of a subpass input
+  KeptMap<std::uint32_t, std::uint32_t> counter_bindings;  // by VarId of a buffer
   // The components of initial values, by VarId of a member of a buffer.
-  std::unordered_map<std::uint32_t, std::vector<std::uint64_t>> initial;
+  KeptMap<std::uint32_t, std::vector<std::uint64_t>> initial;
   OutOfLine out_of_line;
-  std::vector<bool> const_vars;  // by VarId
-  std::vector<VarId> patches;    // parameters that are patches
+  KeptVector<bool> const_vars;  // by VarId
+  KeptVector<VarId> patches;    // parameters that are patches
   // The `const` global variables whose values stood where a constant is needed.
-  std::vector<SymbolId> used_as_constants;
+  KeptVector<SymbolId> used_as_constants;
   // The static variables of functions that get their values where they are declared:
   // static_local.h.
   struct Late {
@@ -64,7 +64,7 @@ struct Globals {
     FunctionId function;
     bool may_repeat;  // whether the declaration is in a loop or switch
   };
-  std::vector<Late> late;
+  KeptVector<Late> late;
 };
 
 }  // namespace clipc::check

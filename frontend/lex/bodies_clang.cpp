@@ -197,7 +197,7 @@ std::vector<std::string> LazyBodies::ReachedFunctions() const {
 
 void LazyBodies::Merge() {
   if (tokens_.list.size() == outside_) return;
-  std::vector<Token> merged;
+  KeptVector<Token> merged;
   merged.reserve(tokens_.list.size());
   const auto at = [&](std::size_t index) {
     return tokens_.list.begin() + static_cast<std::ptrdiff_t>(index);

@@ -9,6 +9,7 @@
 #include <clang/Basic/SourceLocation.h>
 #include <clang/Lex/Token.h>
 
+#include "base/kept_blocks.h"
 #include "frontend/lex/function_heads.h"
 #include "frontend/lex/token.h"
 
@@ -98,10 +99,10 @@ class LazyBodies {
   Tokens& tokens_;
   FunctionHeads heads_;
   std::size_t seen_ = 0;  // of the tokens
-  std::vector<Body> bodies_;
-  std::vector<NameNews> names_;    // by the index of the name
-  std::vector<std::size_t> work_;  // bodies that are reached and not read
-  std::size_t outside_ = 0;        // the number of tokens outside of these bodies
+  KeptVector<Body> bodies_;
+  KeptVector<NameNews> names_;    // by the index of the name
+  KeptVector<std::size_t> work_;  // bodies that are reached and not read
+  std::size_t outside_ = 0;       // the number of tokens outside of these bodies
   Macros* macros_ = nullptr;
   Body* reading_ = nullptr;    // after the main file
   clang::SourceLocation end_;  // of that body

@@ -16,6 +16,7 @@
 #include <llvm/ADT/StringMap.h>
 #include <llvm/Support/Unicode.h>
 
+#include "base/kept_blocks.h"
 #include "frontend/lex/clang_bridge.h"
 #include "frontend/lex/plain_text_clang.h"
 
@@ -93,6 +94,23 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preproc
 void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*,
                                                                         const clang::LangOptions&) {
 }
+
+// llvm::allocate_buffer and deallocate_buffer, which tables and arenas of LLVM's call: a thread
+// keeps their memory. On Windows they have other names, since std::size_t is another type.
+#ifndef _WIN32
+void* __real__ZN4llvm15allocate_bufferEmm(std::size_t, std::size_t) __attribute__((weak));
+void* __wrap__ZN4llvm15allocate_bufferEmm(std::size_t size, std::size_t alignment) {
+  return alignment <= alignof(std::max_align_t)
+             ? TakeBlock(size)
+             : __real__ZN4llvm15allocate_bufferEmm(size, alignment);
+}
+void __real__ZN4llvm17deallocate_bufferEPvmm(void*, std::size_t, std::size_t) __attribute__((weak));
+void __wrap__ZN4llvm17deallocate_bufferEPvmm(void* block, std::size_t size, std::size_t alignment) {
+  alignment <= alignof(std::max_align_t)
+      ? DropBlock(block, size)
+      : __real__ZN4llvm17deallocate_bufferEPvmm(block, size, alignment);
+}
+#endif
 
 // StringMapImpl's constructor: the table of identifiers, the one map that Clang makes this large,
 // grows from fewer buckets.

@@ -20,6 +20,7 @@
 #include <clang/Lex/PreprocessorOptions.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
+#include "base/kept_object.h"
 #include "frontend/lex/bodies_clang.h"
 #include "frontend/lex/clang_bridge.h"
 #include "frontend/lex/files_clang.h"
@@ -107,7 +108,7 @@ struct FrontendContext::State {
   }
 };
 
-struct Source::State {
+struct Source::State : KeptObject {
   FrontendContext::State& shared;
   SourceInput input;
   std::string main_text;

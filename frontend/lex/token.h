@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "base/name.h"
 #include "base/span.h"
 
@@ -91,8 +91,9 @@ struct Token {
 
 // A translation unit after preprocessing; the last token is kEnd.
 struct Tokens {
-  std::vector<Token> list;
+  KeptVector<Token> list;
   Names names;
+  bool has_pragmas = false;  // a kPragmaPackMatrix
 };
 
 }  // namespace clipc

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/kept_blocks.h"
 #include "base/name.h"
 #include "base/span.h"
 #include "frontend/lex/token.h"
@@ -26,7 +27,7 @@ struct EffectVariable {
 };
 
 struct EffectText {
-  std::vector<Token> tokens;           // of the whole file; ranges count in it
+  KeptVector<Token> tokens;            // of the whole file; ranges count in it
   std::vector<TokenRange> techniques;  // with their groups
   std::vector<EffectVariable> variables;
 };

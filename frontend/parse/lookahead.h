@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "base/not_copied.h"
 #include "frontend/parse/token_cursor.h"
 
@@ -81,8 +81,8 @@ class Lookahead : protected TokenCursor {
  private:
   // The meanings by Name. `outside_` has the types and templates of every scope, including the
   // scopes that have ended.
-  std::vector<Meaning> meanings_, outside_;
-  std::vector<std::pair<Name, Meaning>> undo_;
+  KeptVector<Meaning> meanings_, outside_;
+  KeptVector<std::pair<Name, Meaning>> undo_;
 };
 
 }  // namespace clipc::ast

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/kept_blocks.h"
 #include "frontend/lex/token.h"
 #include "frontend/parse/ast_decl.h"
 #include "frontend/parse/keywords.h"
@@ -139,7 +140,7 @@ class TokenCursor {
   std::size_t pos_ = 0;
   bool panic_ = false;
   bool aborted_ = false;  // Abort was called; panic_ is then true as well
-  std::vector<Token> tokens_;
+  KeptVector<Token> tokens_;
   Names names_;
   Diagnostics& diagnostics_;
 
@@ -150,10 +151,10 @@ class TokenCursor {
   };
   void RemovePragmas();
 
-  std::vector<PackingChange> packing_;
+  KeptVector<PackingChange> packing_;
   std::size_t next_packing_ = 0;
   Qualifiers current_packing_ = 0;
-  std::vector<WordInfo> words_;  // by Name
+  KeptVector<WordInfo> words_;  // by Name
 };
 
 }  // namespace clipc::ast

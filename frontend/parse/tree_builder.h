@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "base/not_copied.h"
 #include "frontend/parse/ast.h"
 #include "frontend/parse/ast_walk.h"
@@ -49,7 +49,7 @@ class TreeBuilder : protected Lookahead {
   template <typename T>
   struct Lists {
     Pool<T>& pool;
-    std::vector<T> stack = {};
+    KeptVector<T> stack = {};
   };
 
   // The children of one node while they are gathered. Only the last Collector made and not finished
@@ -162,10 +162,10 @@ class TreeBuilder : protected Lookahead {
   std::uint32_t HeightOf(List<ExprId> list) const;
 
   int nesting_ = 0;
-  int deepest_ = 0;                          // the largest depth_ of the definition being parsed
-  std::uint32_t tallest_ = 0;                // the largest of heights_ in that definition
-  std::vector<std::uint16_t> heights_;       // by Expr: the number of nodes on its longest path
-  std::vector<std::uint32_t> type_heights_;  // by Type: the number of nodes on its longest path
+  int deepest_ = 0;                         // the largest depth_ of the definition being parsed
+  std::uint32_t tallest_ = 0;               // the largest of heights_ in that definition
+  KeptVector<std::uint16_t> heights_;       // by Expr: the number of nodes on its longest path
+  KeptVector<std::uint32_t> type_heights_;  // by Type: the number of nodes on its longest path
 };
 
 }  // namespace clipc::ast

@@ -33,7 +33,7 @@ class Folder {
       : program_(program), folds_locals_(folds_locals), values_(program.vars.size()) {}
 
   void Run() {
-    std::vector<FunctionId> order = CalleesFirst(program_);
+    KeptVector<FunctionId> order = CalleesFirst(program_);
     // The calls of a function have their last form before its own body is folded.
     for (auto id = order.rbegin(); id != order.rend(); ++id) {
       const StmtId body = program_.functions[*id].body;

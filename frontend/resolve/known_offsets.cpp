@@ -53,7 +53,7 @@ class OffsetFinder {
     if (!has_parts_) return;
     FindSources();
     // Callers first, since a call gives the parameters that its function's offsets depend on.
-    std::vector<FunctionId> order = CalleesFirst(program_);
+    KeptVector<FunctionId> order = CalleesFirst(program_);
     for (auto id = order.rbegin(); id != order.rend(); ++id) {
       if (!IsCopied(*id)) ReadLater(*id);
       while (!unread_.empty()) {

@@ -32,7 +32,7 @@ void WrittenWalk::ReportParameters() {
     const VarId parameter = parameters[i];
     if (summary_.parameters[i].empty() || shared_.is_reported[parameter.index]) continue;
     const Var& var = program_.vars[parameter];
-    const std::vector<std::uint16_t> masks = shared_.slots.MasksOf(var.type);
+    const KeptVector<std::uint16_t> masks = shared_.slots.MasksOf(var.type);
     bool is_whole = true, is_any = false, is_safe = true;
     for (std::size_t slot = 0; slot < masks.size(); ++slot) {
       const WrittenComponents& written = summary_.parameters[i][slot];
@@ -204,7 +204,7 @@ WrittenWalk::Flow WrittenWalk::WalkLoop(StmtId stmt) {
 
 void WrittenWalk::WalkDeclare(const Declare& node) {
   if (!node.init) return Unwrite(node.var);
-  const std::vector<WrittenComponents> values = ValueOf(node.init);
+  const KeptVector<WrittenComponents> values = ValueOf(node.init);
   if (!AreAllWritten(values)) Track(node.var);
   if (shared_.slots.IsTracked(node.var)) Write(shared_.slots.Whole(node.var), values);
 }
@@ -213,7 +213,7 @@ void WrittenWalk::WalkReturn(ExprId value) {
   if (value && !IsEntry() && TypeOf(program_, value).IsNumeric()) {
     Visit(value);  // reports what is unwritten, so that callers need not
   } else if (value) {
-    std::vector<WrittenComponents> values = ValueOf(value);
+    KeptVector<WrittenComponents> values = ValueOf(value);
     const std::size_t count = shared_.slots.CountOf(TypeIdOf(program_, value));
     values.resize(count, kAllWritten);
     if (!has_returned_) summary_.result.assign(count, {0, 0xffff, 0xffff});
@@ -234,7 +234,7 @@ void WrittenWalk::Leave() {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (program_.vars[parameters[i]].storage != Storage::kOut) continue;
     const WrittenPlace place = shared_.slots.Whole(parameters[i]);
-    std::vector<WrittenComponents>& all = summary_.parameters[i];
+    KeptVector<WrittenComponents>& all = summary_.parameters[i];
     if (!has_returned_) all.assign(place.count, {0, 0xffff, 0xffff});
     for (std::size_t slot = 0; slot < place.count; ++slot) {
       const WrittenComponents& now = state_[place.first + slot];
@@ -253,9 +253,9 @@ void CheckWritten(Program& program, Diagnostics& diagnostics) {
                        WrittenSlots(program),
                        ValueCheck(program, diagnostics),
                        WrittenPaths(program),
-                       std::vector<WrittenSummary>(program.functions.size()),
-                       std::vector<bool>(program.vars.size()),
-                       std::vector<IoVar*>(program.vars.size())};
+                       KeptVector<WrittenSummary>(program.functions.size()),
+                       KeptVector<bool>(program.vars.size()),
+                       KeptVector<IoVar*>(program.vars.size())};
   for (IoVar& output : program.outputs) shared.outputs[output.var.index] = &output;
   WrittenState state;
   for (const FunctionId function : CalleesFirst(program))

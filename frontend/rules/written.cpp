@@ -52,16 +52,16 @@ std::uint16_t WrittenSlots::MaskOf(TypeId id) const {
   return type.kind == TypeKind::kArray && type.count <= 16 ? Bits(type.count) : 1;
 }
 
-void WrittenSlots::AddMasks(TypeId type, std::vector<std::uint16_t>& masks) const {
+void WrittenSlots::AddMasks(TypeId type, KeptVector<std::uint16_t>& masks) const {
   if (program_.types[type].kind != TypeKind::kStruct) return masks.push_back(MaskOf(type));
   const std::vector<Field>& fields = program_.types.StructOf(type).fields;
   if (fields.empty()) masks.push_back(0);
   for (const Field& field : fields) AddMasks(field.type, masks);
 }
 
-std::vector<std::uint16_t> WrittenSlots::MasksOf(TypeId type) const {
+KeptVector<std::uint16_t> WrittenSlots::MasksOf(TypeId type) const {
   if (Count(type) > kMostSlots) return {1};
-  std::vector<std::uint16_t> masks;
+  KeptVector<std::uint16_t> masks;
   AddMasks(type, masks);
   return masks;
 }

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "frontend/rules/names.h"
 #include "frontend/rules/written_paths.h"
 
@@ -65,7 +65,7 @@ class WrittenSlots {
   // The slots of a value of the type; 1 for one with too many.
   std::uint32_t CountOf(TypeId type) const;
   // The bits of each slot of the type.
-  std::vector<std::uint16_t> MasksOf(TypeId type) const;
+  KeptVector<std::uint16_t> MasksOf(TypeId type) const;
   // Requires that the variable is tracked.
   WrittenPlace Whole(VarId var) const;
   // The place of a path in a variable that is tracked; nullopt for every other expression.
@@ -73,7 +73,7 @@ class WrittenSlots {
 
  private:
   std::uint32_t Count(TypeId type) const;
-  void AddMasks(TypeId type, std::vector<std::uint16_t>& masks) const;
+  void AddMasks(TypeId type, KeptVector<std::uint16_t>& masks) const;
   std::uint16_t MaskOf(TypeId type) const;
   void TakeField(WrittenPlace& place, const FieldRef& field) const;
   void TakeElement(WrittenPlace& place, const Index& index) const;
@@ -81,8 +81,8 @@ class WrittenSlots {
   static constexpr std::size_t kUntracked = SIZE_MAX;
 
   const Program& program_;
-  mutable std::vector<std::uint32_t> counts_;  // by TypeId; 0: not known yet
-  std::vector<std::size_t> first_;             // by VarId
+  mutable KeptVector<std::uint32_t> counts_;  // by TypeId; 0: not known yet
+  KeptVector<std::size_t> first_;             // by VarId
   std::size_t size_ = 0;
 };
 
@@ -93,7 +93,7 @@ class WrittenState {
     std::size_t slot;
     WrittenComponents value;
   };
-  using Changes = std::vector<Change>;
+  using Changes = KeptVector<Change>;
 
   // Adds slots up to the number `slots`, all of them written.
   void Grow(std::size_t slots) {
@@ -156,9 +156,9 @@ class WrittenState {
   WrittenComponents Merge(std::size_t slot, WrittenComponents one, WrittenComponents other,
                           const JoinPoint& point);
 
-  std::vector<WrittenComponents> now_;
-  std::vector<Place> places_;        // by slot
-  std::vector<std::uint32_t> seen_;  // by slot: the last walk of the log that has found it
+  KeptVector<WrittenComponents> now_;
+  KeptVector<Place> places_;        // by slot
+  KeptVector<std::uint32_t> seen_;  // by slot: the last walk of the log that has found it
   std::uint32_t walk_ = 0;
   Changes log_;  // the values before
 };

@@ -116,7 +116,7 @@ void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
   const WrittenSummary& summary = shared_.summaries[node.function.index];
   const bool is_of_entry = IsCalledByMain(node.function);
   std::size_t i = 0;
-  std::vector<std::pair<ExprId, std::size_t>> written;
+  KeptVector<std::pair<ExprId, std::size_t>> written;
   ForEachOperand(program_, expr, [&](ExprId argument) {
     const std::size_t number = i++;
     if (!WritesOperand(program_, expr, number)) return Visit(argument);
@@ -129,7 +129,7 @@ void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
   }
 }
 
-std::vector<WrittenComponents> WrittenWalk::ValueOf(ExprId value) {
+KeptVector<WrittenComponents> WrittenWalk::ValueOf(ExprId value) {
   const bool is_numeric = TypeOf(program_, value).IsNumeric();
   if (const auto* call = As<Call>(program_, value)) {
     Visit(value);
@@ -143,7 +143,7 @@ std::vector<WrittenComponents> WrittenWalk::ValueOf(ExprId value) {
     return {};
   }
   VisitTarget(value);
-  std::vector<WrittenComponents> values;
+  KeptVector<WrittenComponents> values;
   for (std::size_t i = 0; i < place->count; ++i) values.push_back(state_[place->first + i]);
   return values;
 }

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "frontend/rules/check_values.h"
 #include "frontend/rules/names.h"
 #include "frontend/rules/written.h"
@@ -16,8 +16,8 @@ namespace clipc::rules {
 
 // What a function has written when it returns.
 struct WrittenSummary {
-  std::vector<WrittenComponents> result;                   // by slot of the type
-  std::vector<std::vector<WrittenComponents>> parameters;  // empty for those that are not kOut
+  KeptVector<WrittenComponents> result;                  // by slot of the type
+  KeptVector<KeptVector<WrittenComponents>> parameters;  // empty for those that are not kOut
 };
 
 // What all functions share.
@@ -27,9 +27,9 @@ struct WrittenShared {
   WrittenSlots slots;
   ValueCheck values;
   WrittenPaths paths;
-  std::vector<WrittenSummary> summaries;  // by FunctionId
-  std::vector<bool> is_reported;          // by VarId
-  std::vector<IoVar*> outputs;            // by VarId
+  KeptVector<WrittenSummary> summaries;  // by FunctionId
+  KeptVector<bool> is_reported;          // by VarId
+  KeptVector<IoVar*> outputs;            // by VarId
 };
 
 // Walks a function in the order in which it runs.
@@ -83,7 +83,7 @@ class WrittenWalk {
   void WriteTo(ExprId target, std::span<const WrittenComponents> values);
   void Write(const WrittenPlace& place, std::span<const WrittenComponents> values = {});
   // What the parts of a value are that an assignment copies; empty: all are written.
-  std::vector<WrittenComponents> ValueOf(ExprId value);
+  KeptVector<WrittenComponents> ValueOf(ExprId value);
 
   // ---- main
   void CheckOutput(const Assign& node);
@@ -93,9 +93,9 @@ class WrittenWalk {
   WrittenState& state_;
   FunctionId function_;
   bool has_returned_ = false;
-  int loops_ = 0;            // around the place of the walk
-  int choices_ = 0;          // the conditions and loops that decide whether control comes there
-  std::vector<Read> reads_;  // in loops that have not ended
+  int loops_ = 0;           // around the place of the walk
+  int choices_ = 0;         // the conditions and loops that decide whether control comes there
+  KeptVector<Read> reads_;  // in loops that have not ended
   WrittenSummary summary_;
 };
 

@@ -21,8 +21,7 @@ InterfaceVars::InterfaceVars(Program& program, Diagnostics& diagnostics)
       locations_{{"outputs", diagnostics}, {"inputs", diagnostics}},
       of_patch_{{"outputs", diagnostics}, {"inputs", diagnostics}} {}
 
-VarId InterfaceVars::Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId type,
-                         Builtin builtin) {
+VarId InterfaceVars::Add(IoVars& list, const Carrier& leaf, TypeId type, Builtin builtin) {
   const bool is_input = &list == &program_.inputs;
   const auto& [semantic, given, assumed, span, interpolation, centroid, sample, location,
                blend_index, precise] = leaf.cursor;

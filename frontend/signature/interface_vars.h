@@ -35,7 +35,7 @@ class InterfaceVars {
   void PlaceConstants();
 
  private:
-  VarId Add(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin);
+  VarId Add(IoVars& list, const Carrier& leaf, TypeId type, Builtin builtin);
   std::uint32_t TargetNumber(const Carrier& leaf);
 
   // The distances of the inputs, or of the outputs.

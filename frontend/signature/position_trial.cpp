@@ -55,7 +55,7 @@ class Trial {
 
  private:
   template <typename Member, typename T>
-  static std::size_t IndexOf(const std::vector<IoVar>& list, Member member, T value) {
+  static std::size_t IndexOf(const IoVars& list, Member member, T value) {
     const auto found = std::ranges::find(list, value, member);
     return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin());
   }

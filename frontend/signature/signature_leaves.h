@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
+#include "base/kept_blocks.h"
 #include "frontend/signature/names.h"
 #include "frontend/signature/semantics.h"
 #include "ir/builder.h"
@@ -101,9 +101,9 @@ class SignatureLeaves {
   Program& program_;
   Builder& builder_;
   Diagnostics& diagnostics_;
-  std::vector<Part> parts_;
-  std::vector<Carrier> leaves_;
-  std::vector<Carrier> without_semantic_;  // with that which is assumed
+  KeptVector<Part> parts_;
+  KeptVector<Carrier> leaves_;
+  KeptVector<Carrier> without_semantic_;  // with that which is assumed
   bool by_row_ = false;
   bool takes_objects_ = false;
   bool is_too_large_ = false;  // the argument of Of has more than kMaxLeaves

@@ -29,7 +29,7 @@ constexpr struct {
 
 // The input that has the value; its name is that of the function.
 ExprId InputOf(const IntrinsicCheck& call, Builtin builtin, std::string_view name) {
-  std::vector<IoVar>& inputs = call.program.inputs;
+  IoVars& inputs = call.program.inputs;
   const auto known = std::ranges::find(inputs, builtin, &IoVar::builtin);
   if (known != inputs.end()) return call.Make().Ref(known->var);
   const VarId var = call.program.vars.Add({.name = std::string(name),

@@ -101,6 +101,7 @@ ROOMS = {
         "compiler/batch",
     },
     "compiler/library": {
+        "base",
         "clip-table",
         "compiler",
         "compiler/compile",

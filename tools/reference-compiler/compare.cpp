@@ -101,7 +101,7 @@ bool HasOverlap(const std::vector<ReferenceBlock>& blocks) {
   return false;
 }
 
-bool TakesSystemValues(const std::vector<ir::IoVar>& list, const std::vector<Vector>& vectors) {
+bool TakesSystemValues(const ir::IoVars& list, const std::vector<Vector>& vectors) {
   const std::vector<const Vector*> matches = Match(list, vectors);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (matches[i] && list[i].builtin != ir::Builtin::kNone) return true;

@@ -105,8 +105,7 @@ Captured PartAt(const std::vector<Output>& outputs, const std::vector<Captured>&
 
 }  // namespace
 
-std::vector<const Vector*> Match(const std::vector<IoVar>& list,
-                                 const std::vector<Vector>& vectors) {
+std::vector<const Vector*> Match(const IoVars& list, const std::vector<Vector>& vectors) {
   std::vector<const Vector*> matches(list.size());
   std::vector<bool> taken(vectors.size());
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -24,8 +24,7 @@ struct Module {
 // none. Vectors are found by their semantic. Those without one (glslang does not pass the semantic
 // of a struct on to its fields) are taken in the order of declaration if their number is that of
 // the inputs or outputs left.
-std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
-                                 const std::vector<Vector>& vectors);
+std::vector<const Vector*> Match(const ir::IoVars& list, const std::vector<Vector>& vectors);
 
 // A draw call with the values of `random` in the places where the reference compiler's shader reads
 // them.

@@ -14,7 +14,7 @@ namespace clipc::draw::reference_compiler {
 namespace {
 
 using enum TokenKind;
-using Item = std::vector<Token>;  // one declaration
+using Item = KeptVector<Token>;  // one declaration
 
 class Writer {
  public:
@@ -46,8 +46,8 @@ class Writer {
 
  private:
   // name < string UIName = "..."; >
-  static std::vector<Token> WithoutAnnotations(const std::vector<Token>& tokens) {
-    std::vector<Token> kept;
+  static KeptVector<Token> WithoutAnnotations(const KeptVector<Token>& tokens) {
+    KeptVector<Token> kept;
     int depth = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       depth += BracketStep(tokens[i].kind);
@@ -71,7 +71,7 @@ class Writer {
 
   // A declaration ends with a semicolon outside of brackets, or with a brace that no semicolon
   // follows.
-  void Split(const std::vector<Token>& tokens) {
+  void Split(const KeptVector<Token>& tokens) {
     Item item;
     int depth = 0;
     for (std::size_t i = 0; i < tokens.size() && tokens[i].kind != kEnd; ++i) {
