@@ -44,8 +44,11 @@ bool IsKnown(std::string_view name, std::string_view version) {
     const int minor = version[2] - '0';
     if (minor >= stage->first_minor6 && minor <= Versions::kLastMinor6) return true;
   }
-  for (const auto known : std::views::split(stage->before6, ' ')) {
-    if (version == std::string_view(known.begin(), known.end())) return true;
+  // Whether it is one of the words, whole.
+  const std::string_view words = stage->before6;
+  const auto ends = [&](std::size_t at) { return at == words.size() || words[at] == ' '; };
+  for (std::size_t at = words.find(version); at != words.npos; at = words.find(version, at + 1)) {
+    if ((at == 0 || words[at - 1] == ' ') && ends(at + version.size())) return !version.empty();
   }
   return false;
 }

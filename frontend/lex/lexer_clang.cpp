@@ -175,8 +175,10 @@ void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor,
     token.value = NameOf(identifier, names).index;
     return writer.AddIdentifier(token, text);
   }
-  if (token.kind == TokenKind::kPragmaPackMatrix)
+  if (token.kind == TokenKind::kPragmaPackMatrix) {
     token.value = from.getAnnotationValue() != nullptr;  // whether it is row_major
+    return writer.AddPragma(token);
+  }
   if (token.kind != TokenKind::kUnknown) return writer.AddPunctuator(token);
   if (from.is(tok::hash)) return writer.AddHash(token);
   if (!from.isLiteral()) return writer.AddPunctuator(token);
@@ -211,7 +213,11 @@ bool Source::State::EnterMainFile() {
     return false;
   }
   main_file_read = true;
-  const auto entry = shared.files->getVirtualFileRef(name, static_cast<off_t>(main_text.size()), 0);
+  // An entry for a name that is not on disk costs more: it makes the folders around it too.
+  const auto on_disk = input.text ? std::nullopt : shared.files->getOptionalFileRef(name);
+  const auto entry =
+      on_disk ? *on_disk
+              : shared.files->getVirtualFileRef(name, static_cast<off_t>(main_text.size()), 0);
   sources.overrideFileContents(entry, llvm::MemoryBuffer::getMemBuffer(main_text, name));
   sources.setMainFileID(sources.createFileID(entry, SourceLocation(), clang::SrcMgr::C_User));
   return true;
@@ -308,7 +314,11 @@ std::optional<Tokens> LexFrom(Source::State& state, Diagnostics& diagnostics,
         }
         AddToken(token, preprocessor, tokens.names, writer);
         if (bodies) bodies->After(token, preprocessor);
-        if (!bodies || !bodies->asks_after(token)) state.guard.CountTokens(plain->AddAfter(token));
+        if (bodies && bodies->asks_after(token)) return;
+        // A `{` may begin a body to pass over, and a `}` may end the one that is being read.
+        const bool is_reading = bodies && bodies->is_reading();
+        state.guard.CountTokens(
+            plain->AddAfter(token, {.open = !bodies || is_reading, .close = !is_reading}));
       });
   state.bodies = nullptr;
   if (bodies && !bodies->are_right()) {

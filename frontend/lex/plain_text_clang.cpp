@@ -16,7 +16,7 @@ namespace {
 using enum TokenKind;
 
 // What begins with a letter.
-enum class Letter : std::uint8_t { kOther, kSlash, kWord, kDigit, kSingle, kOperator };
+enum class Letter : std::uint8_t { kOther, kSlash, kWord, kDigit, kSingle, kBrace, kOperator };
 
 struct LetterInfo {
   Letter what = Letter::kOther;
@@ -34,6 +34,8 @@ constexpr std::array<LetterInfo, 256> kLetters = [] {
   for (char c = 'a'; c <= 'z'; ++c) at(c).what = Letter::kWord;
   for (char c = 'A'; c <= 'Z'; ++c) at(c).what = Letter::kWord;
   at('_').what = Letter::kWord;
+  at('{') = {Letter::kBrace, kLeftBrace};
+  at('}') = {Letter::kBrace, kRightBrace};
   at('(') = {Letter::kSingle, kLeftParen};
   at(')') = {Letter::kSingle, kRightParen};
   at('[') = {Letter::kSingle, kLeftBracket};
@@ -214,6 +216,9 @@ inline bool PlainText::AddToken(Place& place) {
   switch (letter.what) {
     case Letter::kWord: return AddWord(place, token);
     case Letter::kDigit: return AddNumber(place, token);
+    case Letter::kBrace:
+      if (!(letter.kind == kLeftBrace ? braces_.open : braces_.close)) return false;
+      [[fallthrough]];
     case Letter::kSingle: token.kind = letter.kind; break;
     case Letter::kSlash:
     case Letter::kOperator:
@@ -243,7 +248,8 @@ void PlainText::SkipLines(clang::Lexer& lexer) {
     lexer.seek(static_cast<unsigned>(place.line - text.begin()), /*IsAtStartOfLine=*/true);
 }
 
-std::size_t PlainText::AddAfter(const clang::Token& last) {
+std::size_t PlainText::AddAfter(const clang::Token& last, Braces braces) {
+  braces_ = braces;
   auto* const lexer = static_cast<clang::Lexer*>(preprocessor_.getCurrentLexer());
   if (std::endian::native != std::endian::little || !lexer || last.isAnnotation() ||
       lexer->isPragmaLexer() || !lexer->getFileLoc().isFileID())

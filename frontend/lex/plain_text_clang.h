@@ -58,7 +58,7 @@ class MacroNames {
 
 // The text between what needs a preprocessor: words that are no macros, numbers, operators and
 // plain comments, which are most of a shader. It is read here at a fifth of the cost. Everything
-// else is left to Clang: directives, macros, strings, braces (LazyBodies stops there), what a
+// else is left to Clang: directives, macros, strings, the braces at which LazyBodies stops, what a
 // backslash or a further letter may change, and the last kReach bytes of a file.
 class PlainText {
  public:
@@ -69,9 +69,14 @@ class PlainText {
     words_.reserve(kSlots / 4);
   }
 
+  // The braces that are read here.
+  struct Braces {
+    bool open = true, close = true;
+  };
+
   // Adds the tokens that follow `last`, if that is the token that the lexer of a file has just
   // read, up to the first that is left to Clang, where the lexer goes on. Returns how many.
-  std::size_t AddAfter(const clang::Token& last);
+  std::size_t AddAfter(const clang::Token& last, Braces braces);
 
   // Passes over lines without tokens, if `lexer` is at the beginning of a line.
   static void SkipLines(clang::Lexer& lexer);
@@ -110,6 +115,7 @@ class PlainText {
   const MacroNames& macros_;
   Names& names_;
   TokenWriter& writer_;
+  Braces braces_;
   std::array<std::uint16_t, kSlots> slots_{};  // the number of a word, counted from 1
   std::vector<Word> words_;
 };

@@ -20,10 +20,14 @@ class TokenWriter {
   TokenWriter(Tokens& tokens, Diagnostics& diagnostics, bool has_binary)
       : tokens_(tokens), diagnostics_(diagnostics), has_binary_(has_binary) {}
 
-  void AddPunctuator(Token token) { Add(token, After::kOther); }
+  [[gnu::always_inline]] void AddPunctuator(Token token) { Add(token, After::kOther); }
+  void AddPragma(Token token) {
+    tokens_.has_pragmas = true;
+    Add(token, After::kOther);
+  }
   void AddHash(Token token);
   // `token.value` is the Name of `text`.
-  void AddIdentifier(Token token, std::string_view text) {
+  [[gnu::always_inline]] void AddIdentifier(Token token, std::string_view text) {
     if (after_ == After::kHash && !token.after_space && EndSpecialNumber(text)) return;
     token.kind = TokenKind::kIdentifier;
     Add(token, After::kOther);
@@ -38,7 +42,8 @@ class TokenWriter {
   enum class After : std::uint8_t { kOther, kNumberWithDot, kHash, kString };
 
   [[gnu::always_inline]] void Add(Token token, After after) {
-    if (after_ == After::kString) EndString();
+    if (after_ == After::kString) [[unlikely]]
+      EndString();
     after_ = after;
     tokens_.list.push_back(token);
   }

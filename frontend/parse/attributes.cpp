@@ -75,7 +75,8 @@ constexpr std::string_view kVulkanNames[] = {
 
 std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name) {
   if (name.find(':') == name.npos) return std::nullopt;
-  const auto* found = std::ranges::find(kVulkanNames, ToLower(name));
+  const auto* found = std::ranges::find_if(
+      kVulkanNames, [&](std::string_view known) { return EqualIgnoringCase(known, name); });
   if (found == std::end(kVulkanNames)) return std::nullopt;
   return static_cast<VulkanAttribute>(found - std::begin(kVulkanNames));
 }
@@ -114,6 +115,7 @@ bool Contradict(std::string_view one, std::string_view other) {
 }
 
 AttributeMeaning MeaningOfAttribute(std::string_view name) {
+  if (VulkanAttributeOf(name)) return AttributeMeaning::kVulkan;
   const std::string lower = ToLower(name);
   if (lower == kClipPlanesAttribute) return AttributeMeaning::kClipPlanes;
   if (std::ranges::find(kOfLaterStages, lower) != std::end(kOfLaterStages))
@@ -121,7 +123,6 @@ AttributeMeaning MeaningOfAttribute(std::string_view name) {
   if (std::ranges::find(kKnown, lower) != std::end(kKnown) ||
       std::ranges::find(kOfStatements, lower, &StatementAttribute::name) != std::end(kOfStatements))
     return AttributeMeaning::kKnown;
-  if (VulkanAttributeOf(name)) return AttributeMeaning::kVulkan;
   // The rest are Vulkan's other attributes, as DXC and as glslang spells them.
   if (lower.starts_with("vk::") || lower == "layout") return AttributeMeaning::kWithoutEffect;
   std::string bare = lower;

@@ -14,7 +14,7 @@ TokenCursor::TokenCursor(Tokens&& tokens, Diagnostics& diagnostics)
   for (std::uint32_t i = 0; i < names_.size(); ++i) {
     words_.push_back(ClassifyWord(names_[Name{i}]));
   }
-  RemovePragmas();
+  if (tokens.has_pragmas) RemovePragmas();
 }
 
 // Moves the pragmas to a list of their own, so that looking ahead sees only the language.
