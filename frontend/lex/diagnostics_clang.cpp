@@ -160,6 +160,61 @@ std::vector<FixItHint> Hints(const Diagnostic& diagnostic) {
   return hints;
 }
 
+// Clang's printer. It passes over the letters of a line several times, at the cost of a small
+// shader: the usual line is drawn here in the same way, one of plain letters that has all of the
+// ranges, without colours and fix-its.
+class Printer : public clang::TextDiagnostic {
+ public:
+  template <typename Options>
+  Printer(llvm::raw_ostream& out, const ClangText& text, Options&& options)
+      : TextDiagnostic(out, text.language, options), out_(out), text_(text) {}
+
+ private:
+  using Ranges = llvm::SmallVectorImpl<CharSourceRange>;
+
+  void emitCodeContext(clang::FullSourceLoc where, clang::DiagnosticsEngine::Level level,
+                       Ranges& ranges, llvm::ArrayRef<FixItHint> hints) override {
+    if (text_.options.ShowColors || ranges.empty() || !hints.empty() || !DrawLine(where, ranges))
+      TextDiagnostic::emitCodeContext(where, level, ranges, hints);
+  }
+
+  // Returns whether the line is a usual one, and was drawn.
+  bool DrawLine(const clang::FullSourceLoc& where, const Ranges& ranges) {
+    constexpr std::size_t kLongest = 4096;
+    const auto [file, offset] = where.getDecomposedLoc();
+    const llvm::StringRef all = text_.sources.getBufferData(file);
+    const std::size_t begin = all.rfind('\n', offset) + 1;  // npos + 1 is 0
+    const llvm::StringRef line = all.slice(begin, all.find_first_of("\r\n", offset));
+    const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
+    if (offset >= all.size() || line.size() > kLongest || !llvm::all_of(line, is_plain))
+      return false;
+    std::string carets(line.size() + 1, ' ');
+    for (const CharSourceRange& range : ranges) {
+      const auto [first_file, first] = text_.sources.getDecomposedLoc(range.getBegin());
+      auto [last_file, last] = text_.sources.getDecomposedLoc(range.getEnd());
+      if (range.isTokenRange())
+        last += clang::Lexer::MeasureTokenLength(range.getEnd(), text_.sources, text_.language);
+      const bool is_in_line = first_file == file && last_file == file && begin <= first &&
+                              first <= last && last <= begin + line.size();
+      if (!range.getBegin().isFileID() || !range.getEnd().isFileID() || !is_in_line) return false;
+      std::fill(carets.begin() + (first - begin), carets.begin() + (last - begin), '~');
+    }
+    carets[offset - begin] = '^';
+    const unsigned number = where.getPresumedLoc().getLine();
+    const auto digits = [](unsigned of) { return std::to_string(of).size(); };
+    // Clang makes room for all the lines that it may draw.
+    const auto width = static_cast<unsigned>(
+        std::max<std::size_t>(4, digits(number + text_.options.SnippetLineLimit)));
+    out_.indent(width + 1 - static_cast<unsigned>(digits(number))) << number << " | " << line;
+    out_ << '\n';
+    out_.indent(width + 2) << "| " << llvm::StringRef(carets).rtrim() << '\n';
+    return true;
+  }
+
+  llvm::raw_ostream& out_;
+  const ClangText& text_;
+};
+
 void Draw(const ClangText& text, clang::TextDiagnostic& printer, llvm::raw_ostream& out,
           const Diagnostic& diagnostic) {
   const std::string message = diagnostic.message + MessageSuffix(diagnostic);
@@ -233,9 +288,9 @@ std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bo
   text.options.ShowColors = colour;
   text.options.ShowPresumedLoc = true;  // messages obey #line
 #if CLANG_VERSION_MAJOR >= 21
-  clang::TextDiagnostic printer(out, text.language, text.options);
+  Printer printer(out, text, text.options);
 #else
-  clang::TextDiagnostic printer(out, text.language, &text.options);
+  Printer printer(out, text, &text.options);
 #endif
   for (const Diagnostic& diagnostic : diagnostics.all()) Draw(text, printer, out, diagnostic);
   out.flush();
