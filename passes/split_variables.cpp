@@ -70,6 +70,7 @@ class Splitter {
 
   void Run() {
     FindCandidates();
+    if (candidates_.empty()) return;
     for (now_ = 0; now_ < stmts_.size(); ++now_) Collect(stmts_[now_]);
     for (Candidate& candidate : candidates_)
       candidate.is_whole ? FillAtOnce(candidate) : Split(candidate);

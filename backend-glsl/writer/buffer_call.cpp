@@ -28,7 +28,7 @@ std::string PathAlong(Code& code, TypeId id, std::span<const ExprId> steps, std:
     const auto* number = code.As<Literal>(step);
     if (type.kind == TypeKind::kStruct) {
       const std::uint32_t field = UintOf(number->bits);
-      Append(path, ".", code.names.fields[type.structure.index][field]);
+      Append(path, ".", code.FieldsOf(type.structure)[field]);
       id = code.types.StructOf(id).fields[field].type;
       continue;
     }

@@ -37,7 +37,7 @@ bool WriterContext::IsWrittenAsUint(ir::VarId member) const {
 const std::string& WriterContext::NameOf(const BlockMember& member) const {
   if (member.field < 0) return NameOf(member.var);
   const ir::Type& type = types[types.Innermost(program.vars[member.var].type)];
-  return names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
+  return FieldsOf(type.structure)[static_cast<std::size_t>(member.field)];
 }
 
 std::uint32_t RowsRead(const WriterContext& context, const ir::Cbuffer& cbuffer) {

@@ -40,12 +40,11 @@ struct Names {
   std::vector<std::string> attributes;  // beside Program::inputs; empty: built in
   // Beside Program::outputs, in a stage that makes patches: the arrays of all control points.
   std::vector<std::string> outputs;
-  std::vector<std::string> functions;            // by FunctionId
-  std::vector<std::string> structs;              // by StructId
-  std::vector<std::vector<std::string>> fields;  // by StructId
-  std::vector<std::string> blocks;               // by CbufferId
-  std::vector<std::string> instances;            // by CbufferId; empty: members are global
-  std::vector<std::string> rows;                 // by CbufferId
+  std::vector<std::string> functions;  // by FunctionId
+  std::vector<std::string> structs;    // by StructId
+  std::vector<std::string> blocks;     // by CbufferId
+  std::vector<std::string> instances;  // by CbufferId; empty: members are global
+  std::vector<std::string> rows;       // by CbufferId
   // By CbufferId: what fills the room before members, in the order of ForEachPadding.
   std::vector<std::vector<std::string>> paddings;
   std::vector<std::string> groups;  // the instances of Program::output_groups; may be empty
@@ -148,6 +147,12 @@ struct WriterContext {
     if (ir::IsWide(type.scalar)) RequireWide(type);
   }
   void RequireWide(const ir::Type& type);
+  // The names of the fields of a struct, which are made when they are first asked for: a shader
+  // needs those of few structs.
+  std::vector<std::string>& FieldsOf(ir::StructId id) const;
+
+ private:
+  mutable std::vector<std::vector<std::string>> fields_;  // by StructId
 };
 
 // The rows of a buffer up to the last that any stage reads, where the target has no blocks. All

@@ -73,7 +73,7 @@ Binding WriteVar(Code& code, VarId id) {
 
 Binding WriteField(Code& code, const FieldRef& node) {
   WriteAt(code, node.base, Binding::kPostfix);
-  code.Put(".", code.names.fields[code.TypeOf(node.base).structure.index][node.field]);
+  code.Put(".", code.FieldsOf(code.TypeOf(node.base).structure)[node.field]);
   return Binding::kPostfix;
 }
 

@@ -119,7 +119,7 @@ class BlockLayer {
     if (rows.kind == TypeKind::kStruct) {  // of an array of buffers
       info_.instance = context_.namer.Global(cbuffer_.name + "_buffers");
       memory = info_.instance;
-      context_.names.fields[rows.structure.index][0] = info_.rows;
+      context_.FieldsOf(rows.structure)[0] = info_.rows;
     }
     for (const CbufferMember& member : cbuffer_.members)
       info_.members.push_back({member.var, -1, context_.NameOf(member.var)});

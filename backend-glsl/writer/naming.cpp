@@ -64,7 +64,6 @@ class Naming {
     is_given_.resize(program.vars.size());
     names_.attributes.resize(program.inputs.size());
     names_.structs.resize(context.types.structs().size());
-    names_.fields.resize(context.types.structs().size());
     names_.blocks.resize(program.cbuffers.size());
     names_.rows.resize(program.cbuffers.size());
     names_.paddings.resize(program.cbuffers.size());
@@ -307,10 +306,6 @@ class Naming {
   void OfStruct(StructId id) {
     const Struct& structure = context_.types[id];
     names_.structs[id.index] = namer_.Global(LegalTypeName(structure.name), "Unnamed");
-    std::vector<std::string_view> wanted;
-    wanted.reserve(structure.fields.size());
-    for (const Field& field : structure.fields) wanted.push_back(field.name);
-    names_.fields[id.index] = FieldNames(std::move(wanted));
   }
 
   const WriterContext& context_;
@@ -323,6 +318,15 @@ class Naming {
 };
 
 }  // namespace
+
+std::vector<std::string>& WriterContext::FieldsOf(StructId id) const {
+  fields_.resize(types.structs().size());
+  std::vector<std::string>& names = fields_[id.index];
+  if (!names.empty()) return names;
+  std::vector<std::string_view> wanted;
+  for (const Field& field : types[id].fields) wanted.push_back(field.name);
+  return names = FieldNames(std::move(wanted));
+}
 
 std::string InterfaceName(const IoVar& output, const NameStyle& style, const StageInfo& writer) {
   const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);

@@ -100,7 +100,7 @@ void UseStruct(WriterContext& context, StructId id) {
   if (context.used_structs[id.index]) return;
   context.used_structs[id.index] = true;
   std::string text = Concat("struct ", context.names.structs[id.index], " {\n");
-  const auto* name = context.names.fields[id.index].data();
+  const auto* name = context.FieldsOf(id).data();
   for (const Field& field : context.types[id].fields) {
     const bool is_relaxed = !PrecisionText(context, field.type).empty() && !IsInBuffer(context, id);
     Append(text, "    ", is_relaxed ? PrecisionText(context, field.type) : "",
