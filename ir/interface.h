@@ -208,6 +208,16 @@ std::uint32_t LocationCount(const Type& type);
 // ones. A list in which they have that order already is left as it is.
 void SortByLocation(IoVars& list);
 
+// Where the distances of one semantic index lie in the array of a shader's clip or cull distances,
+// which is an input or an output: `count` elements from `first` on. They are the components of the
+// semantic from `component` on.
+struct DistancePiece {
+  VarId array;
+  std::uint32_t index = 0;
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t component = 0;
+};
+
 // The semantic of the outputs that carry distances to clip planes to a fragment shader that
 // discards. A shader cannot name it: the names that begin with SV_ are Direct3D's.
 inline constexpr std::string_view kClipPlaneDistance = "SV_ClipPlaneDistance";

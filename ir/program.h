@@ -61,6 +61,7 @@ struct Program {
   // once, and writes the outputs, which in a stage that emits vertices Stream::emit does.
   FunctionId main;
   IoVars inputs, outputs;
+  std::vector<DistancePiece> distances;    // of the inputs and outputs, by hand
   std::vector<OutputGroup> output_groups;  // where the next stage is known
   // The kStatic, kShared and kConstant variables at global scope that are reached, in order of
   // declaration.

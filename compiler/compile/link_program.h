@@ -16,9 +16,10 @@ namespace clipc {
 // Fits the program to the request's neighbour. Appends the files that were read to `dependencies`.
 void LinkWithNeighbour(Job& job, ir::Program& program, std::vector<std::string>& dependencies);
 
-// Gives the distances that a stage reads at each vertex the number of elements that the stage
-// before writes: OpenGL links arrays of one size. Returns whether one was smaller.
-bool WidenDistances(const ir::Program& before, ir::Program& program);
+// Makes a stage read its clip and cull distances where the stage before writes those of the same
+// semantics: GLSL has one array of them. Those that are read at each vertex get the number of
+// elements that is written, since OpenGL links arrays of one size. Returns whether one was smaller.
+bool FitDistances(const ir::Program& before, ir::Program& program);
 
 // Whether the program reads what the stage before writes to a variable of GLSL's own.
 bool ReadsBuiltins(const ir::Program& program);

@@ -170,7 +170,7 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
     return std::nullopt;
   bool is_widened = false;
   for (std::size_t i = 1; i < programs.size(); ++i)
-    is_widened |= WidenDistances(programs[i - 1], programs[i]);
+    is_widened |= FitDistances(programs[i - 1], programs[i]);
   // GLSL has the size of an array that not all is read of where all stages declare their vertices.
   for (Job& job : jobs) job.plan.write.separable |= is_widened;
   lowered.known.resize(jobs.size());

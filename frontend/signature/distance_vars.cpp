@@ -28,7 +28,7 @@ void DistanceVars::FinishReads() {
 void DistanceVars::ReadKind(Builtin builtin, Distances& pieces, bool has_gaps) {
   if (pieces.empty()) return;
   const std::vector<ExprId> values = pieces.Packed(has_gaps);
-  const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
+  const VarId array = vars_.AddDistances(builtin, pieces, values);
   for (std::uint32_t i = 0; i < values.size(); ++i) {
     const ExprId element = builder_.At(builder_.Ref(array), i);
     if (values[i]) program_.exprs[values[i]].node = program_.exprs[element].node;
@@ -46,12 +46,7 @@ void DistanceVars::WriteKind(Builtin builtin, Distances& pieces, bool has_gaps,
                              std::vector<StmtId>& body) {
   if (pieces.empty()) return;
   const std::vector<ExprId> values = pieces.Packed(has_gaps);
-  const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
-  for (const Distances::Piece& piece : pieces.pieces()) {
-    const auto first = std::ranges::find(values, piece.components.front()) - values.begin();
-    written_.push_back({builtin, piece.index, array, static_cast<std::uint32_t>(first),
-                        static_cast<std::uint32_t>(piece.components.size())});
-  }
+  const VarId array = vars_.AddDistances(builtin, pieces, values);
   for (std::uint32_t i = 0; i < values.size(); ++i) {
     const ExprId value = values[i] ? values[i] : builder_.Float(0);
     body.push_back(builder_.Eval(builder_.AssignTo(builder_.At(builder_.Ref(array), i), value)));
@@ -61,10 +56,10 @@ void DistanceVars::WriteKind(Builtin builtin, Distances& pieces, bool has_gaps,
 ExprId DistanceVars::ReadPoint(const Carrier& leaf, std::uint32_t point) {
   const SemanticName& semantic = leaf.cursor.semantic;
   const std::uint32_t count = program_.types[leaf.type].Components();
-  for (const Written& piece : written_) {
-    const bool is_clip = piece.builtin == Builtin::kClipDistance;
-    if (piece.index != semantic.index || piece.count < count ||
-        !EqualIgnoringCase(semantic.name, is_clip ? "SV_ClipDistance" : "SV_CullDistance"))
+  for (const DistancePiece& piece : program_.distances) {
+    const auto written = std::ranges::find(program_.outputs, piece.array, &IoVar::var);
+    if (written == program_.outputs.end() || piece.index != semantic.index || piece.count < count ||
+        !EqualIgnoringCase(semantic.name, written->semantic))
       continue;
     std::vector<ExprId> values;
     for (std::uint32_t i = 0; i < count; ++i) {

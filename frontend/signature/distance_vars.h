@@ -45,14 +45,6 @@ class DistanceVars {
   ExprId ReadPoint(const Carrier& leaf, std::uint32_t point);
 
  private:
-  // A piece that was written: elements of the array.
-  struct Written {
-    Builtin builtin;
-    std::uint32_t index;
-    VarId array;
-    std::uint32_t first, count;
-  };
-
   void ReadKind(Builtin builtin, Distances& pieces, bool has_gaps);
   void WriteKind(Builtin builtin, Distances& pieces, bool has_gaps, std::vector<StmtId>& body);
   // Reports and returns false unless the leaf can be distances.
@@ -63,7 +55,6 @@ class DistanceVars {
   SemanticCheck& semantics_;
   InterfaceVars& vars_;
   Distances clip_, cull_, clip_reads_, cull_reads_;
-  std::vector<Written> written_;
 };
 
 }  // namespace clipc::signature

@@ -68,20 +68,29 @@ std::uint32_t InterfaceVars::TargetNumber(const Carrier& leaf) {
   return number;
 }
 
-VarId InterfaceVars::AddDistances(Builtin builtin, std::size_t count, Span span) {
+VarId InterfaceVars::AddDistances(Builtin builtin, const Distances& pieces,
+                                  std::span<const ExprId> packed) {
+  const auto count = static_cast<std::uint32_t>(packed.size());
+  const Span span = pieces.span();
   const bool is_clip = builtin == Builtin::kClipDistance || builtin == Builtin::kClipDistanceInput;
   const bool is_input = InfoOf(builtin).storage == Storage::kInput;
   DistanceCount& all = distances_[is_input];
-  all.count += static_cast<std::uint32_t>(count);
+  all.count += count;
   all.span = all.span ? all.span : span;
   Carrier leaf;
-  leaf.type =
-      program_.types.Array(program_.types.Make(Scalar::kFloat), static_cast<std::uint32_t>(count));
+  leaf.type = program_.types.Array(program_.types.Make(Scalar::kFloat), count);
   leaf.name = is_clip ? "clip_distance" : "cull_distance";
   leaf.cursor.semantic.name = is_clip ? "SV_ClipDistance" : "SV_CullDistance";
   leaf.span = span;
   const VarId array = Add(is_input ? program_.inputs : program_.outputs, leaf, leaf.type, builtin);
   program_.vars[array].name = leaf.name;
+  for (const Distances::Piece& piece : pieces.pieces()) {
+    const auto first = std::ranges::find(packed, piece.components.front()) - packed.begin();
+    program_.distances.push_back({.array = array,
+                                  .index = piece.index,
+                                  .first = static_cast<std::uint32_t>(first),
+                                  .count = static_cast<std::uint32_t>(piece.components.size())});
+  }
   return array;
 }
 

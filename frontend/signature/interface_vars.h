@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "frontend/signature/distances.h"
 #include "frontend/signature/locations.h"
 #include "frontend/signature/names.h"
 #include "frontend/signature/signature_leaves.h"
@@ -26,8 +28,9 @@ class InterfaceVars {
   }
   // Sets whether what is added from here on is of the whole patch.
   void SetOfPatch(bool is_of_patch) { is_of_patch_ = is_of_patch; }
-  // Adds the array of clip or cull distances, with `count` elements.
-  VarId AddDistances(Builtin builtin, std::size_t count, Span span);
+  // Adds the array of clip or cull distances. Its elements are `packed`, what Packed made of the
+  // pieces, of which there is one.
+  VarId AddDistances(Builtin builtin, const Distances& pieces, std::span<const ExprId> packed);
   // Reports inputs, and outputs, with more distances than GLSL's arrays have.
   void CheckDistances();
   // Moves the locations of what is of the whole patch after those of the control points, in both

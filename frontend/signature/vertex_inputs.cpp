@@ -127,7 +127,7 @@ void VertexInputs::Finish() {
 void VertexInputs::Place(Builtin builtin, Distances& pieces, bool has_gaps) {
   if (pieces.empty()) return;
   const std::vector<ExprId> values = pieces.Packed(has_gaps);
-  const VarId array = vars_.AddDistances(builtin, values.size(), pieces.span());
+  const VarId array = vars_.AddDistances(builtin, pieces, values);
   const auto put = [&](ExprId value, std::uint32_t vertex, std::uint32_t element) {
     const ExprId read = builder_.At(AtVertex(array, vertex), element);
     program_.exprs[value].node = program_.exprs[read].node;
