@@ -16,6 +16,87 @@
 namespace clipc::check {
 namespace {
 
+// What an expression reads and writes.
+struct Touched {
+  std::vector<VarId> reads, writes;
+  bool calls = false;  // functions, which may read and write what is outside of them
+};
+
+void AddTouched(const Context& context, ExprId expr, Touched& touched) {
+  const Program& program = context.program;
+  ForEachExpr(program, expr, [&](ExprId part) {
+    if (const auto* ref = context.GetIf<VarRef>(part)) touched.reads.push_back(ref->var);
+    ForEachWrite(program, part,
+                 [&](ExprId target) { touched.writes.push_back(RootOf(program, target)); });
+    const auto* object = context.GetIf<ObjectCall>(part);
+    if (object && WritesObject(object->op))
+      touched.writes.push_back(RootOf(program, OperandOf(program, *object, OperandKind::kObject)));
+    touched.calls |= context.Is<Call>(part);
+  });
+}
+
+// Adds what it takes to find the place that a path names: an object or a variable itself is not
+// read for it.
+void AddPlace(const Context& context, ExprId path, Touched& touched) {
+  const Program& program = context.program;
+  for (; WholeOf(program, path); path = WholeOf(program, path)) {
+    if (const auto* index = context.GetIf<Index>(path)) AddTouched(context, index->index, touched);
+  }
+  if (const auto* element = context.GetIf<ObjectCall>(path)) {
+    for (const ExprId operand : OperandsOf(program, path)) {
+      if (operand == OperandOf(program, *element, OperandKind::kObject))
+        AddPlace(context, operand, touched);
+      else
+        AddTouched(context, operand, touched);
+    }
+  } else if (!context.Is<VarRef>(path)) {
+    AddTouched(context, path, touched);
+  }
+}
+
+// Whether functions may write one of the variables, which they reach without an argument.
+bool HasOuter(const Context& context, const std::vector<VarId>& vars) {
+  return std::ranges::any_of(vars, [&](VarId var) {
+    if (!var) return true;
+    const Storage storage = context[var].storage;
+    const Type& type = context[context[var].type];
+    return storage == Storage::kStatic || storage == Storage::kShared ||
+           (type.kind == TypeKind::kObject && IsWritable(type.object));
+  });
+}
+
+// Whether an assignment does something else if it finds the place of its target before its value.
+bool OrderMatters(const Context& context, ExprId target, ExprId value) {
+  const Program& program = context.program;
+  if (RootOf(program, target) && HasLiteralIndices(program, target)) return false;
+  if (IsPure(program, target) && IsPure(program, value)) return false;
+  Touched of_target, of_value;
+  AddPlace(context, target, of_target);
+  if (of_target.reads.empty() && !of_target.calls) return false;
+  AddTouched(context, value, of_value);
+  const auto share = [](const std::vector<VarId>& left, const std::vector<VarId>& right) {
+    return std::ranges::find_first_of(left, right) != left.end();
+  };
+  const auto may_change = [&](const Touched& by, const Touched& of) {
+    return share(by.writes, of.reads) || share(by.writes, of.writes) ||
+           (by.calls && (of.calls || HasOuter(context, of.reads)));
+  };
+  return may_change(of_target, of_value) || may_change(of_value, of_target);
+}
+
+// Evaluates the value before the target and the steps that find its place, as dxc does
+// (SpirvEmitter's doBinaryOperator: "we need to evaluate rhs before lhs"), if that matters. The
+// steps then begin with it.
+ExprId ValueFirst(Context& context, ExprId target, ExprId value, Exprs& steps) {
+  const bool is_constant = context.Is<Literal>(value) || context.Is<Zero>(value);
+  const bool precedes_steps = !steps.empty() && !is_constant;
+  if (!precedes_steps && !OrderMatters(context, target, value)) return value;
+  Exprs first;
+  value = Hoist(context, value, first);
+  steps.insert(steps.begin(), first.begin(), first.end());
+  return value;
+}
+
 // The assignment target = value, or target op= value.
 ExprId AssignValue(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId value,
                    Span span) {
@@ -85,25 +166,27 @@ ExprId AssignElement(Context& context, const ast::AssignExpr& expr, const Elemen
   return WithPrologue(context, steps, stores.back());
 }
 
-// The assignment to `target`, of whichever kind it is.
-ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, bool is_used,
-                Span span) {
+// The assignment to `target`, of whichever kind it is, whose place `steps` find.
+ExprId AssignTo(Context& context, const ast::AssignExpr& expr, const ElementTarget& to,
+                Exprs& steps, Span span) {
+  const auto [none, target, is_used] = to;
   const bool is_list = context.Is<ast::InitListExpr>(expr.right);
   if (is_list && !expr.op && !context.IsError(target)) {
-    const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
-    if (const ExprId element = ElementIn(context, target); element && !context.IsError(value))
+    ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
+    if (context.IsError(value)) return context.ErrorExpr(span);
+    value = ValueFirst(context, target, value, steps);
+    if (const ExprId element = ElementIn(context, target))
       return AssignElement(context, expr, {element, target, is_used}, value, span);
-    if (!context.IsError(value) && IsChosenComponent(context, target))
-      return AssignChosen(context, expr, target, value, span);
-    return !context.IsError(value) && CheckTarget(context, target)
-               ? StoreTo(context, target, value, span)
-               : context.ErrorExpr(span);
+    if (IsChosenComponent(context, target)) return AssignChosen(context, expr, target, value, span);
+    return CheckTarget(context, target) ? StoreTo(context, target, value, span)
+                                        : context.ErrorExpr(span);
   }
-  const ExprId value = CheckExpr(context, expr.right);
+  ExprId value = CheckExpr(context, expr.right);
   if (context.IsError(target, value)) return context.ErrorExpr(span);
   const bool fits = expr.op ? CheckNoEnumClass(context, SpellingOf(*expr.op), target, span)
                             : CheckEnumClasses(context, value, target, context[value].span);
   if (!fits) return context.ErrorExpr(span);
+  value = ValueFirst(context, target, value, steps);
   if (const ExprId element = ElementIn(context, target))
     return AssignElement(context, expr, {element, target, is_used}, value, span);
   if (IsChosenComponent(context, target)) return AssignChosen(context, expr, target, value, span);
@@ -120,6 +203,7 @@ ExprId AssignToCast(Context& context, const ast::AssignExpr& expr, TypeId type, 
                      : CheckInit(context, expr.right, type);
   if (context.IsError(target, value) || !CheckCastTarget(context, target, expr.left, type))
     return context.ErrorExpr(span);
+  value = ValueFirst(context, target, value, steps);
   target = Stabilize(context, target, steps);
   if (expr.op) {
     const ExprId old = ConvertSilently(context, Clone(context.program, target), type);
@@ -137,8 +221,10 @@ ExprId AssignToUncast(Context& context, const ast::AssignExpr& expr, ExprId path
                       Span span) {
   ExprId value = CheckInit(context, expr.right, type);
   if (context.IsError(value) || !CheckTarget(context, path)) return context.ErrorExpr(span);
+  Exprs steps;
+  value = ValueFirst(context, path, value, steps);
   value = ConvertSilently(context, value, context.TypeIdOf(path));
-  return StoreTo(context, path, value, span);
+  return WithPrologue(context, steps, StoreTo(context, path, value, span));
 }
 
 // The assignment float4(a, b) = value  =>  (t = value, a = t.xy, b = t.zw, t), which fxc takes (its
@@ -160,11 +246,11 @@ ExprId AssignToParts(Context& context, const ast::AssignExpr& expr, ExprId targe
   if (!context.IsError(value)) value = Implicit(context, value, type_id);
   if (context.IsError(value)) return value;
   Exprs steps, parts;
+  const ExprId stored = Hoist(context, value, steps);
   for (std::uint32_t i = 0; i < list.size; ++i) {
     parts.push_back(Stabilize(context, context[list][i], steps));
     if (!CheckTarget(context, parts.back())) return context.ErrorExpr(span);
   }
-  const ExprId stored = Hoist(context, value, steps);
   std::size_t first = 0;
   for (const ExprId part : parts) {
     const auto count = static_cast<std::size_t>(context.TypeOf(part).Components());
@@ -282,13 +368,16 @@ ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
       return AssignToUncast(context, expr, path, context.TypeIdOf(left), span);
   }
   if (IsBitField(context, left)) {
-    const ExprId value = expr.op ? CheckExpr(context, expr.right)
-                                 : CheckInit(context, expr.right, context.TypeIdOf(left));
-    return AssignToBits(context, expr.op, left, value, span);
+    ExprId value = expr.op ? CheckExpr(context, expr.right)
+                           : CheckInit(context, expr.right, context.TypeIdOf(left));
+    if (context.IsError(value)) return value;
+    value = ValueFirst(context, context.bits.at(left.index).word, value, steps);
+    return WithPrologue(context, steps, AssignToBits(context, expr.op, left, value, span));
   }
   if (const ExprId stores = AssignToParts(context, expr, left, span)) return stores;
   const ExprId target = TakeSteps(context, left, steps);
-  return WithPrologue(context, steps, AssignTo(context, expr, target, is_used, span));
+  const ExprId result = AssignTo(context, expr, {{}, target, is_used}, steps, span);
+  return WithPrologue(context, steps, result);
 }
 
 ExprId AssignCompound(Context& context, BinaryOp op, ExprId target, ExprId value, Span span) {

@@ -70,10 +70,9 @@ float4 main(float4 p : SV_Position, int k : K, int n : N) : SV_Target {
   // CHECK-NEXT: matrices[i][3][1] = gl_FragCoord.z;
   matrices[i]._m02_m01_m31 = p.xyz;
   // What chooses the element and the component is evaluated once, and before what may change it.
-  // CHECK-NEXT: int [[O:[a-z0-9_]+]] = n;
   // CHECK-NEXT: vec2 [[T:[a-z0-9_]+]] = vec2(float(n++), float(n++));
-  // CHECK-NEXT: vectors[[[O]]].x = [[T]].x;
-  // CHECK-NEXT: vectors[[[O]]].z = [[T]].y;
+  // CHECK-NEXT: vectors[n].x = [[T]].x;
+  // CHECK-NEXT: vectors[n].z = [[T]].y;
   vectors[n].xz = float2(n++, n++);
   // CHECK-NEXT: atomicAdd(counts[i][vs_K0], 1);
   InterlockedAdd(counts[i][k], 1);

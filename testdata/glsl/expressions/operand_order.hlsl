@@ -77,7 +77,8 @@ Out main(int4 p : POSITION, float4 v : V) {
   int1x1 ones[2] = { p.x, p.y };
   // CHECK: vs_B0.y += ones[first((old_at_3 = at = 1) & 1, (at = 3 - at) & 0)];
   o.b.y += ones[(at = 1) & 1][(at = 3 - at) & 0];
-  // CHECK: ones[first((old_at_4 = at = 2) & 1, (at = 5 - at) & 0)] = at;
+  // CHECK: int [[LAST:[a-z_0-9]+]] = at;
+  // CHECK: ones[first((old_at_4 = at = 2) & 1, (at = 5 - at) & 0)] = [[LAST]];
   ones[(at = 2) & 1][(at = 5 - at) & 0] = at;
   o.b.z += ones[0][0] + at;
   o.position = v;
