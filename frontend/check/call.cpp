@@ -98,10 +98,15 @@ ExprId CallOverload(Context& context, NamedCall& call, SymbolId symbol, bool is_
   const Span name_span = call.spans.name;
   const VarId self = context.view.body ? context.view.body->self : VarId{};
   const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
-  const KeptVector<FunctionInfoId> overloads =
+  KeptVector<FunctionInfoId> overloads =
       CandidatesOf(context, symbol, is_method && self ? context[self].type : TypeId{},
                    call.callee.arguments, call.arguments);
   const Choice choice = ChooseOverload(context, overloads, call.arguments, name, name_span);
+  for (const SymbolId other : OtherFunctions(context, call.callee.name, symbol)) {
+    const KeptVector<FunctionInfoId> more =
+        CandidatesOf(context, other, {}, call.callee.arguments, call.arguments);
+    overloads.insert(overloads.end(), more.begin(), more.end());
+  }
   if (choice.reported) return context.ErrorExpr(call.spans.whole);
   // A function is declared before it is called: fxc X3004, dxc's undeclared identifier (vkd3d's
   // function.shader_test, checked against native).

@@ -70,7 +70,7 @@ void DeclareNamespace(Context& context, const ast::NamespaceDecl& space, Span sp
     const SymbolId symbol = context.names.Declare(SymbolKind::kNamespace, scope, space.name, {},
                                                   space.name ? space.name_span : span);
     context[symbol].Resolve(inner.index);
-    if (!space.name) context[scope].nested.push_back(inner);
+    if (!space.name) context.names.Use(scope, inner, false);
   }
   for (ast::DeclId member : context[space.members]) DeclareOne(context, member, inner);
 }
@@ -198,6 +198,7 @@ void DeclareTypeInside(Context& context, ast::TypeId type, ScopeId scope) {
 }
 
 void DeclareUsing(Context& context, const ast::UsingDecl& use, Span span, ScopeId scope) {
+  const bool is_local = context.view.body != nullptr;
   ViewSwitch in(context, {.scope = scope});
   const SymbolId target = Find(context, use.name);
   if (!target) {
@@ -210,7 +211,7 @@ void DeclareUsing(Context& context, const ast::UsingDecl& use, Span span, ScopeI
     context[alias].value = found.value;
     context[alias].resolution = found.resolution;
   } else if (context[target].kind == SymbolKind::kNamespace) {
-    context[scope].nested.push_back(ScopeId{context[target].value});
+    context.names.Use(scope, ScopeId{context[target].value}, is_local);
   } else {
     context.Report(span, diag::NoSuchScope, QualifiedText(context, use.name));
   }

@@ -72,7 +72,11 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
 }
 
 ExprId CheckNode(Context& context, const ast::NameExpr& name, Span span) {
-  if (const SymbolId symbol = Find(context, name.name)) return UseSymbol(context, symbol, span);
+  if (const SymbolId symbol = Find(context, name.name)) {
+    if (context.names.uses_any() && !IsOneThing(context, span, name.name))
+      return context.ErrorExpr(span);
+    return UseSymbol(context, symbol, span);
+  }
   const bool is_plain = name.name.scopes.empty();
   const std::string_view text = context[name.name.name];
   if (is_plain && text == "this" && context.view.body && context.view.body->self)

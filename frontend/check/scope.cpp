@@ -2,6 +2,7 @@
 #include "frontend/check/scope.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "base/spelling.h"
 #include "frontend/check/glsl_names.h"
@@ -147,6 +148,59 @@ SymbolId Find(Context& context, const ast::QualifiedName& name, bool types_only)
   Name missing;
   const ScopeId scope = FindScope(context, name, missing);
   return scope ? context.names.FindNested(scope, name.name, types_only) : SymbolId{};
+}
+
+namespace {
+
+// The symbols of different namespaces that the name means; empty where only one can be meant.
+std::vector<SymbolId> FindAll(Context& context, const ast::QualifiedName& name, bool types_only) {
+  if (!context.names.uses_any()) return {};
+  if (name.scopes.empty() && !name.from_global)
+    return context.names.FindAllUnqualified(name.name, types_only);
+  Name missing;
+  const ScopeId scope = FindScope(context, name, missing);
+  return scope ? context.names.FindAllNested(scope, name.name, types_only)
+               : std::vector<SymbolId>{};
+}
+
+// Whether both symbols are names of one thing: `using A::x;` makes another symbol of it, and
+// several typedefs may name one type.
+bool IsSame(Context& context, SymbolId one, SymbolId other) {
+  const SymbolKind kind = context[one].kind;
+  if (kind != context[other].kind) return false;
+  if (kind == SymbolKind::kNamespace || context[one].decl == context[other].decl) return true;
+  const auto is_alias = [&](SymbolId id) {
+    return context[id].decl && context.GetIf<ast::TypedefDecl>(context[id].decl);
+  };
+  return kind == SymbolKind::kType && (is_alias(one) || is_alias(other)) &&
+         ResolveTypeSymbol(context, one) == ResolveTypeSymbol(context, other);
+}
+
+}  // namespace
+
+std::vector<SymbolId> OtherFunctions(Context& context, const ast::QualifiedName& name,
+                                     SymbolId first) {
+  std::vector<SymbolId> others;
+  for (const SymbolId id : FindAll(context, name, false)) {
+    if (id != first && context[id].kind == SymbolKind::kFunction && !IsSame(context, id, first))
+      others.push_back(id);
+  }
+  return others;
+}
+
+bool IsOneThing(Context& context, Span span, const ast::QualifiedName& name, bool types_only) {
+  const std::vector<SymbolId> all = FindAll(context, name, types_only);
+  const auto differs = [&](SymbolId id) {
+    const bool are_functions = context[id].kind == SymbolKind::kFunction &&
+                               context[all.front()].kind == SymbolKind::kFunction;
+    return !are_functions && !IsSame(context, id, all.front());
+  };
+  const auto other = std::ranges::find_if(all, differs);
+  if (other == all.end()) return true;
+  context.Report(span, diag::AmbiguousName, context[name.name])
+      .Note(context[all.front()].span, diag::DeclaredHere, context[name.name])
+      .Note(context[*other].span, diag::DeclaredHere, context[name.name]);
+  return false;
 }
 
 void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& name, NameUse use) {

@@ -11,6 +11,13 @@ namespace clipc::check {
 ScopeId ScopeOf(Context& context, SymbolId id);
 // The symbol that a name means; none if there is nothing of that name, which is not reported.
 SymbolId Find(Context& context, const ast::QualifiedName& name, bool types_only = false);
+// The functions of the name in other namespaces that are in one overload set with `first`, as
+// `using namespace` makes it; each the newest of its scope.
+std::vector<SymbolId> OtherFunctions(Context& context, const ast::QualifiedName& name,
+                                     SymbolId first);
+// Whether the name means one thing, or functions alone; reports if not.
+bool IsOneThing(Context& context, Span span, const ast::QualifiedName& name,
+                bool types_only = false);
 // The use of a name.
 enum class NameUse { kValue, kType, kFunction, kClipPlane };
 // Reports a name that means nothing, with names that are spelt alike.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/scope_table.h"
 
+#include <algorithm>
+
 namespace clipc::check {
 namespace {
 
@@ -66,7 +68,79 @@ SymbolId ScopeTable::FindNested(ScopeId scope, Name name, bool types_only, int d
   return {};
 }
 
+void ScopeTable::Use(ScopeId scope, ScopeId used, bool is_local) {
+  while (scopes_[scope].kind != ScopeKind::kNamespace) scope = scopes_[scope].parent;
+  scopes_[scope].nested.push_back(used);
+  if (is_local) local_uses_.push_back(scope);
+  uses_any_ = true;
+}
+
+ScopeId ScopeTable::CommonScope(ScopeId one, ScopeId other) const {
+  for (; one; one = scopes_[one].parent) {
+    for (ScopeId scope = other; scope; scope = scopes_[scope].parent) {
+      if (scope == one) return one;
+    }
+  }
+  return global_;
+}
+
+// Adds the namespaces that a scope uses, and those that they use.
+void ScopeTable::AddUsed(ScopeId scope, std::vector<Used>& used) const {
+  std::vector<ScopeId> open = {scope};
+  while (!open.empty()) {
+    const ScopeId user = open.back();
+    open.pop_back();
+    if (scopes_[user].kind != ScopeKind::kNamespace) continue;
+    for (const ScopeId space : scopes_[user].nested) {
+      if (std::ranges::find(used, space, &Used::space) != used.end()) continue;
+      used.push_back({space, CommonScope(scope, space)});
+      open.push_back(space);
+    }
+  }
+}
+
+std::vector<SymbolId> ScopeTable::FindAllUnqualified(Name name, bool types_only) const {
+  for (SymbolId id = InnermostLocal(name); id && id.index >= view_.local_floor;
+       id = symbols_[id].older) {
+    if (!types_only || symbols_[id].kind == SymbolKind::kType) return {id};
+  }
+  std::vector<SymbolId> found;
+  std::vector<Used> used;
+  for (ScopeId scope = view_.scope; scope && found.empty(); scope = scopes_[scope].parent) {
+    if (scopes_[scope].kind != ScopeKind::kNamespace) {
+      if (const SymbolId id = FindNested(scope, name, types_only)) found.push_back(id);
+      continue;
+    }
+    AddUsed(scope, used);
+    if (const SymbolId id = FindIn(scope, name, types_only)) found.push_back(id);
+    for (const Used& one : used) {
+      if (one.at != scope) continue;
+      if (const SymbolId id = FindIn(one.space, name, types_only)) found.push_back(id);
+    }
+  }
+  return found;
+}
+
+std::vector<SymbolId> ScopeTable::FindAllNested(ScopeId scope, Name name, bool types_only) const {
+  if (const SymbolId id = FindIn(scope, name, types_only)) return {id};
+  if (scopes_[scope].kind != ScopeKind::kNamespace) {
+    const SymbolId id = FindNested(scope, name, types_only);
+    return id ? std::vector{id} : std::vector<SymbolId>{};
+  }
+  std::vector<SymbolId> found;
+  std::vector<Used> used;
+  AddUsed(scope, used);
+  for (const Used& one : used) {
+    if (const SymbolId id = FindIn(one.space, name, types_only)) found.push_back(id);
+  }
+  return found;
+}
+
 SymbolId ScopeTable::FindUnqualified(Name name, bool types_only) const {
+  if (uses_any_) {
+    const std::vector<SymbolId> found = FindAllUnqualified(name, types_only);
+    return found.empty() ? SymbolId{} : found.front();
+  }
   for (SymbolId id = InnermostLocal(name); id && id.index >= view_.local_floor;
        id = symbols_[id].older) {
     if (!types_only || symbols_[id].kind == SymbolKind::kType) return id;
@@ -77,12 +151,15 @@ SymbolId ScopeTable::FindUnqualified(Name name, bool types_only) const {
   return {};
 }
 
-ScopeTable::LocalScope::LocalScope(ScopeTable& table) : table_(table), mark_(table.locals_.size()) {
+ScopeTable::LocalScope::LocalScope(ScopeTable& table)
+    : table_(table), mark_(table.locals_.size()), uses_(table.local_uses_.size()) {
   table.scope_starts_.push_back(table.size());
 }
 
 ScopeTable::LocalScope::~LocalScope() {
   table_.scope_starts_.pop_back();
+  for (; table_.local_uses_.size() > uses_; table_.local_uses_.pop_back())
+    table_[table_.local_uses_.back()].nested.pop_back();
   while (table_.locals_.size() > mark_) {
     const Symbol& symbol = table_[table_.locals_.back()];
     table_.local_by_name_[symbol.name.index] = symbol.older;

@@ -63,6 +63,17 @@ class ScopeTable {
   SymbolId FindNested(ScopeId scope, Name name, bool types_only = false, int depth = 0) const;
   // The symbol that a name without `::` means; none if it means nothing.
   SymbolId FindUnqualified(Name name, bool types_only = false) const;
+
+  // Makes the names of a namespace visible in a scope, as `using namespace` does; inside a function
+  // until the LocalScope ends that began last.
+  void Use(ScopeId scope, ScopeId used, bool is_local);
+  // Whether a `using namespace` is written: one name may mean several symbols only then.
+  bool uses_any() const { return uses_any_; }
+  // All symbols of which FindUnqualified, and FindNested, give the first: each the newest of its
+  // scope. They are of different namespaces, of which `using namespace` makes one set
+  // ([namespace.udir] and [namespace.qual] of C++).
+  std::vector<SymbolId> FindAllUnqualified(Name name, bool types_only = false) const;
+  std::vector<SymbolId> FindAllNested(ScopeId scope, Name name, bool types_only = false) const;
   // The local of the name that hides all others; none if no local has the name.
   SymbolId InnermostLocal(Name name) const { return local_by_name_[name.index]; }
   // Whether the local was declared in the LocalScope that began last.
@@ -81,10 +92,17 @@ class ScopeTable {
 
    private:
     ScopeTable& table_;
-    std::size_t mark_;
+    std::size_t mark_, uses_;
   };
 
  private:
+  // A namespace whose names are visible, and the scope in which they seem to be declared.
+  struct Used {
+    ScopeId space, at;
+  };
+  void AddUsed(ScopeId scope, std::vector<Used>& used) const;
+  ScopeId CommonScope(ScopeId one, ScopeId other) const;
+
   const View& view_;
   Arena<Symbol> symbols_;
   Arena<Scope> scopes_;
@@ -96,6 +114,8 @@ class ScopeTable {
   KeptVector<SymbolId> local_by_name_;                                     // by Name: the innermost
   KeptVector<SymbolId> locals_;
   KeptVector<std::uint32_t> scope_starts_;  // the number of symbols at each LocalScope's start
+  KeptVector<ScopeId> local_uses_;  // the scopes that `using namespace` in functions changed
+  bool uses_any_ = false;
 };
 
 }  // namespace clipc::check

@@ -145,6 +145,8 @@ TypeId ResolveNamedType(Context& context, const ast::Type& type) {
     }
   }
   if (const SymbolId symbol = Find(context, type.name, true)) {
+    if (context.names.uses_any() && !IsOneThing(context, type.span, type.name, true))
+      return context.types.Error();
     if (const auto instance = InstantiateStruct(context, symbol, type)) return *instance;
     return ResolveTypeSymbol(context, symbol);
   }
