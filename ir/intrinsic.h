@@ -14,7 +14,7 @@ enum class Intrinsic : std::uint8_t;  // ir/intrinsic_list.h has the enumerators
 // The functions that sources without the enumerators name.
 struct CommonIntrinsic {
   static const Intrinsic kAll, kAny, kAsDouble, kAsFloat, kAsUint, kAttributeAtVertex,
-      kCheckAccessFullyMapped, kClip, kDot, kEmitVertex, kEndPoints, kEndPrimitive, kFloor,
+      kCheckAccessFullyMapped, kClamp, kClip, kDot, kEmitVertex, kEndPoints, kEndPrimitive, kFloor,
       kInputOfVertex, kIsFirstPoint, kIsNan, kMad, kMax, kMin, kMul, kNonUniform, kOutputOfPoint,
       kPow, kSaturate, kSign, kSmoothstep, kTranspose, kWaveReadLaneFirst, kWholePower;
 };

@@ -5,6 +5,7 @@
 #include "frontend/check/body.h"
 #include "frontend/check/byte_access.h"
 #include "frontend/check/cast_target.h"
+#include "frontend/check/clamp.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/element.h"
 #include "frontend/check/enum_class.h"
@@ -89,7 +90,7 @@ ExprId CallIntrinsic(Context& context, NamedCall& call) {
     for (ExprId& argument : call.arguments) argument = TakeSteps(context, argument, steps);
   }
   const ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
-  return WithPrologue(context, steps, ExpandPower(context, value));
+  return WithPrologue(context, steps, ExpandClamp(context, ExpandPower(context, value)));
 }
 
 // The call of the shader's function `symbol`, or of the intrinsic of that name, if there is one.
@@ -101,12 +102,12 @@ ExprId CallOverload(Context& context, NamedCall& call, SymbolId symbol, bool is_
   KeptVector<FunctionInfoId> overloads =
       CandidatesOf(context, symbol, is_method && self ? context[self].type : TypeId{},
                    call.callee.arguments, call.arguments);
-  const Choice choice = ChooseOverload(context, overloads, call.arguments, name, name_span);
   for (const SymbolId other : OtherFunctions(context, call.callee.name, symbol)) {
     const KeptVector<FunctionInfoId> more =
         CandidatesOf(context, other, {}, call.callee.arguments, call.arguments);
     overloads.insert(overloads.end(), more.begin(), more.end());
   }
+  const Choice choice = ChooseOverload(context, overloads, call.arguments, name, name_span);
   if (choice.reported) return context.ErrorExpr(call.spans.whole);
   // A function is declared before it is called: fxc X3004, dxc's undeclared identifier (vkd3d's
   // function.shader_test, checked against native).

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "frontend/check/value.h"
 #include "frontend/typing/constant.h"
 #include "ir/access.h"
 #include "ir/intrinsic.h"
@@ -46,8 +47,8 @@ ExprId ExpandPower(Context& context, ExprId call) {
   const auto power = MultipliedExponent(context, arguments[1]);
   const TypeId type = context.TypeIdOf(call);
   // A constant stays one for GLSL, which calls no function of the shader's in it.
-  if (!power || !context[type].IsScalarOrVector() || EvaluateConstant(context.program, x))
-    return call;
+  const bool is_matrix = context[type].kind == TypeKind::kMatrix;
+  if (!power || (is_matrix && *power != 2) || EvaluateConstant(context.program, x)) return call;
   Builder at = context.At(context[call].span);
   const auto number = [&](double value) {
     return at.SplatTo(type, at.LiteralOf(context[type].scalar, value));
@@ -55,6 +56,12 @@ ExprId ExpandPower(Context& context, ExprId call) {
   const int size = std::abs(*power);
   if (size == 0) return IsPure(context.program, x) ? number(1) : at.CommaOf(x, number(1));
   ExprId product = x;
+  if (is_matrix) {
+    Exprs steps;
+    const ExprId held = Repeatable(context, x, steps);
+    const ExprId copy = Clone(context.program, held);
+    return WithPrologue(context, steps, at.BinaryOf(BinaryOp::kMul, held, copy));
+  }
   if (size == 2 && IsPure(context.program, x) && RootOf(context.program, x))
     product = at.BinaryOf(BinaryOp::kMul, x, Clone(context.program, x));
   else if (size > 1)

@@ -94,8 +94,8 @@ ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
 // intrinsics_special.cpp
 ExprId CheckMul(const IntrinsicCheck& call);
 ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op);
-// Checks countbits, firstbithigh or firstbitlow of integers of 64 bits, which become calls for
-// their halves; none of others.
+// Checks countbits, reversebits, firstbithigh or firstbitlow of integers of 64 bits, which become
+// calls for their halves; none of others.
 ExprId CheckWideBits(const IntrinsicCheck& call, Intrinsic op);
 ExprId CheckSelect(const IntrinsicCheck& call);
 ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);

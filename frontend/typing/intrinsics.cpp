@@ -157,7 +157,7 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
     return Report(call, diag::IntrinsicDiscard);
   if (op == Intrinsic::kCountBits || op == Intrinsic::kFirstBitHigh ||
-      op == Intrinsic::kFirstBitLow) {
+      op == Intrinsic::kFirstBitLow || op == Intrinsic::kReverseBits) {
     if (const ExprId bits = CheckWideBits(call, op)) return bits;
   }
   if (info.category == IntrinsicCategory::kAtomic) return CheckAtomicCall(call);

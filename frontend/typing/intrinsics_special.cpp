@@ -213,6 +213,11 @@ ExprId CheckWideBits(const IntrinsicCheck& call, Intrinsic op) {
   ExprId result;
   if (op == Intrinsic::kCountBits) {
     result = at.BinaryOf(BinaryOp::kAdd, of(low.var), of(high.var));
+  } else if (op == Intrinsic::kReverseBits) {
+    const TypeId bits = types.WithScalar(wide, Scalar::kUint64);
+    result = at.BinaryOf(BinaryOp::kShiftLeft, at.ConvertTo(Scalar::kUint64, of(low.var)),
+                         splat(bits, 32));
+    result = at.BinaryOf(BinaryOp::kBitOr, result, at.ConvertTo(Scalar::kUint64, of(high.var)));
   } else {
     // The word with the first bit, and the other, where the first word has none.
     const bool from_high = op == Intrinsic::kFirstBitHigh;
