@@ -51,7 +51,8 @@ void ResolveEnum(Context& context, SymbolId id, const ast::EnumDecl& decl) {
   std::int64_t next = 0;
   for (const ast::Enumerator& enumerator : context[decl.enumerators]) {
     if (enumerator.value) next = ConstantInteger(context, enumerator.value).value_or(next);
-    context.structs.enum_values[id.index].push_back(static_cast<std::uint32_t>(next++));
+    context.structs.enum_values[id.index].push_back(next);
+    next = static_cast<std::int64_t>(static_cast<std::uint64_t>(next) + 1);
   }
 }
 

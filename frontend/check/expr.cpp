@@ -14,6 +14,7 @@
 #include "frontend/check/global.h"
 #include "frontend/check/index.h"
 #include "frontend/check/init.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/loop.h"
 #include "frontend/check/member.h"
 #include "frontend/check/operator.h"
@@ -54,7 +55,11 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
     case LiteralKind::kUint:
     case LiteralKind::kHexadecimal:
       if (literal.bits > kMaxUint) context.Report(span, diag::IntegerTooLarge, literal.bits);
-      if (IsUnsigned(context, literal)) return at.Uint(static_cast<std::uint32_t>(literal.bits));
+      if (IsUnsigned(context, literal)) {
+        const ExprId value = at.Uint(static_cast<std::uint32_t>(literal.bits));
+        if (literal.kind == LiteralKind::kInt) NoteLargeLiteral(context, value);
+        return value;
+      }
       return at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:
       // fxc has the suffix, and no integers of 64 bits.
@@ -265,8 +270,11 @@ ExprId UseSymbol(Context& context, SymbolId id, Span span) {
       ResolveEnum(context, owner, context.Get<ast::EnumDecl>(symbol.decl));
       const auto& values = context.structs.enum_values[owner.index];
       if (symbol.value < values.size()) {
-        const ExprId value =
-            context.At(span).Add(ResolveTypeSymbol(context, owner), Literal{values[symbol.value]});
+        const auto number = static_cast<std::uint64_t>(values[symbol.value]);
+        const TypeId type = ResolveTypeSymbol(context, owner);
+        const bool is_wide = IsWide(context[type].scalar);
+        const ExprId value = context.At(span).Add(
+            type, Literal{is_wide ? number : static_cast<std::uint32_t>(number)});
         NoteEnumerator(context, value, owner);
         return value;
       }

@@ -10,6 +10,7 @@
 #include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/overload.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/value.h"
@@ -121,6 +122,9 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
   }
   ExprId operand = CheckExpr(context, expr.operand);
   if (context.IsError(operand)) return operand;
+  if (expr.op == UnaryOp::kNegate && !context.large_literals.empty()) {
+    if (const ExprId negated = NegateLarge(context, operand, span)) return negated;
+  }
   const TypeId type = context.TypeIdOf(operand);
   const std::string_view spelling = expr.op ? SpellingOf(*expr.op) : "+";
   if (!CheckNoEnumClass(context, spelling, operand, span)) return context.ErrorExpr(span);
@@ -168,6 +172,9 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
     const ExprId operands[] = {left, right};
     if (const auto call = CallOperator(context, SpellingOf(op), operands, op_span, span))
       return *call;
+  }
+  if (!context.large_literals.empty()) {
+    if (const ExprId folded = FoldLarge(context, op, left, right, span)) return folded;
   }
   const auto type = OperandType(context, op, left, right, op_span);
   if (!type) return context.ErrorExpr(span);

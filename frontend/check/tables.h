@@ -23,7 +23,7 @@ struct Structs {
   // The types that are defined inside another declaration, by DeclId.
   KeptMap<std::uint32_t, SymbolId> symbols;
   // The values of enums, as far as they are known, by the SymbolId of the enum.
-  KeptMap<std::uint32_t, KeptVector<std::uint32_t>> enum_values;
+  KeptMap<std::uint32_t, KeptVector<std::int64_t>> enum_values;
   // The specialisations `template<> struct S<float> {..}`, by the SymbolId of the template.
   KeptMap<std::uint32_t, KeptVector<ast::DeclId>> specialisations;
   bool IsSpecialisation(SymbolId symbol, ast::DeclId decl) const {

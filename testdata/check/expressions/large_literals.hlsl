@@ -7,7 +7,7 @@ float4 main() : SV_Position {
   // DXC: float x = 3e+09;
   float x = 3000000000;
   // FXC: int half_of = -1294967296 / 2;
-  // DXC: int half_of = int(3000000000u / 2u);
+  // DXC: int half_of = 1500000000;
   int half_of = 3000000000 / 2;
   // CHECK: uint every_bit = 4294967295u;
   uint every_bit = 4294967295;
