@@ -2,8 +2,10 @@
 #include "compiler/compile/lower_program.h"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,8 @@
 #include "compiler/compile/fit_tessellation.h"
 #include "compiler/compile/link_program.h"
 #include "compiler/compile/write_spirv.h"
+#include "ir/access.h"
+#include "ir/builder.h"
 #include "ir/print.h"
 #include "link/whole.h"
 
@@ -70,6 +74,29 @@ LowerOptions OptionsOf(Job& job, std::size_t number, ir::VarId position_input, s
   return options;
 }
 
+// Names the depth that nothing writes, since the tests run before the shader. OpenGL ES refuses to
+// assign to it ("Early Fragment Tests" of GLSL ES 3.10), so that it is a local variable there.
+void LeaveOutDepth(ir::Program& program, const glsl::Target& target, Diagnostics& diagnostics) {
+  if (!program.tests_early) return;
+  const auto is_depth = [](const ir::IoVar& output) {
+    return output.builtin == ir::Builtin::kDepth ||
+           output.builtin == ir::Builtin::kDepthGreaterEqual ||
+           output.builtin == ir::Builtin::kDepthLessEqual;
+  };
+  const auto depth = std::ranges::find_if(program.outputs, is_depth);
+  if (depth == program.outputs.end()) return;
+  const ir::VarId var = depth->var;
+  diagnostics.Report(program.vars[var].span, diag::DepthEarlyTests, depth->semantic);
+  if (!target.IsEs()) return;
+  program.outputs.erase(depth);
+  program.vars[var].storage = ir::Storage::kLocal;
+  std::vector<ir::StmtId> body = {
+      ir::Builder(program, program.vars[var].span).Stmt(ir::Declare{var, {}})};
+  const std::span<const ir::StmtId> old = ir::MainBody(program);
+  body.insert(body.end(), old.begin(), old.end());
+  ir::SetMainBody(program, body);
+}
+
 // Runs all passes, unless one stops them or the target cannot express the program.
 Lowered LowerAlone(LinkedShader&& shader, const ProgramRequest& request, Diagnostics& diagnostics) {
   const ClipDistances distances = ClipDistancesOf(shader.program);
@@ -113,6 +140,7 @@ bool LowerShader(std::span<Job> jobs, std::size_t number, std::vector<ir::Progra
   options.passes.drops_unneeded = number + 1 < jobs.size() && program.outputs.size() < written;
   options.passes.discarded_planes = DiscardedPlanes(jobs, programs, number);
   if (options.passes.discarded_planes > 0) CheckDiscards(program, job.diagnostics);
+  LeaveOutDepth(program, request.target, job.diagnostics);
   LinkedShader shader{std::move(program), std::move(options)};
   if (request.planes.variants) lowered.linked.insert(lowered.linked.begin(), shader);
   lowered.shaders.insert(lowered.shaders.begin(),
