@@ -89,6 +89,9 @@ class Consumer : public clang::DiagnosticConsumer {
       case clang::diag::ext_pp_macro_redef: return to.Report(where, diag::MacroRedefined, message);
       case clang::diag::err_pp_hash_error: return to.Report(where, diag::ErrorDirective, message);
       case clang::diag::pp_hash_warning: return to.Report(where, diag::WarningDirective, message);
+      // Clang's extension, which fxc and dxc do not have.
+      case clang::diag::ext_pp_embed_directive:
+        return to.Report(where, diag::PreprocessorError, "`#embed` is not HLSL");
       case clang::diag::warn_pragma_message: return to.Report(where, diag::PragmaMessage, message);
       default: break;
     }

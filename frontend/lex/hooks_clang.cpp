@@ -204,6 +204,7 @@ class FirstUse : public clang::IdentifierInfoLookup {
     const bool is_wanted = name == "pragma" || (name.starts_with("_") && name != "__CLIPC__");
     if (!preprocessor_ || !is_wanted || std::exchange(is_done_, true)) return nullptr;
     __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(preprocessor_);
+    preprocessor_->getIdentifierInfo("__has_embed")->setHasMacroDefinition(false);
     AddPragmas(*preprocessor_, diagnostics_);
     return &preprocessor_->getIdentifierTable().get(name);
   }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <clang/Lex/HeaderSearch.h>
@@ -243,7 +245,8 @@ namespace {
 // the bodies that are reached and the `}` after each. Returns the end of the main file; an end
 // token without a place if it cannot be read.
 template <typename OnToken>
-clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnToken&& on_token) {
+clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnToken&& on_token,
+                             std::unique_ptr<clang::PPCallbacks> more = nullptr) {
   state.diagnostics = &diagnostics;
   clang::Token token;
   token.startToken();
@@ -270,6 +273,7 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
   preprocessor.Initialize(shared.target);
   preprocessor.setPredefines(Predefines(state.input));
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
+  if (more) preprocessor.addPPCallbacks(std::move(more));
   if (state.bodies) state.bodies->Watch(preprocessor);
 
   if (state.input.record_macros)
@@ -352,41 +356,100 @@ static bool EndsAlone(const clang::Token& token) {
                        tok::r_brace, tok::semi, tok::comma, tok::tilde);
 }
 
+namespace {
+
+// The text that -P writes, with the lines of the source.
+class PreprocessedText {
+ public:
+  explicit PreprocessedText(const clang::SourceManager& sources) : sources_(sources) {}
+
+  void Add(const clang::Token& token, clang::Preprocessor& preprocessor) {
+    GoTo(token.getLocation());
+    if (token.isAnnotation()) {
+      return AddLine(fmt::format("#pragma pack_matrix({}_major)",
+                                 token.getAnnotationValue() ? "row" : "column"));
+    }
+    // A space is also written where a macro has put two tokens side by side that must stay two.
+    const bool is_of_macro = token.getLocation().isMacroID();
+    const bool was_beside = !token.hasLeadingSpace() && !is_of_macro;
+    const bool stays = !follows_macro_ || EndsAlone(token);
+    if (!text_.empty() && text_.back() != '\n' && !(was_beside && stays)) text_ += ' ';
+    follows_macro_ = is_of_macro && !EndsAlone(token);
+    text_ += preprocessor.getSpelling(token, buffer_).str();
+  }
+
+  // Adds the directive at the location if it is a pragma for the compiler.
+  void AddPragma(SourceLocation location) {
+    llvm::StringRef line(sources_.getCharacterData(location));
+    std::string joined;
+    for (std::size_t i = 0; i < line.size() && line[i] != '\n' && line[i] != '\r'; ++i) {
+      const bool goes_on = line.substr(i).starts_with("\\\n");
+      joined += goes_on ? ' ' : line[i];
+      i += goes_on ? 1 : 0;
+    }
+    llvm::StringRef rest = llvm::StringRef(joined).drop_front().ltrim();
+    if (!rest.consume_front("pragma")) return;
+    rest = rest.split("//").first.split("/*").first.trim();
+    const llvm::StringRef name = rest.take_while([](char c) { return c >= 'a' && c <= 'z'; });
+    if (name != "warning" && name != "def") return;
+    GoTo(location);
+    if (!text_.empty() && text_.back() != '\n') text_ += '\n';
+    AddLine(fmt::format("#pragma {}", rest.str()));
+  }
+
+  std::string Take() && { return text_.empty() ? std::move(text_) : std::move(text_) + '\n'; }
+
+ private:
+  // Adds lines up to that of the location, or a directive that names it.
+  void GoTo(SourceLocation location) {
+    constexpr unsigned kFewLines = 8;
+    const clang::PresumedLoc place = sources_.getPresumedLoc(location);
+    const bool is_elsewhere =
+        place.isValid() && (place.getFilename() != file_ || place.getLine() < line_ ||
+                            place.getLine() > line_ + kFewLines);
+    if (is_elsewhere) {
+      file_ = place.getFilename();
+      line_ = place.getLine();
+      text_ += fmt::format("{}#line {} \"{}\"\n", text_.empty() ? "" : "\n", line_, file_);
+    }
+    for (; place.isValid() && line_ < place.getLine(); ++line_) text_ += '\n';
+  }
+  void AddLine(const std::string& line) {
+    text_ += line + '\n';
+    ++line_;
+  }
+
+  const clang::SourceManager& sources_;
+  std::string text_, file_;
+  unsigned line_ = 0;
+  bool follows_macro_ = false;  // and might be one token with what follows
+  llvm::SmallString<64> buffer_;
+};
+
+class PragmaCallbacks : public clang::PPCallbacks {
+ public:
+  explicit PragmaCallbacks(PreprocessedText& text) : text_(text) {}
+  void PragmaDirective(SourceLocation location, clang::PragmaIntroducerKind kind) override {
+    if (kind == clang::PIK_HashPragma) text_.AddPragma(location);
+  }
+
+ private:
+  PreprocessedText& text_;
+};
+
+}  // namespace
+
 std::string Preprocess(Source& source, Diagnostics& diagnostics) {
   Source::State& state = source.state();
-  std::string text, file;
-  unsigned line = 0;
-  bool follows_macro = false;  // and might be one token with what follows
-  llvm::SmallString<64> buffer;
+  PreprocessedText text(state.sources);
   RunPreprocessor(
-      state, diagnostics, [&](const clang::Token& token, clang::Preprocessor& preprocessor) {
-        constexpr unsigned kFewLines = 8;
-        const clang::PresumedLoc place = state.sources.getPresumedLoc(token.getLocation());
-        const bool is_elsewhere =
-            place.isValid() && (place.getFilename() != file || place.getLine() < line ||
-                                place.getLine() > line + kFewLines);
-        if (is_elsewhere) {
-          file = place.getFilename();
-          line = place.getLine();
-          text += fmt::format("{}#line {} \"{}\"\n", text.empty() ? "" : "\n", line, file);
-        }
-        for (; place.isValid() && line < place.getLine(); ++line) text += '\n';
-        if (token.isAnnotation()) {
-          text += fmt::format("#pragma pack_matrix({}_major)\n",
-                              token.getAnnotationValue() ? "row" : "column");
-          ++line;
-          return;
-        }
-        // A space is also written where a macro has put two tokens side by side that must stay two.
-        const bool is_of_macro = token.getLocation().isMacroID();
-        const bool was_beside = !token.hasLeadingSpace() && !is_of_macro;
-        const bool stays = !follows_macro || EndsAlone(token);
-        if (!text.empty() && text.back() != '\n' && !(was_beside && stays)) text += ' ';
-        follows_macro = is_of_macro && !EndsAlone(token);
-        text += preprocessor.getSpelling(token, buffer).str();
-      });
+      state, diagnostics,
+      [&](const clang::Token& token, clang::Preprocessor& preprocessor) {
+        text.Add(token, preprocessor);
+      },
+      std::make_unique<PragmaCallbacks>(text));
   state.guard.Report(diagnostics);
-  return text.empty() ? text : text + '\n';
+  return std::move(text).Take();
 }
 
 FrontendContext::FrontendContext(Files files, const std::string& sandbox)

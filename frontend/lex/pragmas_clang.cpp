@@ -6,6 +6,7 @@
 
 #include <clang/Lex/Pragma.h>
 #include <clang/Lex/Preprocessor.h>
+#include <fmt/format.h>
 
 #include "frontend/lex/clang_bridge.h"
 
@@ -83,9 +84,14 @@ void HandlePackMatrix(const Directive& of) {
                                    /*IsReinject=*/false);
 }
 
-// Applies `#pragma warning (disable: 3206 3571; error: 4000)`, which has fxc's numbers. Other
-// words, push and pop among them, have no effect.
+// Applies `#pragma warning (disable: 3206 3571; error: 4000)`, which has fxc's numbers.
 void HandleWarning(const Directive& of) {
+  const std::string first = of.words.size() > 1 ? of.words[1] : "";
+  if (first == "push" || first == "pop") {
+    of.diagnostics.Report(of.span(), diag::MalformedPragma, fmt::format("warning({})", first),
+                          "HLSL has (disable: 3206), (error: 3206) and (default: 3206)");
+    return;
+  }
   auto state = Diagnostics::WarningState::kOn;
   for (const std::string& word : of.words) {
     if (word == "disable") state = Diagnostics::WarningState::kOff;

@@ -9,9 +9,11 @@
 #pragma region names
 #pragma endregion
 #pragma strange thing
+#pragma warning(push)
 // CHECK: pragmas.hlsl:5:9: warning: `#pragma pack_matrix` is ignored; it takes (row_major) or (column_major) [-Wmalformed-pragma]
 // CHECK: pragmas.hlsl:8:9: note: built for tests
 // CHECK: pragmas.hlsl:11:9: warning: unknown pragma `strange` is ignored [-Wunknown-pragma]
+// CHECK: pragmas.hlsl:12:9: warning: `#pragma warning(push)` is ignored; HLSL has (disable: 3206), (error: 3206) and (default: 3206) [-Wmalformed-pragma]
 // CHECK: pack_matrix row_major
 // CHECK-NEXT: pack_matrix column_major
 // CHECK-NEXT: end
