@@ -89,6 +89,7 @@ Result<> Driver::CheckUsage() {
   if (Result<> done = CheckCommand(command_); !done) return done;
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
+  for (const std::string& file : command_.response_files) sources.Add(file);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
   if (!command_.pixel_shader.path.empty()) sources.Add(command_.pixel_shader.path);
   const std::string& messages = command_.messages;

@@ -45,6 +45,7 @@ struct CommandLine {
   std::string help_topic;  // of --help; empty: all
   std::string explained;   // the name of a diagnostic, for --explain
   std::vector<std::string> inputs;
+  std::vector<std::string> response_files;
   ProgramRequest request;  // without the path and the text of its first shader
   // What the options say of the shader after the first. Empty: not given.
   ShaderSource pixel_shader = {.entry = {}, .profile = {}};

@@ -51,9 +51,10 @@ std::vector<std::string> Words(std::string_view text) {
   return words;
 }
 
-// Adds `argument`, or for @FILE the words of the file, to `to`. Returns the problem in words; empty
-// if there is none.
-Result<> Expand(std::string argument, int depth, std::vector<std::string>& to) {
+// Adds `argument`, or for @FILE the words of the file, to `to`, and the file to `files`. Returns
+// the problem in words; empty if there is none.
+Result<> Expand(std::string argument, int depth, std::vector<std::string>& to,
+                std::vector<std::string>& files) {
   if (!argument.starts_with('@') || argument.size() == 1) {
     to.push_back(std::move(argument));
     if (to.size() > kMaxArguments) return Problem{"too many arguments"};
@@ -64,8 +65,9 @@ Result<> Expand(std::string argument, int depth, std::vector<std::string>& to) {
   const Result<std::string> text = ReadText(file);
   if (!text)
     return Problem{fmt::format("cannot read the response file `{}`: {}", file, text.problem())};
+  files.push_back(file);
   for (std::string& word : Words(*text)) {
-    if (Result<> done = Expand(std::move(word), depth + 1, to); !done) return done;
+    if (Result<> done = Expand(std::move(word), depth + 1, to, files); !done) return done;
   }
   return {};
 }
@@ -198,6 +200,11 @@ void FinishTarget(Reading& reading) {
   if (request.target.bindings.keeps_unread && request.target.IsVulkan() && !is_spirv) {
     reading.without_effect.push_back({reading.vulkan_option, "it is for SPIR-V"});
     request.target.bindings.keeps_unread = false;
+  }
+  if (reading.joins_samplers && !request.target.IsVulkan() && command.batch.empty()) {
+    reading.without_effect.push_back(
+        {"--auto-sampled-textures",
+         "it is for target `vulkan`; for OpenGL a texture and its sampler are one already"});
   }
   // Each entry of a batch may have a target of its own.
   if (!reading.vulkan_option.empty() && !request.target.IsVulkan() && command.batch.empty()) {
@@ -354,7 +361,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   Reading reading;
   std::vector<std::string> words;
   for (const char* argument : arguments) {
-    reading.result = Expand(argument, 0, words);
+    reading.result = Expand(argument, 0, words, reading.command.response_files);
     if (!reading.result) break;
   }
   for (std::size_t at = 0; at < words.size() && reading.result;) ReadArgument(words, at, reading);
