@@ -135,12 +135,14 @@ void ExpressionCheck::Interpolant(const IntrinsicCall& call, Span span) {
   const auto* swizzle = As<Swizzle>(place);
   if (swizzle && TypeOf(swizzle->base).Components() > 1) place = swizzle->base;
   const auto* ref = As<VarRef>(place);
-  if (!ref || program_.vars[ref->var].storage != Storage::kInput) {
+  const auto input =
+      ref ? std::ranges::find(program_.inputs, ref->var, &IoVar::var) : program_.inputs.end();
+  // GLSL interpolates what the shader before writes, and not gl_FragCoord.
+  if (input == program_.inputs.end() || input->builtin != Builtin::kNone) {
     diagnostics_.Report(span, diag::InterpolantNotInput, NameOf(call.op));
     return;
   }
   if (!is_vertex) return;
-  const auto input = std::ranges::find(program_.inputs, ref->var, &IoVar::var);
   const auto* vertex = As<Literal>(program_.expr_lists[call.arguments][1]);
   if (vertex && vertex->bits > 2)
     diagnostics_.Report(span, diag::AttributeVertex, std::to_string(vertex->bits));
@@ -156,6 +158,12 @@ void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
   const bool has_offset = !OperandsOf(call, OperandKind::kOffset).empty();
   if (sampler) ObjectArgument(sampler);
   if (WritesObject(call.op)) StoreUse(path, call.op, span);
+  const TypeId element = Innermost(program_.exprs[path].type).element;
+  if (Takes(call.op, OperandKind::kReference) && element &&
+      !IsFloat(program_.types[element].scalar))
+    diagnostics_.Report(span, diag::MethodOfIntegers, InfoOf(call.op).method,
+                        program_.types.Name(program_.exprs[path].type),
+                        "a sampler compares floats only");
   const bool has_instruction = target_.IsVulkan() && !call.has_clamp && !call.has_texel;
   if (!has_instruction && !HasComparison(call.op, object, clipc::InfoOf(program_.stage)))
     Report(span, diag::TargetSampleCompare);
