@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/call.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "frontend/check/assign.h"
 #include "frontend/check/body.h"
 #include "frontend/check/byte_access.h"
@@ -41,6 +44,30 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
 }
 
 // The functions of a name, and the instances of templates of that name that the arguments
+// The definition of a function template of which `id` may be the declaration: the template of the
+// same parameters, as they are written, that has a body.
+SymbolId DefinitionOf(Context& context, SymbolId id) {
+  const ast::FunctionDecl& declared = DeclOf(context, id);
+  if (declared.body) return id;
+  SymbolId other = context.names.NewestIn(context[id].scope, context[id].name);
+  for (; other; other = context[other].older) {
+    if (context[other].kind != SymbolKind::kFunction) continue;
+    const ast::FunctionDecl& decl = DeclOf(context, other);
+    const bool is_alike = decl.is_template && decl.body &&
+                          decl.parameters.size == declared.parameters.size &&
+                          decl.template_parameters.size == declared.template_parameters.size;
+    bool is_same = is_alike;
+    for (std::uint32_t i = 0; is_same && i < decl.parameters.size; ++i) {
+      const auto type_at = [&](const ast::FunctionDecl& of) {
+        return TypeText(context, context.Get<ast::VarDecl>(context[of.parameters][i]).type);
+      };
+      is_same = type_at(decl) == type_at(declared);
+    }
+    if (is_same) return other;
+  }
+  return id;
+}
+
 // determine.
 KeptVector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
                                         List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
@@ -49,9 +76,11 @@ KeptVector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeI
   for (SymbolId id = symbol; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     if (!DeclOf(context, id).is_template) continue;
-    const FunctionInfoId instance =
-        InstantiateFunction(context, id, self, explicit_arguments, arguments);
-    if (instance) candidates.push_back(instance);
+    const FunctionInfoId instance = InstantiateFunction(context, DefinitionOf(context, id), self,
+                                                        explicit_arguments, arguments);
+    if (!instance) continue;
+    context[instance].declared = std::min(context[instance].declared, id.index);
+    if (std::ranges::find(candidates, instance) == candidates.end()) candidates.push_back(instance);
   }
   return candidates;
 }

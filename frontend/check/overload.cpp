@@ -41,6 +41,46 @@ bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan ar
   return true;
 }
 
+// How special the type of a template's parameter is: T, vector<T, N>, vector<T, 2>, float2.
+int SpecialityOf(const Context& context, List<ast::TemplateParameter> parameters,
+                 ast::TypeId type_id) {
+  const ast::Type& type = context[type_id];
+  const auto is_parameter = [&](Name name) {
+    return std::ranges::any_of(context[parameters], [&](const ast::TemplateParameter& parameter) {
+      return parameter.name == name;
+    });
+  };
+  constexpr int kConcrete = 8;
+  if (!type.has_arguments) return is_parameter(type.name.name) ? 0 : kConcrete;
+  int speciality = 1;
+  for (const ast::ExprId argument : context[type.arguments]) {
+    const auto* inner = context.GetIf<ast::TypeExpr>(argument);
+    const auto* name = context.GetIf<ast::NameExpr>(argument);
+    if (inner && !is_parameter(context[inner->type].name.name)) ++speciality;
+    if (!inner && !(name && is_parameter(name->name.name))) ++speciality;
+  }
+  return speciality;
+}
+
+// Whether one instance of a template is of a more special one than the other ([temp.func.order] of
+// C++).
+bool IsMoreSpecial(const Context& context, const FunctionInfo& one, const FunctionInfo& other) {
+  const ast::FunctionDecl& left = DeclOf(context, one);
+  const ast::FunctionDecl& right = DeclOf(context, other);
+  if (!one.is_instance || !other.is_instance || left.parameters.size != right.parameters.size)
+    return false;
+  bool is_more = false;
+  for (std::uint32_t i = 0; i < left.parameters.size; ++i) {
+    const auto of = [&](const ast::FunctionDecl& decl) {
+      return SpecialityOf(context, decl.template_parameters,
+                          context.Get<ast::VarDecl>(context[decl.parameters][i]).type);
+    };
+    if (of(left) < of(right)) return false;
+    is_more = is_more || of(left) > of(right);
+  }
+  return is_more;
+}
+
 std::string ArgumentTypes(const Context& context, ExprSpan arguments) {
   std::string text = "(";
   for (ExprId argument : arguments) {
@@ -69,11 +109,14 @@ Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overload
       if ((info.declared >= context.view.order) != later) continue;
       if (!RankArguments(context, info, arguments, cost, changes_shape) || cost > best_cost)
         continue;
-      // A function is better than an instance of a template.
-      const bool yields = choice.function && cost == best_cost && info.is_instance &&
-                          !context[choice.function].is_instance;
+      // A function is better than an instance of a template, and of two of these the one of the
+      // more special template.
+      const bool is_tie = choice.function && cost == best_cost;
+      const bool yields = is_tie && ((info.is_instance && !context[choice.function].is_instance) ||
+                                     IsMoreSpecial(context, context[choice.function], info));
       if (yields) continue;
-      rival = cost == best_cost ? choice.function : FunctionInfoId{};
+      const bool wins = is_tie && IsMoreSpecial(context, info, context[choice.function]);
+      rival = is_tie && !wins ? choice.function : FunctionInfoId{};
       best_cost = cost;
       choice.function = id;
       choice.changes_shape = changes_shape;

@@ -7,6 +7,7 @@
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/partial_order.h"
+#include "frontend/check/scope.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/type.h"
 #include "frontend/check/type_names.h"
@@ -73,6 +74,9 @@ std::string InstanceKey(ast::DeclId decl, ScopeId scope, TypeId self,
   return key;
 }
 
+bool DeduceParts(Context& context, const ast::Type& pattern, TypeId type,
+                 List<ast::TemplateParameter> parameters, std::vector<std::uint64_t>& found);
+
 // Adds to `found` the arguments of the template that follow from passing a value of `type` to a
 // parameter whose type is written as `pattern`. Returns false if it follows too that an argument is
 // a type of other numbers than the one that was found before ([temp.deduct.type] of C++, clause 2).
@@ -93,7 +97,8 @@ bool Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
   }
   // vector<T, N>, matrix<T, R, C>
   const std::string_view text = context[pattern.name.name];
-  if ((text != "vector" && text != "matrix") || !given.IsNumeric()) return true;
+  if (!given.IsNumeric()) return DeduceParts(context, pattern, type, parameters, found);
+  if (text != "vector" && text != "matrix") return true;
   const std::uint64_t parts[] = {context.types.Make(given.scalar).index,
                                  text == "vector" ? given.columns : given.rows, given.columns};
   for (std::uint32_t a = 0; a < pattern.arguments.size && a < 3; ++a) {
@@ -107,6 +112,46 @@ bool Deduce(Context& context, ast::TypeId pattern_id, TypeId type,
     if (i && a == 0 && found[*i] != parts[a]) return false;
   }
   return true;
+}
+
+// The same for a pattern Pair<T> or Texture2D<T>: from the arguments of an instance of that struct,
+// or from the element of that object.
+bool DeduceParts(Context& context, const ast::Type& pattern, TypeId type,
+                 List<ast::TemplateParameter> parameters, std::vector<std::uint64_t>& found) {
+  const Type given = context[type];
+  if (given.kind == TypeKind::kObject && given.element && pattern.arguments.size > 0) {
+    const std::string name = context.types.Name(type);
+    const auto* element = context.GetIf<ast::TypeExpr>(context[pattern.arguments][0]);
+    if (!element || name.substr(0, name.find('<')) != context[pattern.name.name]) return true;
+    return Deduce(context, element->type, given.element, parameters, found);
+  }
+  const StructInfo* info = InfoOf(context, type);
+  const SymbolId general = info ? Find(context, pattern.name, true) : SymbolId{};
+  if (!general || context[general].decl != info->decl) return true;
+  const auto& decl = context.Get<ast::StructDecl>(info->decl);
+  const ScopeId bound = context[info->scope].parent;
+  bool agrees = true;
+  for (std::uint32_t i = 0; i < pattern.arguments.size && i < decl.template_parameters.size; ++i) {
+    const ast::TemplateParameter& parameter = context[decl.template_parameters][i];
+    const SymbolId symbol = context.names.FindIn(bound, parameter.name);
+    if (!symbol) continue;
+    const std::uint32_t value = context[symbol].value;
+    const ast::ExprId argument = context[pattern.arguments][i];
+    const auto* written = context.GetIf<ast::TypeExpr>(argument);
+    if (parameter.is_type) {
+      if (written)
+        agrees = Deduce(context, written->type, TypeId{value}, parameters, found) && agrees;
+      continue;
+    }
+    const auto* used = context.GetIf<ast::NameExpr>(argument);
+    const Name name = used ? used->name.name : written ? context[written->type].name.name : Name{};
+    for (std::uint32_t p = 0; name && p < parameters.size; ++p) {
+      if (context[parameters][p].name != name) continue;
+      if (found[p] == kUnknown) found[p] = value;
+      agrees = agrees && found[p] == value;
+    }
+  }
+  return agrees;
 }
 
 // A specialisation of a struct that fits the arguments of the template.
@@ -338,6 +383,8 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
     return {};
   }
   const FunctionInfoId result = AddFunction(context, meant, self, special ? symbol.scope : scope);
+  // A specialisation is found where its template is.
+  context[result].declared = std::min(context[result].declared, id.index);
   ResolveSignature(context, result);
   return result;
 }
