@@ -191,6 +191,7 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
     const ast::ExprId path = PathOfCast(context, value, expr.operand, type);
     const ExprId converted = ConvertExplicit(context.program, value, type, context);
     if (path) NoteCast(context, converted, path);
+    NoteCastTo(context, converted, expr.type);
     return converted;
   }
   if (DerivesFrom(context, context.TypeIdOf(value), type)) return Implicit(context, value, type);

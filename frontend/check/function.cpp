@@ -36,8 +36,8 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
   parameters.push_back(parameter);
 }
 
-// Finds the definition of a method that its struct only declares, `float S::f() {...}`, if there is
-// one.
+// Finds the definition of a function that its struct or namespace only declares, `float S::f()
+// {...}`, if there is one.
 void FindOutOfLine(Context& context, FunctionInfo& info) {
   const Name name = DeclOf(context, info).name;
   for (ast::DeclId id : context.functions.out_of_line.Of(context, name, info.scope)) {
@@ -54,7 +54,7 @@ void FindOutOfLine(Context& context, FunctionInfo& info) {
     }
     if (!same) continue;
     info.decl = id;
-    info.order = ~0u;  // its body comes after the struct
+    info.order = ~0u;  // its body comes after what the struct or namespace has
     info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
     return;
   }
@@ -139,8 +139,8 @@ void ResolveSignature(Context& context, FunctionInfoId id) {
     AddParameter(context, context.Get<ast::VarDecl>(parameter), parameter, info, parameters);
   }
   info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
-  const bool is_method = context[info.scope].kind == ScopeKind::kStruct;
-  if (is_method && !decl.body) FindOutOfLine(context, info);
+  const bool has_owner = static_cast<bool>(context[info.scope].parent);
+  if (has_owner && !decl.body) FindOutOfLine(context, info);
   if (info.self) info.changes_self = MayChangeSelf(context, DeclOf(context, info), info.scope);
 }
 

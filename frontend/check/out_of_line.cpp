@@ -14,7 +14,8 @@ KeptVector<ast::DeclId> OutOfLine::Of(Context& context, Name name, ScopeId scope
   // Looking at a struct may lead here again.
   while (member.placed < member.definitions.size()) {
     const Definition definition = member.definitions[member.placed++];
-    const SymbolId owner = Find(context, definition.owner, true);
+    const SymbolId type = Find(context, definition.owner, true);
+    const SymbolId owner = type ? type : Find(context, definition.owner);
     const ScopeId of = owner ? ScopeOf(context, owner) : ScopeId{};
     if (of) member.by_scope[of.index].push_back(definition.decl);
   }

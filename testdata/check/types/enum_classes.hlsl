@@ -28,6 +28,9 @@ float4 main(float4 p : POSITION, int number : NUMBER) : SV_Position {
   int n = (int)mode;
   n += int(Mode::Flat) + int(uint(s.others[1]));
   Mode made = (Mode)number, called = Mode(number);
+  uint bits = number;
+  made = (Mode)bits, called = (Mode)7u;
+  if (made == (Mode)bits) called = Mode(bits);
   switch (mode) {
     case Mode::Lit: n *= 3; break;
     default: break;
