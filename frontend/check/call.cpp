@@ -17,6 +17,7 @@
 #include "frontend/check/init.h"
 #include "frontend/check/member.h"
 #include "frontend/check/operator.h"
+#include "frontend/check/out_element.h"
 #include "frontend/check/overload.h"
 #include "frontend/check/power.h"
 #include "frontend/check/scope.h"
@@ -43,7 +44,6 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
   return symbol && context[symbol].kind == SymbolKind::kFunction ? symbol : SymbolId{};
 }
 
-// The functions of a name, and the instances of templates of that name that the arguments
 // The definition of a function template of which `id` may be the declaration: the template of the
 // same parameters, as they are written, that has a body.
 SymbolId DefinitionOf(Context& context, SymbolId id) {
@@ -68,6 +68,7 @@ SymbolId DefinitionOf(Context& context, SymbolId id) {
   return id;
 }
 
+// The functions of a name, and the instances of templates of that name that the arguments
 // determine.
 KeptVector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
                                         List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
@@ -115,10 +116,16 @@ IntrinsicCheck IntrinsicOf(Context& context, const NamedCall& call) {
 
 ExprId CallIntrinsic(Context& context, NamedCall& call) {
   Exprs steps;
-  if (IsWritingIntrinsic(context[call.name()])) {
+  OutElements elements;
+  const std::string_view name = context[call.name()];
+  const bool writes = IsWritingIntrinsic(name);
+  if (writes) {
     for (ExprId& argument : call.arguments) argument = TakeSteps(context, argument, steps);
   }
-  const ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
+  if (writes || name.starts_with("Interlocked"))
+    elements = TakeOutElements(context, name, call.arguments);
+  ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
+  if (!elements.after.empty()) value = WithOutElements(context, std::move(elements), value);
   return WithPrologue(context, steps, ExpandClamp(context, ExpandPower(context, value)));
 }
 
@@ -214,9 +221,11 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
   if (object && context[type].kind == TypeKind::kObject) {
     if (IsTypedAccess(context, member, object))
       return CheckTypedAccess(context, member, object, arguments, span);
-    return CheckMethodCall({context.program, context[member.name], member.name_span, arguments,
-                            span, context, context.diagnostics},
-                           object);
+    OutElements elements = TakeOutElements(context, context[member.name], arguments);
+    const ExprId call = CheckMethodCall({context.program, context[member.name], member.name_span,
+                                         arguments, span, context, context.diagnostics},
+                                        object);
+    return WithOutElements(context, std::move(elements), call);
   }
   const TypeId named = OwnerOf(context, member, type);
   if (context.IsError(named)) return context.ErrorExpr(span);
