@@ -52,6 +52,17 @@ std::string NameOf(const Context& context, SymbolId meaning, TypeId number) {
 
 }  // namespace
 
+SymbolId EnumClassOf(Context& context, const ast::VarDecl& var) {
+  if (!context.file.has_enum_classes) return {};
+  return MeaningOf(context, var).value_or(SymbolId{});
+}
+
+bool IsOfOtherEnum(const Context& context, ExprId value, SymbolId enumeration) {
+  if (!context.file.has_enum_classes) return false;
+  const Known meaning = MeaningOf(context, value);
+  return meaning && *meaning != enumeration;
+}
+
 void NoteType(Context& context, SymbolId symbol, const ast::VarDecl& var) {
   if (!context.file.has_enum_classes) return;
   if (const Known meaning = MeaningOf(context, var))

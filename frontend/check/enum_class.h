@@ -8,6 +8,10 @@
 // noted; what is neither, as a variable of a template's type, is not judged.
 namespace clipc::check {
 
+// The enum class that the variable is of; none for other types.
+SymbolId EnumClassOf(Context& context, const ast::VarDecl& var);
+// Whether the value is known not to be of `enumeration`, or with none not to be a number.
+bool IsOfOtherEnum(const Context& context, ExprId value, SymbolId enumeration);
 // Notes that the symbol is a local variable or a parameter of this type.
 void NoteType(Context& context, SymbolId symbol, const ast::VarDecl& var);
 // Notes that the value is that of the symbol, which has a type.

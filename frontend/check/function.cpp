@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frontend/check/enum_class.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/self.h"
 #include "frontend/check/type.h"
@@ -24,6 +25,7 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
   Parameter parameter;
   parameter.decl = id;
   parameter.type = WithoutString(context, ResolveVarType(context, var), var);
+  parameter.enumeration = EnumClassOf(context, var);
   const bool out = (var.qualifiers & ast::kOut) != 0;
   const bool in = (var.qualifiers & ast::kIn) != 0;
   parameter.storage = !out ? Storage::kIn : in ? Storage::kInOut : Storage::kOut;
@@ -65,6 +67,7 @@ std::string ParameterKey(const Context& context, const FunctionInfo& info) {
   std::string key;
   for (const Parameter& parameter : context[info.parameters]) {
     key += fmt::format("{}:{},", static_cast<int>(parameter.storage), parameter.type.index);
+    if (parameter.enumeration) key += fmt::format("{};", parameter.enumeration.index);
   }
   return key;
 }
@@ -145,10 +148,10 @@ void ResolveSignature(Context& context, FunctionInfoId id) {
 }
 
 bool SameParameters(const Context& context, const FunctionInfo& a, const FunctionInfo& b) {
-  return std::ranges::equal(context[a.parameters], context[b.parameters],
-                            [](const Parameter& x, const Parameter& y) {
-                              return x.type == y.type && x.storage == y.storage;
-                            });
+  return std::ranges::equal(
+      context[a.parameters], context[b.parameters], [](const Parameter& x, const Parameter& y) {
+        return x.type == y.type && x.storage == y.storage && x.enumeration == y.enumeration;
+      });
 }
 
 const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self) {

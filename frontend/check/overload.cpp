@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "frontend/check/enum_class.h"
 #include "frontend/check/function.h"
 #include "frontend/check/struct.h"
 
@@ -27,6 +28,9 @@ bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan ar
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const Parameter& parameter = context[info.parameters][i];
     const TypeId given = context.TypeIdOf(arguments[i]);
+    // The conversion has an error of its own where nothing else fits.
+    constexpr std::uint64_t kOtherEnum = std::uint64_t{1} << 56;
+    if (IsOfOtherEnum(context, arguments[i], parameter.enumeration)) cost += kOtherEnum;
     const auto add = [&](std::optional<ConversionRank> rank) {
       if (!rank) return false;
       cost += CostOf(*rank);
