@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/random/emitter.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace clipc::random {
 namespace {
@@ -17,25 +17,6 @@ struct TakenPrimitive {
 constexpr TakenPrimitive kTakenPrimitives[] = {
     {"triangle", 3}, {"point", 1}, {"line", 2}, {"lineadj", 4}, {"triangleadj", 6}};
 constexpr const char* kStreams[] = {"TriangleStream", "LineStream", "PointStream"};
-
-// A struct for what a vertex of the primitive has.
-int MakeCorner(Context& context, std::string& text) {
-  Struct corner{"Corner" + std::to_string(context.names++), {}};
-  std::string fields = "  float4 place : SV_Position;\n";
-  corner.fields.push_back({"place", {Kind::kFloat, {0, 4}}});
-  Repeat(context.choices, 4, 75, [&](int i) {
-    Type type{static_cast<Kind>(context.Pick({4, 3, 2})), {0, context.Between(1, 4)}};
-    if (context.Chance(15)) type.sizes.push_back(context.Between(1, 3));
-    const std::string name = "in" + std::to_string(context.names++);
-    const char* const modifier = type.kind == Kind::kFloat && context.Chance(20) ? "centroid " : "";
-    fields += std::string("  ") + modifier + Declaration(context.structs, type, name) + " : " +
-              static_cast<char>('A' + i) + "IN0;\n";
-    corner.fields.push_back({name, type});
-  });
-  text += "struct " + corner.name + " {\n" + fields + "};\n";
-  context.structs.push_back(std::move(corner));
-  return static_cast<int>(context.structs.size()) - 1;
-}
 
 // Statements that write the vertex and append it, perhaps under a condition.
 std::string MakeAppend(Context& context, const std::string& writes, bool may_restart) {
@@ -56,22 +37,16 @@ std::string MakeAppend(Context& context, const std::string& writes, bool may_res
 
 std::string MakeEmitterEntry(Context& context, const std::string& planes) {
   std::string structs;
-  const int corner = MakeCorner(context, structs);
+  const int corner = MakeGivenStruct(context, structs, true);
   const std::string corner_name = context.structs[static_cast<std::size_t>(corner)].name;
   const ScopeOf scope(context);
   const TakenPrimitive& primitive = context.OneOf(kTakenPrimitives);
   const std::string stream = context.OneOf(kStreams);
   std::string parameters = std::string(primitive.name) + " " + corner_name + " t_corners[" +
                            std::to_string(primitive.vertices) + "]";
-  std::string body;
-  Repeat(context.choices, 3, 80, [&](int i) {
-    const std::string name = "corner" + std::to_string(i);
-    body += EmitterLine(corner_name + " " + name + " = t_corners[" +
-                        std::to_string(context.Below(primitive.vertices)) + "]");
-    Type type;
-    type.structure = corner;
-    context.Add({name, type, true, Holds::kInput});
-  });
+  std::vector<std::string> indices;
+  for (int i = 0; i < primitive.vertices; ++i) indices.push_back(std::to_string(i));
+  std::string body = MakeCopies(context, corner, "t_corners", indices);
   int instances = 1;
   if (context.model >= 50 && context.Chance(30)) {
     instances = context.Between(1, 3);

@@ -183,6 +183,41 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
   return inputs;
 }
 
+int MakeGivenStruct(Context& context, std::string& text, bool has_position) {
+  Struct given{"Corner" + std::to_string(context.names++), {}};
+  std::string fields;
+  if (has_position) {
+    fields = "  float4 place : SV_Position;\n";
+    given.fields.push_back({"place", {Kind::kFloat, {0, 4}}});
+  }
+  Repeat(context.choices, 4, 75, [&](int i) {
+    Type type{static_cast<Kind>(context.Pick({4, 3, 2})), {0, context.Between(1, 4)}};
+    if (context.Chance(15)) type.sizes.push_back(context.Between(1, 3));
+    const std::string name = "in" + std::to_string(context.names++);
+    const char* const modifier = type.kind == Kind::kFloat && context.Chance(20) ? "centroid " : "";
+    fields += std::string("  ") + modifier + Declaration(context.structs, type, name) + " : " +
+              static_cast<char>('A' + i) + "IN0;\n";
+    given.fields.push_back({name, type});
+  });
+  text += "struct " + given.name + " {\n" + fields + "};\n";
+  context.structs.push_back(std::move(given));
+  return static_cast<int>(context.structs.size()) - 1;
+}
+
+std::string MakeCopies(Context& context, int structure, const std::string& from,
+                       const std::vector<std::string>& indices) {
+  std::string text;
+  Repeat(context.choices, 3, 80, [&](int i) {
+    const std::string name = "corner" + std::to_string(i);
+    text += "  " + context.structs[static_cast<std::size_t>(structure)].name + " " + name + " = " +
+            from + "[" + context.OneOf(indices) + "];\n";
+    Type type;
+    type.structure = structure;
+    context.Add({name, type, true, Holds::kInput});
+  });
+  return text;
+}
+
 EntryOutputs MakeOutputs(Context& context, bool soft) {
   const bool draws_pixels = clipc::InfoOf(context.stage).draws_pixels;
   const std::string semantic = draws_pixels ? "SV_Target" : "OUT";
@@ -195,6 +230,7 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
     outputs.fields += "  " + Declaration(context.structs, type, name) + " : " + semantic +
                       std::to_string(number) + ";\n";
     outputs.statements += "  result." + name + " = " + value + ";\n";
+    outputs.made.push_back({name, type});
     ++number;
     if (type.shape.IsMatrix() || type.shape.IsScalar() || !context.Chance(20)) return;
     context.EndExpression();

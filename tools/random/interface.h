@@ -35,10 +35,20 @@ struct EntryInputs {
 };
 EntryInputs MakeInputs(Context& context, bool keeps);
 
+// A struct for what another stage gives: a position, which has the semantic that a rasteriser
+// reads, if `has_position`, and up to four values of any kind. Returns its number, and adds its
+// declaration to `text`.
+int MakeGivenStruct(Context& context, std::string& text, bool has_position);
+// Statements that copy up to three elements of the array `from`, whose type is the struct, to
+// variables. An index is a text of OneOf(indices).
+std::string MakeCopies(Context& context, int structure, const std::string& from,
+                       const std::vector<std::string>& indices);
+
 // Outputs for the values of the visible variables, as statements that write them and as fields, of
 // which there is at least one.
 struct EntryOutputs {
   std::string fields, statements;
+  std::vector<Field> made = {};  // beside the lines of `fields`
 };
 EntryOutputs MakeOutputs(Context& context, bool soft);
 

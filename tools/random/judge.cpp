@@ -15,6 +15,7 @@
 #include "tools/draw/compare.h"
 #include "tools/draw/draw_call.h"
 #include "tools/draw/opengl/compare.h"
+#include "tools/draw/opengl/domain.h"
 #include "tools/draw/vulkan/compare.h"
 #include "tools/draw/vulkan/glslang.h"
 #include "tools/random/check_layout.h"
@@ -131,6 +132,7 @@ struct Judge::State {
   void Draw(const Program& program, const draw::CheckedShader& checked, const std::string& target);
   void DrawSomeOpenGl(const Program& program, const draw::CheckedShader& checked);
   Comparison Compare(const std::string& target, const draw::Trial& trial);
+  harness::OpenGl& OpenGl();
 
   JudgeOptions options;
   std::optional<Verdict> only;
@@ -162,7 +164,9 @@ void Judge::State::Run(const Program& program) {
   }
   if (!options.draws) return;
   if (only && !only->target.empty()) return Draw(program, *checked, only->target);
-  Draw(program, *checked, "vulkan");
+  // The SPIR-V of patches runs as the GLSL that SPIRV-Cross makes of it.
+  const StageInfo& stage = clipc::InfoOf(program.stage);
+  Draw(program, *checked, stage.makes_patches || stage.reads_patches ? "glsl450" : "vulkan");
   DrawSomeOpenGl(program, *checked);
 }
 
@@ -206,7 +210,9 @@ void Judge::State::Draw(const Program& program, const draw::CheckedShader& check
   draw::RandomOptions random = RandomOptionsOf(program);
   draw::ChooseDraw(shader, random);
   Step("evaluate for " + target);
-  const draw::RandomInputs inputs = draw::MakeRandomInputs(shader.typed, random);
+  draw::RandomInputs inputs = draw::MakeRandomInputs(shader.typed, random);
+  if (clipc::InfoOf(program.stage).reads_patches)
+    inputs.points = draw::PointsOf(OpenGl(), shader, inputs);
   std::vector<draw::Expected> expected;
   try {
     expected = draw::MakeExpected(shader, OptionsOf(program, path), inputs);
@@ -232,8 +238,12 @@ Comparison Judge::State::Compare(const std::string& target, const draw::Trial& t
     if (!vulkan) vulkan.emplace();
     return draw::vulkan::CompareWithVulkan(*vulkan, trial);
   }
+  return draw::CompareWithOpenGl(OpenGl(), trial);
+}
+
+harness::OpenGl& Judge::State::OpenGl() {
   if (!opengl) opengl.emplace();
-  return draw::CompareWithOpenGl(*opengl, trial);
+  return *opengl;
 }
 
 Judge::Judge(JudgeOptions options) : state_(std::make_unique<State>(std::move(options))) {}

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/random/program.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "tools/random/emitter.h"
 #include "tools/random/group.h"
 #include "tools/random/interface.h"
 #include "tools/random/layout.h"
 #include "tools/random/loops.h"
+#include "tools/random/patch.h"
 
 namespace clipc::random {
 namespace {
@@ -16,37 +20,6 @@ std::string Some(Context& context, int most, Make&& make) {
   std::string text;
   Repeat(context.choices, most, 65, [&](int) { text += make(context); });
   return text;
-}
-
-void ChooseOptions(Context& context, Program& program) {
-  constexpr int kModels[] = {50, 50, 40, 41, 51, 60, 66};
-  context.model = context.OneOf(kModels);
-  if (context.Has(Feature::kPixels)) program.stage = context.stage = Stage::kPixel;
-  if (context.Has(Feature::kGroups)) program.stage = context.stage = Stage::kCompute;
-  if (context.Has(Feature::kEmitters)) program.stage = context.stage = Stage::kGeometry;
-  program.profile = std::string(clipc::InfoOf(program.stage).prefix) + "_" +
-                    std::to_string(context.model / 10) + "_" + std::to_string(context.model % 10);
-  program.row_major = context.Chance(20);
-  program.negative_one_to_one = context.Chance(30);
-  program.flip_y = context.Chance(20);
-  constexpr const char* kLowerings[] = {"clip-distance", "clip-distance", "clip-distance", "none"};
-  program.lowering = context.OneOf(kLowerings);
-  constexpr const char* kSpaces[] = {"clip", "clip", "clip", "xyw1", "object"};
-  program.plane_space = context.OneOf(kSpaces);
-  if (!clipc::InfoOf(program.stage).has_stage_after) {
-    program.lowering = "none";
-    program.negative_one_to_one = false;
-  }
-  if (program.lowering == "none") program.plane_space = "clip";
-  program.inputs = context.Below(1000);
-  program.target = context.Below(60);
-  program.is_soft = context.Chance(Feature::kSoftMath, 33);
-  if (clipc::InfoOf(program.stage).emits_vertices) {
-    // The vertices that a geometry shader takes are not in object space.
-    program.is_soft = false;
-    if (program.plane_space == "object") program.plane_space = "clip";
-  }
-  if (clipc::InfoOf(program.stage).runs_in_groups) program.flip_y = program.is_soft = false;
 }
 
 // The entry of a pixel shader. Neighbours are asked before anything can end some pixels alone.
@@ -61,7 +34,7 @@ std::string MakePixelEntry(Context& context, const Program& program) {
          "  return result;\n}\n";
 }
 
-std::string MakeEntry(Context& context, Program& program) {
+std::string MakeEntry(Context& context, const Program& program) {
   const bool distances = context.Chance(Feature::kDistances, 10);
   const std::string planes =
       context.Chance(Feature::kPlanes, 50)
@@ -93,12 +66,73 @@ std::string MakeEntry(Context& context, Program& program) {
          "  return result;\n}\n";
 }
 
-std::string MakeEmitter(Context& context, const Program& program) {
-  const std::string planes =
-      context.Chance(Feature::kPlanes, 50)
-          ? MakePlanes(context, program.buffers, program.lowering != "none", 6)
-          : "";
-  return MakeEmitterEntry(context, planes);
+// The planes of an entry that has no distances by hand.
+std::string MakeSomePlanes(Context& context, const Program& program) {
+  if (!context.Chance(Feature::kPlanes, 50)) return "";
+  return MakePlanes(context, program.buffers, program.lowering != "none", 6);
+}
+
+// A stage, the feature that makes all programs its shaders, and what makes their entries.
+struct StageRow {
+  Stage stage;
+  std::optional<Feature> feature;
+  std::string (*make)(Context& context, const Program& program);
+};
+constexpr StageRow kStageRows[] = {
+    {Stage::kPixel, Feature::kPixels,
+     [](Context& context, const Program& program) {
+       return kNeighbourObjects + MakePixelEntry(context, program);
+     }},
+    {Stage::kCompute, Feature::kGroups,
+     [](Context& context, const Program&) { return MakeGroupEntry(context); }},
+    {Stage::kGeometry, Feature::kEmitters,
+     [](Context& context, const Program& program) {
+       return MakeEmitterEntry(context, MakeSomePlanes(context, program));
+     }},
+    {Stage::kHull, Feature::kPatches,
+     [](Context& context, const Program&) { return MakePatchEntry(context); }},
+    {Stage::kDomain, Feature::kDomains,
+     [](Context& context, const Program& program) {
+       return MakeDomainEntry(context, MakeSomePlanes(context, program));
+     }},
+    {Stage::kVertex, std::nullopt, MakeEntry},
+};
+
+const StageRow& RowOf(const Features& features) {
+  return *std::ranges::find_if(
+      kStageRows, [&](const StageRow& row) { return !row.feature || features.Has(*row.feature); });
+}
+
+void ChooseOptions(Context& context, Program& program) {
+  constexpr int kModels[] = {50, 50, 40, 41, 51, 60, 66};
+  context.model = context.OneOf(kModels);
+  program.stage = context.stage = RowOf(context.features).stage;
+  const StageInfo& stage = clipc::InfoOf(program.stage);
+  if (stage.makes_patches || stage.reads_patches) context.model = std::max(context.model, 50);
+  program.profile = std::string(stage.prefix) + "_" + std::to_string(context.model / 10) + "_" +
+                    std::to_string(context.model % 10);
+  program.row_major = context.Chance(20);
+  program.negative_one_to_one = context.Chance(30);
+  program.flip_y = context.Chance(20);
+  constexpr const char* kLowerings[] = {"clip-distance", "clip-distance", "clip-distance", "none"};
+  program.lowering = context.OneOf(kLowerings);
+  constexpr const char* kSpaces[] = {"clip", "clip", "clip", "xyw1", "object"};
+  program.plane_space = context.OneOf(kSpaces);
+  if (!stage.has_stage_after || stage.makes_patches) {
+    program.lowering = "none";
+    program.negative_one_to_one = false;
+    program.flip_y &= !stage.makes_patches;
+  }
+  if (program.lowering == "none") program.plane_space = "clip";
+  program.inputs = context.Below(1000);
+  program.target = context.Below(60);
+  program.is_soft = context.Chance(Feature::kSoftMath, 33);
+  if (stage.reads_vertices) {
+    // The vertices that the shader reads are not in object space.
+    program.is_soft = false;
+    if (program.plane_space == "object") program.plane_space = "clip";
+  }
+  if (stage.runs_in_groups) program.flip_y = program.is_soft = false;
 }
 
 }  // namespace
@@ -125,11 +159,7 @@ Program MakeProgram(Choices& choices, const Features& features) {
   }
   if (features.Has(Feature::kFunctions)) program.text += Some(context, 4, MakeFunction);
   context.cost = 0;
-  const StageInfo& stage = clipc::InfoOf(program.stage);
-  program.text += stage.draws_pixels     ? kNeighbourObjects + MakePixelEntry(context, program)
-                  : stage.runs_in_groups ? MakeGroupEntry(context)
-                  : stage.emits_vertices ? MakeEmitter(context, program)
-                                         : MakeEntry(context, program);
+  program.text += RowOf(features).make(context, program);
   program.structs = context.structs;
   WithMajors(program.structs, program.row_major);
   return program;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -94,6 +95,21 @@ TEST(Program, GeometryShadersAreAFeature) {
     EXPECT_THAT(program.profile, ::testing::StartsWith("gs_"));
     EXPECT_THAT(program.text, ::testing::HasSubstr("stream.Append(result);"));
     EXPECT_NE(program.plane_space, "object");
+  }
+}
+
+TEST(Program, ShadersOfPatchesAreFeatures) {
+  for (const auto& [feature, prefix, part] :
+       {std::tuple("patches", "hs_", "[patchconstantfunc(\"Constant\")]"),
+        std::tuple("domains", "ds_", " t_at : SV_DomainLocation")}) {
+    Features features;
+    features.Set(feature, true);
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      Choices choices(seed);
+      const Program program = MakeProgram(choices, features);
+      EXPECT_THAT(program.profile, ::testing::StartsWith(prefix));
+      EXPECT_THAT(program.text, ::testing::HasSubstr(part));
+    }
   }
 }
 

@@ -45,7 +45,7 @@ class PatchMaker {
     // Mesa's gl_PerVertex of OpenGL ES is another one in stages without the extension.
     constexpr std::string_view kDistances = "#extension GL_EXT_clip_cull_distance : require\n";
     const std::string first =
-        version.Line() + (domain.find(kDistances) == domain.npos ? "" : std::string(kDistances));
+        version.Head() + (domain.find(kDistances) == domain.npos ? "" : std::string(kDistances));
     PatchRun run;
     run.vertex = first + vertex_ + "\nvoid main() {\n" + vertex_body_ + "}\n";
     run.control = first + "layout(vertices = " + std::to_string(size) + ") out;\n" + control_ +
@@ -153,7 +153,7 @@ std::string WithPlace(std::string text, bool is_es) {
 
 std::vector<DomainPoint> PointsOf(harness::OpenGl& opengl, const Shader& shader,
                                   const RandomInputs& random) {
-  const std::string text = shader.glsl;
+  const std::string text = ForOpenGl(shader.glsl);
   const Version version = VersionOf(text);
   opengl.Use(version.api);
   Inputs inputs = MakeInputs(shader.lowered, shader.info, random, RandomOptions());

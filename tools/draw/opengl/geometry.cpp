@@ -51,9 +51,7 @@ std::string PassOnText(const Version& version, const Shader& shader, const Rando
     inputs.attributes.push_back({attribute.name, attribute.words});
     inputs.attributes.back().words.resize(words * static_cast<std::size_t>(inputs.vertices));
   }
-  const std::string extension =
-      version.es && version.number < 320 ? "#extension GL_EXT_shader_io_blocks : enable\n" : "";
-  return version.Line() + extension + passed.text;
+  return version.Head() + passed.text;
 }
 
 std::vector<Captured> Emit(const std::string& geometry, std::span<const std::string> names,

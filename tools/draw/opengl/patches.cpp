@@ -80,7 +80,7 @@ class TakeOut {
   std::string Text(const Version& version) const {
     const auto points = shader_.lowered.tessellation.output_points;
     const std::string segments = std::to_string(std::max(points, 2u) - 1);
-    return version.Line() + "layout(isolines, equal_spacing, point_mode) in;\n" + declarations_ +
+    return version.Head() + "layout(isolines, equal_spacing, point_mode) in;\n" + declarations_ +
            FactorsText(shader_.info, "in") + "flat out " + (is_es_ ? "highp " : "") + "int " +
            std::string(kPoint) + ";\n\nvoid main() {\n" + "    int point = int(gl_TessCoord.x * " +
            segments + ".0 + 0.5);\n    " + std::string(kPoint) + " = point;\n" + body_ + "}\n";

@@ -67,6 +67,13 @@ std::string Version::Line() const {
   return "#version " + std::to_string(number) + (es && number >= 300 ? " es\n" : "\n");
 }
 
+std::string Version::Head() const {
+  if (!es || number >= 320) return Line();
+  return Line() +
+         "#extension GL_EXT_shader_io_blocks : enable\n"
+         "#extension GL_EXT_tessellation_shader : enable\n";
+}
+
 Version VersionOf(const std::string& glsl) {
   Version version;
   const std::size_t at = glsl.find("#version");

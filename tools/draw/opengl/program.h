@@ -20,6 +20,8 @@ struct Version {
   harness::Api api = harness::Api::kCompatibility;  // of a context that compiles the shader
 
   std::string Line() const;
+  // The line, and the extensions that stages with several vertices need.
+  std::string Head() const;
 };
 Version VersionOf(const std::string& glsl);
 
