@@ -207,6 +207,7 @@ TEST_F(CInterface, GivesEveryShaderOfAProgram) {
             CLIPC_BAD_REQUEST);
   EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("`--geometry-output` is for the program"));
   EXPECT_EQ(clipc_result_shader(result_.get(), 0), nullptr);
+  EXPECT_EQ(Compile({"-E", "vs", "--geometry-entry=gs"}, text), CLIPC_BAD_REQUEST);
 }
 
 TEST_F(CInterface, CompilesAPixelShaderAlone) {

@@ -70,15 +70,7 @@ bool IsIdentifier(std::string_view text) {
 
 // The first mistake in what is said about the pixel shader of a pair.
 Result<> CheckPair(const CommandLine& command) {
-  for (std::size_t i = 0; i < command.middle.size(); ++i) {
-    const std::string_view stage = InfoOf(kMiddleStages[i]).name;
-    const auto& [entry, output] = command.middle[i];
-    if (entry.empty() != output.empty())
-      return Problem{fmt::format(
-          "--{0}-entry names a {0} shader, and --{0}-output its file; give both", stage)};
-    if (!entry.empty() && command.request.planes.variants)
-      return Problem{fmt::format("--variants is for programs without a {} shader", stage)};
-  }
+  if (const Result<> middle = CheckMiddle(command); !middle) return middle;
   const bool is_pair = !command.pixel_output.empty();
   if (!is_pair && !command.pixel_shader.profile.empty())
     return Problem{"--pixel-profile is for --pixel-output, which compiles the pixel shader"};
@@ -96,6 +88,19 @@ Result<> CheckPair(const CommandLine& command) {
 }
 
 }  // namespace
+
+Result<> CheckMiddle(const CommandLine& command) {
+  for (std::size_t i = 0; i < command.middle.size(); ++i) {
+    const std::string_view stage = InfoOf(kMiddleStages[i]).name;
+    const auto& [entry, output] = command.middle[i];
+    if (entry.empty() != output.empty())
+      return Problem{fmt::format(
+          "--{0}-entry names a {0} shader, and --{0}-output its file; give both", stage)};
+    if (!entry.empty() && command.request.planes.variants)
+      return Problem{fmt::format("--variants is for programs without a {} shader", stage)};
+  }
+  return {};
+}
 
 Result<> CheckCommand(const CommandLine& command) {
   const ProgramRequest& request = command.request;

@@ -11,6 +11,8 @@ namespace clipc {
 
 // The first mistake in the options, whatever the inputs are.
 Result<> CheckCommand(const CommandLine& command);
+// The first mistake in what is said about the stages between a vertex and a pixel shader.
+Result<> CheckMiddle(const CommandLine& command);
 
 // Reports the options that have no effect on the compile of single shaders.
 void ReportIdle(const CommandLine& command, Diagnostics& notices);

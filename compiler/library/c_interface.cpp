@@ -18,6 +18,7 @@
 #include "compiler/clipc_effect.h"
 #include "compiler/command/options.h"
 #include "compiler/command/structs.h"
+#include "compiler/command/usage.h"
 #include "compiler/compile/compile.h"
 #include "compiler/compile/facts_json.h"
 #include "compiler/compile/message.h"
@@ -146,6 +147,7 @@ clipc::Result<> ReadRequest(const clipc_request& from, clipc::CommandLine& comma
                     "comes out is memory",
                     option)};
   }
+  if (clipc::Result<> middle = clipc::CheckMiddle(parsed.command); !middle) return middle;
   command = std::move(parsed.command);
   clipc::ProgramRequest& to = command.request;
   clipc::ShaderSource& first = to.first();

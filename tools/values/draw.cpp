@@ -29,6 +29,19 @@ std::string MovedHalfPixel(std::string vertex) {
          "void main() { main_of_shader(); gl_Position.xy += half_pixel * gl_Position.w; }\n";
 }
 
+GLuint Linked(const CompiledPair& pair, const DrawCall& call) {
+  std::vector<harness::StageText> stages = {
+      {GL_VERTEX_SHADER, call.is_direct3d9 ? MovedHalfPixel(pair.vertex) : pair.vertex},
+      {GL_FRAGMENT_SHADER, pair.pixel}};
+  for (const auto& [stage, text] : pair.between) {
+    stages.push_back({stage == "geometry" ? GLenum{GL_GEOMETRY_SHADER}
+                      : stage == "hull"   ? GLenum{GL_TESS_CONTROL_SHADER}
+                                          : GLenum{GL_TESS_EVALUATION_SHADER},
+                      text});
+  }
+  return harness::LinkStages(stages);
+}
+
 // One draw with everything that it binds, which is gone at the end.
 class Binder : NotCopied {
  public:
@@ -36,11 +49,8 @@ class Binder : NotCopied {
       : pair_(pair),
         scene_(scene),
         call_(call),
-        program_(
-            !pair.compute.empty()
-                ? harness::LinkComputeProgram(pair.compute)
-                : harness::LinkProgram(
-                      call.is_direct3d9 ? MovedHalfPixel(pair.vertex) : pair.vertex, pair.pixel)) {
+        program_(!pair.compute.empty() ? harness::LinkComputeProgram(pair.compute)
+                                       : Linked(pair, call)) {
     glGenVertexArrays(1, &vertex_array_);
     glGenFramebuffers(1, &framebuffer_);
   }
@@ -73,6 +83,8 @@ class Binder : NotCopied {
     BindVertices();
     BindTargets();
     SetState();
+    if (call_.control_points > 0)
+      glPatchParameteri(GL_PATCH_VERTICES, static_cast<GLint>(call_.control_points));
     harness::CheckErrors("binding");
     glDrawArraysInstanced(call_.topology, 0, static_cast<GLsizei>(call_.vertices),
                           static_cast<GLsizei>(call_.instances));

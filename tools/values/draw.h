@@ -52,6 +52,7 @@ struct Scene {
 struct DrawCall {
   GLenum topology = GL_TRIANGLES;
   std::uint32_t vertices = 3, instances = 1;
+  std::uint32_t control_points = 0;          // of a patch; 0: other primitives
   std::array<std::uint32_t, 3> groups = {};  // of a dispatch; 0: a draw
   // Direct3D 9's pixels: their centers are whole numbers, and constants are registers of floats.
   bool is_direct3d9 = false;

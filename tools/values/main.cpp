@@ -16,7 +16,7 @@ namespace {
 constexpr char kUsage[] =
     R"(clipc-values PATH... [--list]
   Runs vkd3d's shader_test files, or those of a folder, at shader models 2.0, 4.0 and 6.0 or the
-  nearest ones that a test allows: compiles the vertex and pixel shaders by clipc, draws on Mesa's
+  nearest ones that a test allows: compiles their shaders by clipc, draws or dispatches on Mesa's
   software OpenGL, and compares with the values in the files.
     --list   prints each value that differs or was not drawn, and each shader that clipc and the
              file do not both accept or refuse

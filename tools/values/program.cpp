@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/stage.h"
+
 namespace clipc::values {
 namespace {
 
@@ -182,9 +184,25 @@ void AddObjects(const Json& reflection, CompiledPair& pair) {
   }
 }
 
+void AddInputs(const Json& reflection, CompiledPair& pair) {
+  for (const Json& input : reflection.at("inputs")) {
+    if (!input.contains("location")) continue;
+    const std::string type = input.at("type");
+    pair.inputs.push_back({input.at("semantic"), input.at("index"), input.at("location"),
+                           type.starts_with("int") || type.starts_with("uint")});
+  }
+}
+
+// What the shader, whose GLSL is `text`, reads.
+void AddUses(const Json& reflection, const std::string& text, CompiledPair& pair) {
+  AddBuffers(reflection, text, pair);
+  AddObjects(reflection, pair);
+}
+
 }  // namespace
 
 CompiledPair PairCompiler::Compile(const ShaderTexts& texts, Model model) {
+  if (!texts.between.empty()) return CompileProgram(texts, model);
   library::Request request;
   request.path = "vertex.hlsl";
   request.text = texts.vertex;
@@ -205,17 +223,45 @@ CompiledPair PairCompiler::Compile(const ShaderTexts& texts, Model model) {
   pair.vertex = result.glsl();
   pair.pixel = result.Get(CLIPC_PART_PIXEL);
   const Json reflection = Json::parse(result.Get(CLIPC_PART_REFLECTION));
-  for (const Json& input : reflection.at("inputs")) {
-    if (!input.contains("location")) continue;
-    const std::string type = input.at("type");
-    pair.inputs.push_back({input.at("semantic"), input.at("index"), input.at("location"),
-                           type.starts_with("int") || type.starts_with("uint")});
+  AddInputs(reflection, pair);
+  AddUses(reflection, pair.vertex, pair);
+  AddUses(reflection.at("pixelShader"), pair.pixel, pair);
+  return pair;
+}
+
+// The stages of a program are entries of one file, in which each stage is a namespace.
+CompiledPair PairCompiler::CompileProgram(const ShaderTexts& texts, Model model) {
+  library::Request request;
+  request.path = "program.hlsl";
+  std::string text;
+  const auto add = [&](const std::string& stage, const std::string& part) {
+    text += "namespace " + stage + "_ {\n" + part + "}\n";
+    return stage + "_::main";
+  };
+  request.options = {"-T", ProfileOf("vs", model), "-E", add("vertex", texts.vertex)};
+  request.options.push_back("--pixel-entry=" + add("pixel", texts.pixel));
+  request.options.emplace_back("--pixel-output=.frag");
+  request.options.emplace_back("--zero-unwritten");
+  for (const auto& [stage, part] : texts.between) {
+    request.options.push_back("--" + stage + "-entry=" + add(stage, part));
+    const auto* known = std::ranges::find(kStages, stage, &StageInfo::name);
+    request.options.push_back("--" + stage + "-output=" + std::string(known->extension));
   }
-  const Json& pixel = reflection.at("pixelShader");
-  AddBuffers(reflection, pair.vertex, pair);
-  AddBuffers(pixel, pair.pixel, pair);
-  AddObjects(reflection, pair);
-  AddObjects(pixel, pair);
+  request.text = text;
+  request.options.insert(request.options.end(), texts.options.begin(), texts.options.end());
+  const library::Result result = compiler_.Compile(request);
+  CompiledPair pair;
+  if (!result.ok()) {
+    pair.refusal = result.messages();
+    return pair;
+  }
+  const Json reflection = Json::parse(result.Get(CLIPC_PART_REFLECTION));
+  AddInputs(reflection, pair);
+  for (std::size_t i = 0; const clipc_shader* shader = result.shader(i); ++i) {
+    const std::string stage = shader->stage, glsl(shader->text.data, shader->text.size);
+    (stage == "vertex" ? pair.vertex : stage == "pixel" ? pair.pixel : pair.between[stage]) = glsl;
+    AddUses(i == 0 ? reflection : reflection.at(stage + "Shader"), glsl, pair);
+  }
   return pair;
 }
 
@@ -234,8 +280,7 @@ CompiledPair PairCompiler::CompileCompute(const std::string& text, Model model,
   }
   compiled.compute = result.glsl();
   const Json reflection = Json::parse(result.Get(CLIPC_PART_REFLECTION));
-  AddBuffers(reflection, compiled.compute, compiled);
-  AddObjects(reflection, compiled);
+  AddUses(reflection, compiled.compute, compiled);
   return compiled;
 }
 

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "compiler/clipc.hpp"
 #include "tools/values/script.h"
 
-// A vertex and a pixel shader, or a compute shader, as clipc compiles them, and what its reflection
-// says about them.
+// A vertex and a pixel shader with the stages between them, or a compute shader, as clipc compiles
+// them, and what its reflection says about them.
 namespace clipc::values {
 
 struct Input {  // of the vertex shader
@@ -41,8 +42,9 @@ struct Object {
   std::vector<std::uint32_t> samplers;  // the number of the sampler's register, or empty
 };
 struct CompiledPair {
-  std::string vertex, pixel;  // GLSL
-  std::string compute;        // or this one
+  std::string vertex, pixel;                   // GLSL
+  std::string compute;                         // or this one
+  std::map<std::string, std::string> between;  // by the name of the stage: "geometry"
   std::vector<Input> inputs;
   std::vector<ConstantBuffer> buffers;
   std::vector<Object> objects;
@@ -51,7 +53,8 @@ struct CompiledPair {
 
 struct ShaderTexts {
   std::string vertex, pixel;
-  std::vector<std::string> options;
+  std::map<std::string, std::string> between = {};  // by the name of the stage
+  std::vector<std::string> options = {};
 
   bool operator==(const ShaderTexts&) const = default;
 };
@@ -66,6 +69,8 @@ class PairCompiler {
                          const std::vector<std::string>& options);
 
  private:
+  CompiledPair CompileProgram(const ShaderTexts& texts, Model model);
+
   library::Compiler compiler_;
 };
 

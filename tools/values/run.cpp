@@ -13,6 +13,8 @@
 namespace clipc::values {
 namespace {
 
+// The stages between the vertex shader and the pixel shader.
+constexpr const char* kBetween[] = {"hull", "domain", "geometry"};
 constexpr char kQuadShader[] = "float4 main(float4 pos : POSITION) : SV_Position { return pos; }\n";
 
 // What a shader section says of its shader, with its text.
@@ -92,7 +94,7 @@ class Session {
       } else if (!line.Take("format")) {
         // A capability of the device; OpenGL on Mesa has these.
         if (!line.Take("float64") && !line.Take("int64") && !line.Take("rt-vp-array-index") &&
-            !line.Take("geometry-shader"))
+            !line.Take("geometry-shader") && !line.Take("tessellation-shader"))
           missing_ = "needs " + line.TakeName();
       }
     }
@@ -241,9 +243,6 @@ class Session {
   // Says why the next probes have no value, or draws.
   void DrawLine(Scanner& line) {
     no_value_ = Probe{Verdict::kNotDrawn, 0, missing_};
-    for (const char* stage : {"geometry", "hull", "domain"}) {
-      if (!shaders_[stage].text.empty()) no_value_->why = std::string("a ") + stage + " shader";
-    }
     if (!no_value_->why.empty()) return;
     SetDefaultTarget();
     DrawCall call;
@@ -256,20 +255,32 @@ class Session {
         call.topology = GL_TRIANGLE_STRIP;
       } else if (line.Take("point list")) {
         call.topology = GL_POINTS;
+      } else if (line.Take("line list")) {
+        call.topology = GL_LINES;
       } else if (!line.Take("triangle list")) {
-        no_value_->why = "a patch";
-        return;
+        call.topology = GL_PATCHES;
+        call.control_points = line.TakeCount();
+        if (!line.Take("control point patch list")) {
+          no_value_->why = "another topology";
+          return;
+        }
       }
       call.vertices = line.TakeCount();
       if (!line.at_end()) call.instances = line.TakeCount();
     }
-    for (const char* stage : {"vertex", "pixel"}) {
+    std::vector<const char*> stages = {"vertex", "pixel"};
+    std::ranges::copy_if(kBetween, std::back_inserter(stages),
+                         [&](const char* stage) { return !shaders_[stage].text.empty(); });
+    for (const char* stage : stages) {
       const StagedShader& shader = shaders_[stage];
       if (!shader.is_hlsl) no_value_->why = "byte code";
       if ((shader.refused >> least_ & 1) != 0) no_value_->verdict = Verdict::kNotOffered;
     }
     if (!no_value_->why.empty() || no_value_->verdict == Verdict::kNotOffered) return;
-    ShaderTexts texts{shaders_["vertex"].text, shaders_["pixel"].text, options_};
+    ShaderTexts texts{
+        .vertex = shaders_["vertex"].text, .pixel = shaders_["pixel"].text, .options = options_};
+    for (std::size_t i = 2; i < stages.size(); ++i)
+      texts.between[stages[i]] = shaders_[stages[i]].text;
     if (scene_.IsMultisampled()) texts.options.push_back("--flip-y");
     if (texts != texts_ || model_ != least_) {
       pair_ = compiler_.Compile(texts, least_);

@@ -51,15 +51,18 @@ TEST_F(Values, DrawsWithConstantBuffers) {
 
 TEST_F(Values, SeesWhatDiffersAndWhatItDoesNotDraw) {
   const FileResult result = Run(kModel4);
-  ASSERT_EQ(result.probes.size(), 12u);
-  const std::vector<Probe> last(result.probes.end() - 3, result.probes.end());
-  EXPECT_TRUE(std::all_of(result.probes.begin(), result.probes.end() - 3,
+  ASSERT_EQ(result.probes.size(), 14u);
+  const std::vector<Probe> last(result.probes.end() - 5, result.probes.end());
+  EXPECT_TRUE(std::all_of(result.probes.begin(), result.probes.end() - 5,
                           [](const Probe& probe) { return probe.verdict == Verdict::kEqual; }));
   EXPECT_EQ(last[0].verdict, Verdict::kDifferent);
   EXPECT_EQ(last[0].why, "at (5, 5): is (1, 2, 3, 4), the test has (1, 2, 3.5, 4)");
   EXPECT_EQ(last[1].verdict, Verdict::kEqual);
-  EXPECT_EQ(last[2].verdict, Verdict::kNotDrawn);
-  EXPECT_EQ(last[2].why, "a geometry shader");
+  // With a geometry shader, and with a hull and a domain shader too.
+  EXPECT_EQ(last[2].verdict, Verdict::kEqual) << last[2].why;
+  EXPECT_EQ(last[3].verdict, Verdict::kEqual) << last[3].why;
+  EXPECT_EQ(last[4].verdict, Verdict::kNotDrawn);
+  EXPECT_EQ(last[4].why, "needs `blend something`");
   const auto refused = std::ranges::find(result.shaders, false, &Acceptance::is_expected);
   ASSERT_NE(refused, result.shaders.end());
   EXPECT_FALSE(refused->is_accepted);
