@@ -11,6 +11,7 @@
 #include "legalize/es100/loops.h"
 #include "legalize/shape.h"
 #include "legalize/split_arrays.h"
+#include "legalize/word_buffers.h"
 
 namespace clipc::glsl {
 
@@ -157,7 +158,7 @@ void ExpressionCheck::ObjectUse(const ObjectCall& call, Span span) {
   const ExprId sampler = OperandOf(program_, call, OperandKind::kSampler);
   const bool has_offset = !OperandsOf(call, OperandKind::kOffset).empty();
   if (sampler) ObjectArgument(sampler);
-  if (WritesObject(call.op)) StoreUse(path, call.op, span);
+  if (WritesObject(call.op)) StoreUse(path, call, span);
   const TypeId element = Innermost(program_.exprs[path].type).element;
   if (Takes(call.op, OperandKind::kReference) && element &&
       !IsFloat(program_.types[element].scalar))
@@ -187,16 +188,21 @@ void ExpressionCheck::Status(ObjectKind object, Span span) {
   Check(Feature::kTextureStatus, diag::TargetTiled, span, kStatus);
 }
 
-// Reports a store to elements that lie tighter than std430 says and cannot be written word by
-// word.
-void ExpressionCheck::StoreUse(ExprId object, ObjectOp op, Span span) {
+// Reports a change of elements that are words for the target, because they lie tighter than std430
+// says or atomic operations exchange floats in them, where words cannot be changed like that.
+void ExpressionCheck::StoreUse(ExprId object, const ObjectCall& call, Span span) {
   const ir::Type& type = Innermost(program_.exprs[object].type);
+  if (!IsStructured(type.object)) return;
   const auto* ref = As<VarRef>(object);
   const bool row_major = ref && program_.vars[ref->var].row_major;
-  if (IsStructured(type.object) && !Std430(program_.types, type.element, row_major) &&
-      (op != ObjectOp::kStore || !IsOfWords(program_.types, type.element))) {
+  // The words are unsigned.
+  const bool is_signed =
+      (call.op == ObjectOp::kAtomicMin || call.op == ObjectOp::kAtomicMax) &&
+      !ir::IsUnsigned(TypeOf(OperandOf(program_, call, OperandKind::kValue)).scalar);
+  if (!is_signed && IsOfWords(program_.types, type.element)) return;
+  if (!exchanged_) exchanged_ = legalize::BuffersOfExchangedFloats(program_);
+  if (!Std430(program_.types, type.element, row_major) || (ref && exchanged_->contains(ref->var)))
     Report(span, diag::TargetStructuredStore, program_.types.Name(type.element));
-  }
 }
 
 // Reports an element of an array of samplers, unless a literal names it: OpenGL has none.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -101,7 +103,7 @@ class ExpressionCheck : protected TargetReport {
   void Interpolant(const ir::IntrinsicCall& call, Span span);
   void Status(ir::ObjectKind object, Span span);
   void ObjectUse(const ir::ObjectCall& call, Span span);
-  void StoreUse(ExprId object, ir::ObjectOp op, Span span);
+  void StoreUse(ExprId object, const ir::ObjectCall& call, Span span);
   void ObjectArgument(ExprId object);
   void SplitElement(ExprId element);
   void BufferIndex(const ir::Index& index, Span span);
@@ -109,6 +111,7 @@ class ExpressionCheck : protected TargetReport {
   const bool has_unsigned_ = target_.Has(Feature::kUnsigned);
   bool uint_reported_ = false;
   bool non_uniform_reported_ = false;
+  std::optional<std::set<VarId>> exchanged_;  // BuffersOfExchangedFloats, once asked for
 };
 
 }  // namespace clipc::glsl

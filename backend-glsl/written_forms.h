@@ -16,9 +16,9 @@ namespace clipc::glsl {
 
 // A stage as it is written in a program, and all of that program which decides it.
 struct WrittenForm {
-  std::vector<ir::IoVar> inputs, outputs;  // of the stage, named by the program
-  std::vector<OtherStage> others;          // `laid` is null
-  std::vector<GlslInfo> laid;  // what those of `others` declare that are laid out before
+  ir::IoVars inputs, outputs;      // of the stage, named by the program
+  std::vector<OtherStage> others;  // `laid` is null
+  std::vector<GlslInfo> laid;      // what those of `others` declare that are laid out before
   GlslInfo info;
   std::string text;
 };

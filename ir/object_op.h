@@ -119,6 +119,10 @@ inline OperandRun RunOf(ObjectOp op, OperandKind kind, std::uint32_t size) {
 // Whether one of these traits is true of the operation.
 inline bool HasTrait(ObjectOp op, unsigned traits) { return (InfoOf(op).traits & traits) != 0; }
 inline bool IsAtomic(ObjectOp op) { return HasTrait(op, ObjectOpInfo::kAtomic); }
+// Whether the atomic operation changes floats too, by their bits.
+inline bool Exchanges(ObjectOp op) {
+  return op == ObjectOp::kAtomicExchange || op == ObjectOp::kAtomicCompareExchange;
+}
 // Whether the operation changes the counter of a structured buffer.
 inline bool IsCounter(ObjectOp op) { return HasTrait(op, ObjectOpInfo::kCounts); }
 inline bool ReadsObject(ObjectOp op) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/shared_memory.h"
 
+#include <algorithm>
+
+#include "ir/access.h"
+
 namespace clipc::ir {
 namespace {
 
@@ -23,6 +27,19 @@ std::uint64_t SharedBytes(const Program& program) {
     if (var.storage == Storage::kShared) bytes += BytesOf(program.types, var.type);
   }
   return bytes;
+}
+
+std::set<VarId> ExchangedFloats(const Program& program) {
+  std::set<VarId> shared;
+  const auto is_shared = [&](VarId var) { return program.vars[var].storage == Storage::kShared; };
+  if (std::ranges::none_of(program.globals, is_shared)) return shared;
+  ForEachLiveExpr(program, [&](ExprId expr) {
+    const auto* call = As<IntrinsicCall>(program, expr);
+    if (!call || CategoryOf(call->op) != IntrinsicCategory::kAtomic) return;
+    const ExprId place = program.expr_lists[call->arguments][0];
+    if (IsFloat(TypeOf(program, place).scalar)) shared.insert(RootOf(program, place));
+  });
+  return shared;
 }
 
 }  // namespace clipc::ir

@@ -55,7 +55,8 @@ bool ExprVerifier::IsOperand(const ObjectCall& node, OperandKind kind, ExprId op
     case OperandKind::kStep: return is_number && IsInteger(type.scalar);
     case OperandKind::kComparand:
       return IdOf(operand) == IdOf(OperandOf(program_, node, OperandKind::kValue));
-    case OperandKind::kValue: return !IsAtomic(node.op) || (is_number && IsInteger(type.scalar));
+    case OperandKind::kValue:
+      return !IsAtomic(node.op) || (is_number && (IsInteger(type.scalar) || Exchanges(node.op)));
     case OperandKind::kTexel: return IsTarget(operand);
   }
   return false;

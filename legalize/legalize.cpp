@@ -26,6 +26,7 @@ constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-arithmetic", LowerArithmetic, Form::kInlined},
     {"lower-components", LowerComponents, Form::kInlined},
     {"lower-functions", LowerFunctions, Form::kLegalized},
+    {"lower-shared-floats", LowerSharedFloats, Form::kLegalized},
     // A store in a function of its own has an effect that the passes before do not look for there.
     {"lower-structured-buffers", LowerStructuredBuffers, Form::kLegalized},
     {"lower-byte-buffers", LowerByteBuffers, Form::kAddressed},

@@ -116,6 +116,14 @@ void LowerComponents(Legalizer& legalizer);
 //   saturate(x)  =>  saturate(x) with min(max(0, x), 1)
 void LowerFunctions(Legalizer& legalizer);
 
+// Makes words of the floats that a group shares and that atomic operations change: GLSL has such
+// operations of integers only. The rules have seen that the shader only reads and assigns single
+// ones.
+//
+//   InterlockedExchange(sums[i], v, old);  =>  old = asfloat(atomicExchange(sums[i], asuint(v)));
+//   sums[i] = v;                           =>  sums[i] = asuint(v);
+void LowerSharedFloats(Legalizer& legalizer);
+
 // Makes buffers of words out of structured buffers whose elements lie tighter than std430 can say.
 // A load or a store is a call of a function of its buffer (Function::is_accessor).
 //

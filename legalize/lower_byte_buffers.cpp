@@ -132,7 +132,10 @@ void LowerByteBuffers(Legalizer& legalizer) {
   const TypeTable& types = legalizer.program.types;
   MakeWordBuffers(
       legalizer,
-      [&](const Var& buffer) { return IsByteAddress(types[types.Innermost(buffer.type)].object); },
+      [&](const Resource& resource) {
+        const TypeId type = legalizer.program.vars[resource.var].type;
+        return IsByteAddress(types[types.Innermost(type)].object);
+      },
       [&](ExprId expr, const ObjectCall& call, VarId buffer) {
         lowering.Lower(expr, call, buffer);
       });

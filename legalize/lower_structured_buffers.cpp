@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -73,18 +75,23 @@ class PartStores {
 class StructuredBufferLowering {
  public:
   explicit StructuredBufferLowering(Legalizer& legalizer)
-      : legalizer_(legalizer), program_(legalizer.program), types_(program_.types) {}
+      : legalizer_(legalizer),
+        program_(legalizer.program),
+        types_(program_.types),
+        exchanged_(BuffersOfExchangedFloats(program_)) {}
 
-  bool Chooses(const Var& buffer) const {
+  bool Chooses(const Resource& resource) const {
+    const Var& buffer = program_.vars[resource.var];
     const Type& type = types_[types_.Innermost(buffer.type)];
-    return IsStructured(type.object) && !Std430(types_, type.element, buffer.row_major);
+    return IsStructured(type.object) &&
+           (!Std430(types_, type.element, buffer.row_major) || exchanged_.contains(resource.var));
   }
 
   void Lower(ExprId expr, const ObjectCall& call, VarId buffer) {
     switch (call.op) {
       case ObjectOp::kStructuredLoad: return Load(expr, call, buffer);
       case ObjectOp::kStore: return Store(expr, call, buffer);
-      default: return Size(expr, call, buffer);
+      default: return IsAtomic(call.op) ? Change(expr, call, buffer) : Size(expr, call, buffer);
     }
   }
 
@@ -100,6 +107,46 @@ class StructuredBufferLowering {
   }
   std::uint32_t ComponentsOf(TypeId type) const {
     return static_cast<std::uint32_t>(KindsOf(types_, type).size());
+  }
+
+  bool IsAlone(ExprId expr) {
+    if (!alone_) alone_ = ExpressionsAlone(program_);
+    return alone_->contains(expr);
+  }
+
+  // Makes an atomic operation on a part of an element one on a word, in place.
+  void Change(ExprId expr, const ObjectCall& call, VarId buffer) {
+    Builder b = legalizer_.At(expr);
+    const WordAlong part = WordTo(b, ElementOf(buffer), OperandsOf(call, OperandKind::kStep));
+    const auto scaled = [&](ExprId place) {
+      const std::uint32_t words = WordsOf(buffer);
+      const ExprId index = b.ConvertTo(Scalar::kUint, place);
+      return words == 1 ? index : b.BinaryOf(BinaryOp::kMul, index, b.Uint(words));
+    };
+    ExprId place = scaled(OperandOf(program_, call, OperandKind::kPlace));
+    const auto add = [&](ExprId more) { place = b.BinaryOf(BinaryOp::kAdd, place, more); };
+    if (part.rest) add(b.ConvertTo(Scalar::kUint, part.rest));
+    if (part.known > 0) add(b.Uint(part.known));
+    const TypeId word = types_.Make(Scalar::kUint);
+    std::vector<NamedOperand> operands = {
+        {OperandKind::kObject, OperandOf(program_, call, OperandKind::kObject)},
+        {OperandKind::kPlace, place}};
+    for (const OperandKind kind : {OperandKind::kComparand, OperandKind::kValue}) {
+      const ExprId value = OperandOf(program_, call, kind);
+      if (value)
+        operands.push_back({kind, WordOf(b, value, word, legalizer_.TypeOf(value).scalar)});
+    }
+    const TypeId type = program_.exprs[expr].type;
+    const bool is_signed = types_[type].scalar == Scalar::kInt;
+    const ExprId old = b.ObjectCallOf(call.op, word, operands);
+    if (IsAlone(expr)) {
+      program_.exprs[expr].type = word;
+      return legalizer_.Become(expr, old);
+    }
+    legalizer_.Become(expr, BaseOf(types_[type].scalar) == Scalar::kFloat
+                                ? b.IntrinsicOf(CommonIntrinsic::kAsFloat, type, {old})
+                            : is_signed ? b.ConvertTo(Scalar::kInt, old)
+                                        : old);
   }
 
   void Size(ExprId expr, const ObjectCall& call, VarId buffer) {
@@ -189,6 +236,8 @@ class StructuredBufferLowering {
   Legalizer& legalizer_;
   Program& program_;
   TypeTable& types_;
+  const std::set<VarId> exchanged_;
+  std::optional<std::set<ExprId>> alone_;  // none: nothing has asked for it
   // By buffer, and whether the index in an array of them is marked; stores also by the part's name
   // and the type of the value.
   std::map<std::tuple<VarId, bool>, FunctionId> loads_;
@@ -200,7 +249,7 @@ class StructuredBufferLowering {
 void LowerStructuredBuffers(Legalizer& legalizer) {
   StructuredBufferLowering lowering(legalizer);
   MakeWordBuffers(
-      legalizer, [&](const Var& buffer) { return lowering.Chooses(buffer); },
+      legalizer, [&](const Resource& buffer) { return lowering.Chooses(buffer); },
       [&](ExprId expr, const ObjectCall& call, VarId buffer) {
         lowering.Lower(expr, call, buffer);
       });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "legalize/word_buffers.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -38,7 +39,8 @@ void BecomeWords(Program& program, Resource& resource) {
   program.vars[resource.var].type = words;
 }
 
-// Gives a path to a buffer the type that it has now.
+}  // namespace
+
 void Retype(Program& program, ExprId path) {
   if (const auto* index = As<Index>(program, path)) {
     Retype(program, index->base);
@@ -48,15 +50,40 @@ void Retype(Program& program, ExprId path) {
   }
 }
 
-}  // namespace
+std::set<VarId> BuffersOfExchangedFloats(const Program& program) {
+  std::set<VarId> buffers;
+  const auto is_structured = [&](const Resource& resource) {
+    const TypeId type = program.vars[resource.var].type;
+    return IsStructured(program.types[program.types.Innermost(type)].object);
+  };
+  if (std::ranges::none_of(program.resources, is_structured)) return buffers;
+  ForEachLiveExpr(program, [&](ExprId expr) {
+    const auto* call = As<ObjectCall>(program, expr);
+    if (!call || !IsAtomic(call->op)) return;
+    const ExprId object = OperandOf(program, *call, OperandKind::kObject);
+    if (IsStructured(TypeOf(program, object).object) &&
+        BaseOf(TypeOf(program, OperandOf(program, *call, OperandKind::kValue)).scalar) ==
+            Scalar::kFloat)
+      buffers.insert(RootOf(program, object));
+  });
+  return buffers;
+}
+
+std::set<ExprId> ExpressionsAlone(const Program& program) {
+  std::set<ExprId> alone;
+  for (const StmtId stmt : program.stmts.ids()) {
+    if (const auto* statement = As<Evaluate>(program, stmt)) alone.insert(statement->expr);
+  }
+  return alone;
+}
 
 void MakeWordBuffers(
-    Legalizer& legalizer, const std::function<bool(const Var& buffer)>& chosen,
+    Legalizer& legalizer, const std::function<bool(const Resource& resource)>& chosen,
     const std::function<void(ExprId expr, const ObjectCall& call, VarId buffer)>& lower) {
   Program& program = legalizer.program;
   std::set<VarId> buffers;
   for (Resource& resource : program.resources) {
-    if (!chosen(program.vars[resource.var])) continue;
+    if (!chosen(resource)) continue;
     BecomeWords(program, resource);
     buffers.insert(resource.var);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +16,20 @@ namespace clipc::legalize {
 
 // Makes a buffer of words of each resource that `chosen` accepts, which keeps its type in
 // Resource::declared_type, and calls lower(expression, call, buffer) for each call of one.
-void MakeWordBuffers(Legalizer& legalizer, const std::function<bool(const ir::Var& buffer)>& chosen,
+void MakeWordBuffers(Legalizer& legalizer,
+                     const std::function<bool(const ir::Resource& resource)>& chosen,
                      const std::function<void(ir::ExprId expr, const ir::ObjectCall& call,
                                               ir::VarId buffer)>& lower);
+
+// The structured buffers with floats that atomic operations change. GLSL has such operations of
+// integers only.
+std::set<ir::VarId> BuffersOfExchangedFloats(const ir::Program& program);
+
+// The expressions of statements, whose values nothing reads.
+std::set<ir::ExprId> ExpressionsAlone(const ir::Program& program);
+
+// Gives a path of indices the type that the variable at its begin has now.
+void Retype(ir::Program& program, ir::ExprId path);
 
 // A function of a buffer that is about to be called: its parameters and their arguments.
 class AccessorCall {

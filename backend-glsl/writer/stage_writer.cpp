@@ -109,7 +109,8 @@ std::string Header(const WriterContext& context) {
     }
     text += ") in;\n";
   }
-  if (const Emission& emission = context.program.emission; !emission.streams.empty()) {
+  if (InfoOf(context.program.stage).emits_vertices) {
+    const Emission& emission = context.program.emission;
     Append(text, "\nlayout(", InputWord(emission.input));
     if (emission.instances > 1) Append(text, ", invocations = ", emission.instances);
     Append(text, ") in;\nlayout(", OutputWord(emission.output),
@@ -151,7 +152,7 @@ std::string StageWriter::Finish(CommentOf comment_of) {
   std::string objects = WriteObjects(code_, info_.objects);
   std::string inputs = WriteInputs(code_, info_);
   std::string outputs = WriteOutputs(code_, info_);
-  if (!code_.program.emission.streams.empty()) code_.Require(Feature::kGeometryShaders);
+  if (InfoOf(code_.program.stage).emits_vertices) code_.Require(Feature::kGeometryShaders);
   const StageInfo& stage = InfoOf(code_.program.stage);
   if (stage.makes_patches || stage.reads_patches) code_.Require(Feature::kTessellation);
   // OpenGL ES links stages whose gl_PerVertex has the same members.

@@ -87,7 +87,8 @@ void CheckBuiltins(Job& job, const ir::Program& program, const ir::Program& next
   for (const auto& [output, input] : kPassedOn) {
     const ir::IoVar* read = Find(next.inputs, input);
     // Only a stage that emits primitives gives them numbers.
-    const bool is_given = input == ir::Builtin::kPrimitiveId && program.emission.streams.empty();
+    const bool is_given =
+        input == ir::Builtin::kPrimitiveId && !InfoOf(program.stage).emits_vertices;
     if (!read || is_given) continue;
     const ir::IoVar* written = Find(program.outputs, output);
     std::size_t count = written ? CountOf(program, *written) : 0;

@@ -64,8 +64,8 @@ std::optional<float> MostFactor(Context& context, const AttributeLists& attribut
   return std::nullopt;
 }
 
-// Warns of a topology that the domain is not cut into. GLSL and SPIR-V have other words for it in
-// the domain shader, so that the hull shader is right in any case.
+// Reports a topology that the domain is not cut into, which fxc and dxc refuse (vkd3d's
+// hull-shader-attributes.shader_test).
 void CheckTopology(Context& context, const AttributeLists& attributes) {
   const Tessellation& tessellation = context.program.tessellation;
   if (!tessellation.domain || !tessellation.topology) return;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/check_groups.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "frontend/rules/varying_flow.h"
 #include "ir/access.h"
@@ -47,6 +51,79 @@ void CheckWaits(const Program& program, Diagnostics& diagnostics) {
   }
 }
 
+// Whether the node writes the operand otherwise than by an assignment or an atomic operation.
+bool IsOddWrite(const Program& program, ExprId expr, std::size_t operand) {
+  const auto* assign = As<Assign>(program, expr);
+  const auto* call = As<IntrinsicCall>(program, expr);
+  return WritesOperand(program, expr, operand) && !(assign && !assign->op) &&
+         !(call && CategoryOf(call->op) == IntrinsicCategory::kAtomic);
+}
+
+// Reports uses of floats that atomic operations change which legalize::LowerSharedFloats does not
+// translate.
+void CheckSharedFloats(const Program& program, Diagnostics& diagnostics) {
+  const std::set<VarId> shared = ir::ExchangedFloats(program);
+  if (shared.empty()) return;
+  std::set<ExprId> odd, longer;  // paths; those that another one goes on from
+  std::vector<ExprId> paths;
+  const auto is_shared = [&](ExprId expr) {
+    const VarId root = RootOf(program, expr);
+    return root && shared.contains(root);
+  };
+  ForEachLiveExpr(program, [&](ExprId expr) {
+    if (is_shared(expr)) {
+      paths.push_back(expr);
+      longer.insert(WholeOf(program, expr));
+      if (!As<Index>(program, expr) && !As<VarRef>(program, expr)) odd.insert(expr);
+    }
+    const std::vector<ExprId> operands = OperandsOf(program, expr);
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if (is_shared(operands[i]) && IsOddWrite(program, expr, i)) odd.insert(operands[i]);
+    }
+  });
+  for (const ExprId path : paths) {
+    const bool is_whole = !longer.contains(path) && TypeOf(program, path).kind != TypeKind::kScalar;
+    if (is_whole || odd.contains(path))
+      diagnostics.Report(program.exprs[path].span, diag::SharedFloatUse,
+                         program.vars[RootOf(program, path)].name);
+  }
+}
+
+// Whether the path names the same element in every thread, or one that is computed: a variable is
+// believed to be the thread's own number.
+bool IsOfOther(const Program& program, ExprId path) {
+  ExprId index = {};
+  while (path) {
+    if (const auto* step = As<Index>(program, path)) index = step->index;
+    path = WholeOf(program, path);
+  }
+  while (const auto* convert = As<Convert>(program, index)) index = convert->operand;
+  return !index || As<Literal>(program, index) || As<Binary>(program, index);
+}
+
+// Warns of what the hardware of Direct3D 10 does not do ("Compute Shaders on Downlevel Hardware"):
+// several unordered access views, and writes to the memory of other threads.
+void CheckDownlevel(const Program& program, Diagnostics& diagnostics) {
+  if (program.profile.IsAtLeast(5, 0)) return;
+  const std::string& profile = program.profile.name;
+  bool has_one = false;
+  for (const ir::Resource& resource : program.resources) {
+    const Var& var = program.vars[resource.var];
+    if (resource.counter_of || !IsWritable(program.types[program.types.Innermost(var.type)].object))
+      continue;
+    if (has_one) diagnostics.Report(var.span, diag::SecondWritableBuffer, var.name, profile);
+    has_one = true;
+  }
+  ForEachLiveExpr(program, [&](ExprId expr) {
+    ForEachWrite(program, expr, [&](ExprId target) {
+      const VarId root = RootOf(program, target);
+      if (root && program.vars[root].storage == ir::Storage::kShared && IsOfOther(program, target))
+        diagnostics.Report(program.exprs[target].span, diag::SharedWriteAtOther,
+                           program.vars[root].name, profile);
+    });
+  });
+}
+
 }  // namespace
 
 void CheckGroups(const Program& program, Diagnostics& diagnostics) {
@@ -57,6 +134,8 @@ void CheckGroups(const Program& program, Diagnostics& diagnostics) {
                        program.profile.name, most);
   }
   CheckWaits(program, diagnostics);
+  CheckSharedFloats(program, diagnostics);
+  CheckDownlevel(program, diagnostics);
 }
 
 }  // namespace clipc::rules

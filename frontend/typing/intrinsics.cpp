@@ -146,6 +146,8 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
                      call.program.profile.name);
   }
   if (info.category == IntrinsicCategory::kNeighbours) {
+    if (call.ThisStage().runs_in_groups)
+      return call.Fail(call.name_span, diag::IntrinsicComputeDerivative, call.name);
     if (!call.ThisStage().has_neighbours) return Report(call, diag::IntrinsicDerivative);
     if (!HasGradients(call)) return call.Error();
   }
@@ -211,10 +213,8 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kRefused: break;
   }
   if (const ExprId value = StandInFor(call, entry->staged)) return value;
-  // The message of a family says why other stages may not call it. That of atomic operations is
-  // true in every stage.
-  const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait &&
-                        entry->refuse != Refuse<diag::IntrinsicAtomic>;
+  // The message of a family says why other stages may not call it.
+  const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait;
   return may_call ? Report(call, diag::IntrinsicUnsupported) : entry->refuse(call);
 }
 

@@ -244,7 +244,6 @@ TEST(IntrinsicsTest, RefusedFamilies) {
             "gives it in the last component of `texCUBElod` [intrinsic-implicit-level, X4532]");
   EXPECT_EQ(suffix("EvaluateAttributeSnapped"), "[intrinsic-interpolation, X4532]");
   EXPECT_EQ(suffix("GetRenderTargetSampleCount"), "[intrinsic-render-target, X4532]");
-  EXPECT_EQ(suffix("InterlockedCompareStoreFloatBitwise"), "[intrinsic-atomic, X4532]");
   EXPECT_EQ(suffix("GroupMemoryBarrier"), "[intrinsic-barrier, X4532]");
   EXPECT_EQ(suffix("ProcessTriTessFactorsMax"), "[intrinsic-tessellation, X4532]");
   EXPECT_EQ(suffix("TraceRay"), "[intrinsic-ray-tracing, X4532]");

@@ -234,7 +234,12 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
     ++number;
     if (type.shape.IsMatrix() || type.shape.IsScalar() || !context.Chance(20)) return;
     context.EndExpression();
-    const std::string index = MakeIndex(context, type.shape.columns, 2).text;
+    std::string index = MakeIndex(context, type.shape.columns, 2).text;
+    if (clipc::InfoOf(context.stage).makes_patches) {
+      // Mesa 22.3 writes another component of such an output where the index reads an array.
+      outputs.statements += "  int t_" + name + " = " + index + ";\n";
+      index = "t_" + name;
+    }
     const bool is_compound = type.kind == Kind::kFloat && context.Chance(50);
     outputs.statements += "  result." + name + "[" + index + "]" + (is_compound ? " += " : " = ") +
                           Argument(MakeIn(context, type.kind, kScalar, {0, 16, 2}, 1)) + ";\n";

@@ -9,9 +9,9 @@ uint shared_value;
 
 float4 main(float4 p : POSITION) : SV_Position {
   uint before;
-// CHECK: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedCompareStoreFloatBitwise` compares floats by their bits; GLSL has atomic operations of integers only [intrinsic-atomic, X4532]
+// CHECK: fail_other_stages.hlsl:[[#@LINE+3]]:39: error: `InterlockedCompareStoreFloatBitwise` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is a `float` [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedCompareStoreFloatBitwise(counters[0], 1, 2);
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// CHECK-NEXT:       |                                       ^~~~~~~~~~~
   InterlockedCompareStoreFloatBitwise(counters[0], 1, 2);
 // CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `GroupMemoryBarrierWithGroupSync` is a memory barrier; there is nothing to wait for in a vertex shader [intrinsic-barrier, X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   GroupMemoryBarrierWithGroupSync();

@@ -9,8 +9,7 @@ struct C {
   float i : SV_InsideTessFactor;
 };
 C Constants() { return (C)1; }
-// CHECK: warning: domain `isoline` is not cut into `triangle_cw`; Direct3D takes `point` and `line` with it [-Wtopology-of-domain]
 // GLSL: gl_TessLevelOuter[1] =
 // GLSL-NOT: gl_TessLevel
-[domain("isoline")] [partitioning("integer")] [outputtopology("triangle_cw")] [outputcontrolpoints(1)]
+[domain("isoline")] [partitioning("integer")] [outputtopology("line")] [outputcontrolpoints(1)]
 [patchconstantfunc("Constants")] P main(InputPatch<P, 1> patch) { return patch[0]; }

@@ -16,11 +16,17 @@ uint index(int i : I) : SV_Target {
 }
 // INDEX: [[#@LINE-3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, a member of one of a structured buffer, or a `groupshared` variable, that is an `int` or `uint` [intrinsic-atomic-target, X3013]
 
+struct Signed {
+  int counts[3];
+  float3 tight;
+};
+RWStructuredBuffer<Signed> integers : register(u2);
+// What lies tighter than std430 is words, which are unsigned.
 uint tight() : SV_Target {
-  InterlockedAdd(elements[0].counts[1], 1);
+  InterlockedMax(integers[0].counts[1], 1);
   return 0;
 }
-// TIGHT: error: a `Element` is written into a structured buffer; target `glsl450` lays it out differently from Direct3D [target-structured-store]
+// TIGHT: error: a `Signed` is written into a structured buffer; target `glsl450` lays it out differently from Direct3D [target-structured-store]
 
 #ifdef TEXELS
 Texture2D<Element> map;
