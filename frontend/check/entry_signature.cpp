@@ -250,14 +250,17 @@ void CheckCounts(Context& context, const AttributeLists& attributes) {
 // read completely then.
 bool ReadEmission(Context& context, const ast::VarDecl& var, const Parameter& parameter,
                   EntryParameter& into) {
-  if (!InfoOf(context.program.stage).emits_vertices || context.IsError(parameter.type))
-    return false;
+  const auto written = PrimitiveOf(var.qualifiers);
+  const StageInfo& stage = InfoOf(context.program.stage);
+  if (written && !stage.emits_vertices)
+    context.Report(var.name_span, diag::QualifierWithoutEffect, InfoOf(*written).name,
+                   fmt::format("a parameter of a {} shader; fxc reports an error", stage.name));
+  if (!stage.emits_vertices || context.IsError(parameter.type)) return false;
   const Type& type = context[parameter.type];
   if (type.kind == TypeKind::kObject && IsStream(type.object)) {
     ReadStream(context, var, parameter, into);
     return true;
   }
-  const auto written = PrimitiveOf(var.qualifiers);
   if (type.kind == TypeKind::kArray && !(var.qualifiers & ast::kUniform)) {
     ReadVertices(context, var, parameter, written, into);
   } else if (written) {

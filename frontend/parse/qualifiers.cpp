@@ -9,6 +9,10 @@ namespace {
 constexpr Qualifiers kInterpolation =
     kNoInterpolation | kLinear | kCentroid | kNoPerspective | kSample;
 
+// Of the vertices that a geometry shader takes: parameters alone have them (vkd3d's
+// geometry-shader-syntax.shader_test).
+constexpr Qualifiers kPrimitive = kPoint | kLine | kTriangle | kLineAdjacent | kTriangleAdjacent;
+
 struct Rules {
   std::string_view text;
   Qualifiers refused = 0;
@@ -16,14 +20,15 @@ struct Rules {
 };
 // The rules in the order of QualifierOwner.
 constexpr Rules kRules[] = {
-    {"a global variable", kIn | kOut, kVolatile | kInterpolation},
-    {"a local variable", kExtern | kGroupShared | kUniform | kIn | kOut,
+    {"a global variable", kIn | kOut | kPrimitive, kVolatile | kInterpolation},
+    {"a local variable", kExtern | kGroupShared | kUniform | kIn | kOut | kPrimitive,
      kVolatile | kInterpolation},
-    {"a field", kGroupShared | kUniform | kIn | kOut, kVolatile | kExtern | kConst},
+    {"a field", kGroupShared | kUniform | kIn | kOut | kPrimitive, kVolatile | kExtern | kConst},
     {"a parameter", kGroupShared | kStatic, kExtern | kVolatile},
-    {"a function", kUniform | kIn | kOut, kExtern | kGroupShared | kVolatile},
-    {"a method", kUniform | kIn | kOut, kExtern | kGroupShared | kVolatile | kInterpolation},
-    {"a typedef", kGroupShared | kStatic | kUniform | kIn | kOut,
+    {"a function", kUniform | kIn | kOut | kPrimitive, kExtern | kGroupShared | kVolatile},
+    {"a method", kUniform | kIn | kOut | kPrimitive,
+     kExtern | kGroupShared | kVolatile | kInterpolation},
+    {"a typedef", kGroupShared | kStatic | kUniform | kIn | kOut | kPrimitive,
      kExtern | kPrecise | kVolatile | kInterpolation},
 };
 

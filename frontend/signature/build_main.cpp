@@ -48,6 +48,8 @@ class MainBuilder {
     attributes_.Finish();
     CallFunction(program_.entry, signature_);
     vars_.SetOfPatch(false);
+    if (stage_.makes_patches && pending_outputs_.empty() && read_patch_.type)
+      pending_outputs_ = patch_.PassOn(read_patch_, leaves_, body_);
     leaves_.SetByRow(signature_.stages_match_by_row);
     if (stage_.emits_vertices)
       WriteStreams();
@@ -179,6 +181,7 @@ class MainBuilder {
     }
     vars_.SetOfPatch(stage_.reads_patches);
     arguments_.push_back(builder_.Ref(local));
+    if (!program_.profile.IsAtLeast(6, 0)) read_patch_ = whole;
   }
 
   // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once, and textures
@@ -481,6 +484,7 @@ class MainBuilder {
   DistanceVars distances_{program_, builder_, semantics_, vars_};
   VertexInputs vertices_{program_, builder_, semantics_, vars_};
   PatchInputs tessellator_{program_, builder_, semantics_, vars_};
+  Carrier read_patch_;  // the patch that a function of fxc passes on where it gives nothing
   PatchOutputs patch_{program_, builder_, semantics_, vars_, diagnostics_};
   Direction output_side_ = Direction::kOutput;
   std::uint32_t number_ = 0;  // of the element that ReadElements reads

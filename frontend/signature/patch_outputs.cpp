@@ -31,6 +31,25 @@ ExprId PatchOutputs::ReadPoint(const Carrier& leaf, std::uint32_t point, Distanc
   return Fit(program_, builder_, value, leaf.type);
 }
 
+std::vector<Carrier> PatchOutputs::PassOn(const Carrier& patch, SignatureLeaves& leaves,
+                                          std::vector<StmtId>& body) {
+  if (program_.types[patch.type].count < program_.tessellation.output_points) return {};
+  constexpr auto kNumber = Builtin::kControlPointId;
+  auto number = std::ranges::find(program_.inputs, kNumber, &IoVar::builtin);
+  if (number == program_.inputs.end()) {
+    vars_.AddInput(patch, TypeOf(program_.types, kNumber), kNumber);
+    number = program_.inputs.end() - 1;
+    number->semantic = "SV_OutputControlPointID", number->index = 0;
+  }
+  Carrier point = patch;
+  point.type = program_.types[patch.type].element;
+  const VarId local = builder_.Local("point", point.type);
+  body.push_back(builder_.Stmt(
+      Declare{local, builder_.At(leaves.ValueOf(patch.part), builder_.Ref(number->var))}));
+  point.part = leaves.Whole(local);
+  return {point};
+}
+
 void PatchOutputs::AddFactor(const Carrier& leaf, Builtin builtin, ExprId value) {
   const Type type = program_.types[leaf.type];
   if (type.Components() != 1 || BaseOf(type.scalar) != Scalar::kFloat) {

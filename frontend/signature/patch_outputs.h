@@ -28,6 +28,12 @@ class PatchOutputs {
   // The output of control point `point` that the leaf of an OutputPatch has, in the leaf's own
   // type; none after an error. `distances` are those that the control points write.
   ExprId ReadPoint(const Carrier& leaf, std::uint32_t point, DistanceVars& distances);
+  // What a function of the control points gives that writes nothing: up to 5.1 fxc passes each
+  // control point of its patch on (vkd3d's tessellation.shader_test). `patch` is the parameter, an
+  // array; nothing where it has too few elements. The statement that declares the value is added
+  // to `body`.
+  std::vector<Carrier> PassOn(const Carrier& patch, SignatureLeaves& leaves,
+                              std::vector<StmtId>& body);
   // Notes the value of a factor, Builtin::kTessFactor or kInsideFactor.
   void AddFactor(const Carrier& leaf, Builtin builtin, ExprId value);
   // Returns the statements that write the factors, none above Tessellation::max_factor: the most
