@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "backend-glsl/reach.h"
-
 namespace clipc::glsl {
 
 using namespace ir;
@@ -66,10 +64,15 @@ bool IsSamePlace(const Register& ours, const Register& theirs) {
 
 class StageComparer {
  public:
-  StageComparer(const Program& ours, const Program& theirs) : ours_(ours), theirs_(theirs) {}
+  StageComparer(const ReachedStage& ours, const ReachedStage& theirs)
+      : ours_(ours.program),
+        theirs_(theirs.program),
+        our_reached_(ours.reached),
+        their_reached_(theirs.reached) {}
 
   OtherStage Run() {
-    const Reached ours = Reach(ours_), theirs = Reach(theirs_);
+    const Reached& ours = our_reached_;
+    const Reached& theirs = their_reached_;
     OtherStage other;
     other.cbuffers.resize(ours_.cbuffers.size());
     other.vars.resize(ours_.vars.size());
@@ -134,6 +137,8 @@ class StageComparer {
 
   const Program& ours_;
   const Program& theirs_;
+  const Reached& our_reached_;
+  const Reached& their_reached_;
 };
 
 bool HasDistances(const Program& program) {
@@ -154,9 +159,10 @@ bool SharesVertices(const Program& program, const Program& other) {
 
 }  // namespace
 
-OtherStage CompareStages(const Program& program, const Program& other) {
-  OtherStage compared = StageComparer(program, other).Run();
-  compared.has_distances = SharesVertices(program, other) && HasDistances(other);
+OtherStage CompareStages(const ReachedStage& stage, const ReachedStage& other) {
+  OtherStage compared = StageComparer(stage, other).Run();
+  compared.has_distances =
+      SharesVertices(stage.program, other.program) && HasDistances(other.program);
   return compared;
 }
 

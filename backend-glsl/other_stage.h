@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "backend-glsl/reach.h"
 #include "ir/program.h"
 
 // The stages of one program. Direct3D has registers for each stage; GLSL and Vulkan have one space
@@ -12,6 +13,12 @@
 namespace clipc::glsl {
 
 struct GlslInfo;
+
+// A stage and what it reaches.
+struct ReachedStage {
+  const ir::Program& program;
+  Reached reached;
+};
 
 // What the layout of one stage must know about another. Ids are those of the stage that is laid
 // out unless they say otherwise.
@@ -34,6 +41,6 @@ using OtherStages = std::span<const OtherStage>;
 // Compares the buffers and objects of two stages. They are alike if name, type or members with
 // their offsets, and register are the same; a register that is not written agrees with every other.
 // Requires Form::kAddressed of both.
-OtherStage CompareStages(const ir::Program& program, const ir::Program& other);
+OtherStage CompareStages(const ReachedStage& stage, const ReachedStage& other);
 
 }  // namespace clipc::glsl

@@ -47,10 +47,16 @@ void MatchDistances(const Program& before, const GlslInfo& info, Program& after)
 ProgramLayout::ProgramLayout(std::span<const LegalStage> stages) {
   for (std::size_t i = 1; i < stages.size(); ++i)
     NameInterface(stages[i - 1].program, stages[i].program, stages[i].options.names);
+  std::vector<ReachedStage> reached;
+  if (stages.size() > 1) {
+    for (const LegalStage& stage : stages) reached.push_back({stage.program, Reach(stage.program)});
+  }
   for (const LegalStage& stage : stages) {
     std::vector<OtherStage> others;
-    for (const LegalStage& other : stages)
-      if (&other != &stage) others.push_back(CompareStages(stage.program, other.program));
+    for (const ReachedStage& other : reached) {
+      if (&other.program != &stage.program)
+        others.push_back(CompareStages(reached[stages_.size()], other));
+    }
     stages_.push_back({stage.program, stage.known, std::move(others)});
   }
   for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -202,6 +202,7 @@ std::optional<LoweredProgram> LowerProgram(std::span<Job> jobs, std::vector<ir::
   // GLSL has the size of an array that not all is read of where all stages declare their vertices.
   for (Job& job : jobs) job.plan.write.separable |= is_widened;
   lowered.known.resize(jobs.size());
+  lowered.shaders.reserve(jobs.size());
   for (std::size_t i = jobs.size(); i-- > 0;) {
     const bool is_lowered = can_share ? ShareShader(jobs, i, programs, lowered, result)
                                       : LowerShader(jobs, i, programs, lowered, result);
