@@ -235,10 +235,19 @@ class IndexCheck {
     const std::vector<bool> varies = graph_.Varying();
     std::set<VarId> reported;
     for (const auto& [index, array, node] : indices_) {
-      if (!varies[node] || !reported.insert(array).second) continue;
+      const VarId written = Written(array);
+      if (!varies[node] || !reported.insert(written).second) continue;
       diagnostics_.Report(program_.exprs[index].span, diag::ObjectIndexVaries,
-                          program_.vars[array].name, InfoOf(program_.stage).runs);
+                          program_.vars[written].name, InfoOf(program_.stage).runs);
     }
+  }
+
+  // The array that the text names: of hidden counters, the buffers that have them.
+  VarId Written(VarId array) const {
+    for (const ir::Resource& resource : program_.resources) {
+      if (resource.var == array && resource.counter_of) return resource.counter_of;
+    }
+    return array;
   }
 
   struct Found {

@@ -94,10 +94,19 @@ bool WrittenWalk::VisitTarget(ExprId path) {
 void WrittenWalk::VisitAssign(const Assign& node) {
   if (IsMain()) CheckOutput(node);
   VisitTarget(node.target);
-  if (!node.op) return WriteTo(node.target, ValueOf(node.value));
+  if (!node.op && !IsOfOwnTemporary(node)) return WriteTo(node.target, ValueOf(node.value));
   Visit(node.value);
+  if (!node.op) return WriteTo(node.target, {});
   if (TypeOf(program_, node.target).IsNumeric()) CheckRead(node.target);
   WriteTo(node.target, {});
+}
+
+// Whether the assignment gives a number to a variable that clipc made for it, which is at the same
+// place. Its value is read here, so that a message names what the text names.
+bool WrittenWalk::IsOfOwnTemporary(const Assign& node) const {
+  const auto* target = As<VarRef>(program_, node.target);
+  return target && TypeOf(program_, node.target).IsNumeric() &&
+         program_.vars[target->var].span == program_.exprs[node.target].span;
 }
 
 void WrittenWalk::VisitIntrinsic(const IntrinsicCall& node) {

@@ -74,6 +74,7 @@ class WrittenWalk {
   void VisitChoice(ExprId expr);
   bool VisitTarget(ExprId path);
   void VisitAssign(const Assign& node);
+  bool IsOfOwnTemporary(const Assign& node) const;
   void VisitCall(ExprId expr, const Call& node);
   void VisitIntrinsic(const IntrinsicCall& node);
   void CheckRead(ExprId path);
