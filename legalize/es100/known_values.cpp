@@ -144,13 +144,29 @@ bool KnownValues::FoldExpr(ExprId expr) {
 bool KnownValues::FoldOperands(ExprId expr) {
   bool is_folded = false;
   ForEachOperand(program_, expr, [&](ExprId operand) { is_folded |= FoldExpr(operand); });
+  if (const auto* index = As<Index>(program_, expr); is_folded && index) KeepInside(*index);
   return is_folded;
+}
+
+// An index that is a number only now may be one that no element has, which GLSL refuses. HLSL
+// leaves the value undefined; that of the last element is given.
+void KnownValues::KeepInside(Index node) {
+  const Type& type = TypeOf(program_, node.base);
+  const std::uint32_t count = type.kind == TypeKind::kArray    ? type.count
+                              : type.kind == TypeKind::kMatrix ? type.rows
+                              : type.IsNumeric()               ? type.columns
+                                                               : 0;
+  const auto bits = ConstantBits(program_, node.index);
+  if (!bits || count == 0 || bits->front() < count) return;
+  const std::uint64_t last[] = {count - 1};
+  BecomeValue(node.index, last);
 }
 
 bool KnownValues::FoldElement(ExprId expr, Index node) {
   const VarId table = As<VarRef>(program_, node.base)->var;
   bool is_folded = FoldExpr(node.base);
   is_folded |= FoldExpr(node.index);
+  if (is_folded) KeepInside(node);
   const auto found = now.find(table);
   const auto index = ConstantBits(program_, node.index);
   if (found != now.end() && IsTable(table) && index) {

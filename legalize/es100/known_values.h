@@ -53,6 +53,7 @@ class KnownValues {
  private:
   bool FoldExpr(ir::ExprId expr);
   bool FoldOperands(ir::ExprId expr);
+  void KeepInside(ir::Index node);
   bool FoldElement(ir::ExprId expr, ir::Index node);
   bool FoldAssign(ir::ExprId expr, ir::Assign node);
   bool FoldStep(ir::ExprId expr, ir::Unary node);
