@@ -6,6 +6,7 @@
 #include "frontend/resolve/fold_arguments.h"
 #include "frontend/resolve/known_offsets.h"
 #include "frontend/resolve/lower_streams.h"
+#include "frontend/resolve/mark_coherent.h"
 #include "frontend/resolve/mark_nonuniform.h"
 #include "frontend/resolve/settle_samplers.h"
 #include "frontend/rules/check_gradients.h"
@@ -63,6 +64,7 @@ constexpr Pass<Run> kPasses[] = {
     {"know-offsets", [](Run& run) { KnowOffsets(run.program, run.diagnostics); }, Form::kResolved},
     // Indices in unrolled loops are literals, which are the same for all invocations.
     {"mark-nonuniform", [](Run& run) { MarkNonUniform(run.program); }, Form::kResolved},
+    {"mark-coherent", [](Run& run) { MarkCoherent(run.program); }, Form::kResolved},
 };
 
 // Registers are chosen for what the passes before leave, and after errors too: a program with an
