@@ -213,6 +213,7 @@ class TargetCheck : ExpressionCheck {
     if (target_.IsVulkan() && !has_blocks_) {
       Report(cbuffer.span, diag::TargetFlatUniforms, cbuffer.name);
     }
+    BufferSize(cbuffer);
     if (cbuffer.count == 0 && !target_.IsVulkan())
       return Report(cbuffer.span, diag::TargetArrayWithoutSize, cbuffer.name);
     for (const CbufferMember& member : cbuffer.members) {
@@ -231,6 +232,20 @@ class TargetCheck : ExpressionCheck {
     if (!fits || !target_.Has(Feature::kBlockInstances)) {
       Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name);
     }
+  }
+
+  // Reports a constant buffer of more than Direct3D's 4096 registers, to which OpenGL's drivers
+  // keep too. dxc reports it for Direct3D only (DXC's HLSLFileCheck,
+  // CbufferLegacy/cbufferSize1.hlsl); a device of Vulkan has a limit of its own.
+  void BufferSize(const ir::Cbuffer& cbuffer) {
+    constexpr std::uint32_t kMaxBufferBytes = 65536;
+    const ir::Profile& profile = program_.profile;
+    const bool is_bound = cbuffer.kind != ir::CbufferKind::kTbuffer && !cbuffer.is_push_constant;
+    const bool is_of_device = target_.IsVulkan() && profile.IsAtLeast(6, 0);
+    if (!is_bound || is_of_device || profile.IsDirect3D9() || cbuffer.size <= kMaxBufferBytes)
+      return;
+    diagnostics_.Report(cbuffer.span, diag::ConstantBufferTooLarge, cbuffer.name, cbuffer.size,
+                        kMaxBufferBytes);
   }
 
   // Reports what OpenGL ES lacks of an image, beside images as such.

@@ -232,10 +232,9 @@ void CheckOverlaps(Context& context, const Buffer& buffer, const Cbuffer& made) 
 // Reports members of $Globals with registers in common. fxc does so from 4.0 on where one of them
 // is used; Direct3D 9 where both are, and then counts only the elements of an array that are used;
 // in dxc they are aliases (vkd3d's register-reservations-numeric.shader_test, checked against
-// native).
+// native), but under -spirv an error (DXC's CodeGenSPIRV/cbuffer.overlap.hlsl).
 void CheckCommonRegisters(Context& context, const Cbuffer& globals) {
   const Profile& profile = context.program.profile;
-  if (profile.IsAtLeast(6, 0)) return;
   std::vector<const CbufferMember*> placed;
   for (const CbufferMember& member : globals.members)
     if (member.has_packoffset) placed.push_back(&member);
@@ -245,13 +244,16 @@ void CheckCommonRegisters(Context& context, const Cbuffer& globals) {
     const Var &one = context[first.var], &other = context[second.var];
     const Use &use = uses[first.var.index], &other_use = uses[second.var.index];
     const std::uint64_t used = first.offset + UsedBytes(context, one, use);
-    if (profile.IsDirect3D9() ? other_use.is_used && second.offset < used
-                              : use.is_used || other_use.is_used) {
-      context
-          .Report(other.span, diag::RegisterTwice, one.name, other.name,
-                  fmt::format("c{}", second.offset / 16))
-          .Note(one.span, diag::DeclaredHere, one.name);
-    }
+    const bool is_shared = profile.IsDirect3D9()     ? other_use.is_used && second.offset < used
+                           : profile.IsAtLeast(6, 0) ? use.is_used && other_use.is_used
+                                                     : use.is_used || other_use.is_used;
+    if (!is_shared) return;
+    const std::string place = fmt::format("c{}", second.offset / 16);
+    auto&& report =
+        profile.IsAtLeast(6, 0)
+            ? context.Report(other.span, diag::RegisterShared, one.name, other.name, place)
+            : context.Report(other.span, diag::RegisterTwice, one.name, other.name, place);
+    report.Note(one.span, diag::DeclaredHere, one.name);
   });
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frontend/rules/check_races.h"
 #include "frontend/rules/varying_flow.h"
 #include "ir/access.h"
 #include "ir/shared_memory.h"
@@ -49,6 +50,7 @@ void CheckWaits(const Program& program, Diagnostics& diagnostics) {
     else
       diagnostics.Report(span, diag::WaitMayHang, name);
   }
+  CheckRaces(program, diagnostics);
 }
 
 // Whether the node writes the operand otherwise than by an assignment or an atomic operation.
