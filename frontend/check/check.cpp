@@ -69,6 +69,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   for (CbufferId id : program.cbuffers.ids())
     LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
   CheckTessellation(context, entry, attributes);
+  LeaveOutStreams(context, signature);
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckUniformCalls(context);
   JudgeEnds(context);

@@ -376,6 +376,27 @@ void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists
   }
 }
 
+void LeaveOutStreams(Context& context, EntrySignature& signature) {
+  const Program& program = context.program;
+  const auto is_stream = [](const EntryParameter& parameter) { return parameter.is_stream; };
+  auto left = std::ranges::count_if(signature.parameters, is_stream);
+  if (left < 2) return;
+  std::vector<bool> is_named(program.vars.size());
+  for (const ExprId expr : program.exprs.ids()) {
+    if (const auto* ref = context.GetIf<VarRef>(expr)) is_named[ref->var.index] = true;
+  }
+  const std::vector<VarId>& own = program.functions[program.entry].parameters;
+  for (std::size_t i = std::min(own.size(), signature.parameters.size()); i-- > 0;) {
+    EntryParameter& parameter = signature.parameters[i];
+    if (!parameter.is_stream) continue;
+    const Type& type = program.types[program.vars[parameter.uniform_var].type];
+    context.program.emission.output = OutputOf(type.object);
+    if (left == 1 || is_named[own[i].index]) return;
+    parameter.is_stream = false;
+    --left;
+  }
+}
+
 void CheckEmission(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {
   Program& program = context.program;
   if (!InfoOf(program.stage).emits_vertices || context.diagnostics.has_errors()) return;

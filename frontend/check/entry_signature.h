@@ -36,6 +36,9 @@ void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
 // of the Direct3D 11 reference for profiles 4.0 and 4.1. Does nothing in other stages.
 void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
+// Leaves out the streams after the last one that the shader names, whatever they are: fxc reads one
+// only where it is used (vkd3d's geometry-shader-syntax.shader_test, checked against native).
+void LeaveOutStreams(Context& context, signature::EntrySignature& signature);
 // Reads [maxvertexcount(n)] and [instance(n)] of the entry point into program.emission, and reports
 // what is wrong with what it reads and gives: "Geometry-Shader Object", "maxvertexcount" and
 // "instance" of Microsoft's HLSL reference; the Direct3D 11.3 functional specification, 13.
