@@ -202,6 +202,10 @@ void ObjectResolver::Body(Function& function, Frame& frame) {
   std::vector<StmtId> stmts = frame.declarations;
   const auto rest = std::as_const(program_).stmt_lists[As<Block>(program_, body)->body];
   stmts.insert(stmts.end(), rest.begin(), rest.end());
+  // The function ends by itself where it returned an object. IsReturnOnly asks for the only one.
+  const auto* last =
+      frame.result && stmts.size() > 1 ? As<Return>(program_, stmts.back()) : nullptr;
+  if (last && !last->value) stmts.pop_back();
   function.body = Builder(program_, program_.stmts[body].span).BlockOf(stmts);
   frame_ = outer;
   --call_depth_;
