@@ -40,6 +40,13 @@ bool IsUnsigned(const Context& context, const ast::Literal& literal) {
   return literal.kind == LiteralKind::kHexadecimal && (is_large || !profile.IsDirect3D9());
 }
 
+// An int64; one that only such a type holds may have been written without a suffix.
+ExprId WideLiteral(Context& context, std::uint64_t bits, Span span) {
+  const ExprId value = context.At(span).Add(context.types.Make(Scalar::kInt64), Literal{bits});
+  if (bits > std::numeric_limits<std::uint32_t>::max()) NoteLargeLiteral(context, value);
+  return value;
+}
+
 ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
   Builder at = context.At(span);
   const double number = std::bit_cast<double>(literal.bits);
@@ -64,7 +71,7 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
     case LiteralKind::kInt64:
       // fxc has the suffix, and no integers of 64 bits.
       if (!has_wide) return at.Int(static_cast<std::int32_t>(literal.bits));
-      return at.Add(context.types.Make(Scalar::kInt64), Literal{literal.bits});
+      return WideLiteral(context, literal.bits, span);
     case LiteralKind::kUint64:
       if (!has_wide) return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Add(context.types.Make(Scalar::kUint64), Literal{literal.bits});

@@ -58,13 +58,21 @@ std::optional<std::int64_t> Compute(BinaryOp op, std::int64_t left, std::int64_t
   return is_lost ? std::nullopt : std::optional(value);
 }
 
+// Whether neither an int nor a uint has the bits of the literal, which stays as it is beside one.
+bool IsBeyondWord(const Context& context, ExprId literal) {
+  const auto number = NumberOf(context, literal);
+  constexpr std::int64_t kWord = std::int64_t{1} << 32;
+  return number && (*number >= kWord || *number <= -kWord);
+}
+
 // Makes a noted literal one of the other operand's type, where that decides.
 void Adapt(Context& context, ExprId& literal, ExprId other) {
   if (!IsLarge(context, literal) || IsLarge(context, other)) return;
   const Scalar kind = context.TypeOf(other).scalar;
   const bool is_wide = kind == Scalar::kInt64;
   const bool is_word = kind == Scalar::kInt || kind == Scalar::kUint;
-  const bool has_word = context.TypeOf(literal).scalar == Scalar::kUint;
+  const bool has_word =
+      context.TypeOf(literal).scalar == Scalar::kUint || IsBeyondWord(context, literal);
   if (!context.TypeOf(other).IsNumeric() || (!is_wide && (!is_word || has_word))) return;
   const std::uint64_t bits = context.Get<Literal>(literal).bits;
   literal = context.At(context[literal].span)

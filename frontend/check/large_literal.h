@@ -3,10 +3,10 @@
 
 #include "frontend/check/context.h"
 
-// Decimal literals of 2^31 and more, from profile 6.0 on. To DXC such a literal is a number of 64
-// bits without a type, "literal int", which becomes what the other operand is: CombineBasicTypes in
-// its SemaHLSL.cpp. It is a uint here where it is used alone, and a sum or the like of literals is
-// computed with 64 bits.
+// Decimal literals of 2^31 and more, and all of 2^32 and more, from profile 6.0 on. To DXC such a
+// literal is a number of 64 bits without a type, "literal int", which becomes what the other
+// operand is: CombineBasicTypes in its SemaHLSL.cpp. It is a uint here where it is used alone and
+// fits one, and a sum or the like of literals is computed with 64 bits.
 namespace clipc::check {
 
 // Notes that the value is such a literal.

@@ -21,6 +21,10 @@ float4 main(float4 p : P, int64_t k : K, uint u : U) : SV_Position {
   v.w += u + -3000000000;
   // CHECK-DAG: int64_t q = 4294967297l;
   int64_t q = C;
-  return v * s + (float)q;
+  // CHECK-DAG: vec4 wide = vec4(-5e+09, 1e+10, 1.0, -5e+09);
+  float4 wide = float4(-5000000000, 5000000000 * 2, 5000000001 - 5000000000, -5000000000);
+  // CHECK-DAG: wide.x += float(in_K0 < -5000000000l)
+  wide.x += k < -5000000000;
+  return v * s + (float)q + wide;
 }
 #endif
