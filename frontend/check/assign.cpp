@@ -356,6 +356,18 @@ ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue) {
   return last;
 }
 
+// (i += 2) *= 3  =>  (i += 2, i *= 3), as in DXC's CodeGenSPIRV/unary-op.prefix-inc.hlsl.
+ExprId TakeChanged(Context& context, ExprId target, Exprs& prologue) {
+  const auto* assign = context.GetIf<Assign>(target);
+  const auto* unary = context.GetIf<Unary>(target);
+  const bool is_step = unary && ChangesOperand(unary->op) && !IsPostfix(unary->op);
+  if (!context.program.profile.IsAtLeast(6, 0) || (!assign && !is_step)) return target;
+  const ExprId changed = assign ? assign->target : unary->operand;
+  if (!IsPure(context.program, changed)) return target;
+  prologue.push_back(target);
+  return Clone(context.program, changed);
+}
+
 ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
   const bool is_used = !std::exchange(context.drops_value, false);
   Exprs steps;
@@ -375,7 +387,7 @@ ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
     return WithPrologue(context, steps, AssignToBits(context, expr.op, left, value, span));
   }
   if (const ExprId stores = AssignToParts(context, expr, left, span)) return stores;
-  const ExprId target = TakeSteps(context, left, steps);
+  const ExprId target = TakeChanged(context, TakeSteps(context, left, steps), steps);
   const ExprId result = AssignTo(context, expr, {{}, target, is_used}, steps, span);
   return WithPrologue(context, steps, result);
 }

@@ -25,6 +25,9 @@ ExprId Stabilize(Context& context, ExprId path, Exprs& prologue);
 // The target without the steps that come before it, which are added to `prologue`: the index of
 // m[f()]._m00_m11 is computed once. Any other expression is returned as it is.
 ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue);
+// The target of an assignment or of `++i`, which is added to `prologue`: from shader model 6 on
+// their results can be assigned to, as in C++. Any other expression is returned as it is.
+ExprId TakeChanged(Context& context, ExprId target, Exprs& prologue);
 // Checks an assignment `left = right` or `left op= right`.
 ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span);
 // The assignment target op= value. If the operator works on another type than the target's, it is

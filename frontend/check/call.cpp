@@ -150,7 +150,9 @@ ExprId CallOverload(Context& context, NamedCall& call, SymbolId symbol, bool is_
   const bool is_later = choice.function && context[choice.function].declared >= context.view.order;
   // fxc calls an intrinsic where no function of the shader's can take the arguments.
   const bool is_6 = context.program.profile.IsAtLeast(6, 0);
-  const bool shadows = choice.function && !is_later && !(choice.changes_shape && is_6);
+  const auto takes = [&] { return TakesArguments(IntrinsicOf(context, call)); };
+  const bool is_last = choice.changes_shape && is_6 && is_intrinsic && takes();
+  const bool shadows = choice.function && !is_later && !is_last;
   const auto report = [&](const auto& kind) {
     const ast::FunctionDecl& decl = DeclOf(context, context[choice.function]);
     context.Report(name_span, kind, context[name])
@@ -158,7 +160,7 @@ ExprId CallOverload(Context& context, NamedCall& call, SymbolId symbol, bool is_
   };
   // DXC looks for a function of the shader's only where no intrinsic takes the arguments
   // (HLSLExternalSource::AddOverloadedCallCandidates; vkd3d's intrinsic-override.shader_test).
-  if (shadows && is_intrinsic && !is_method && is_6 && TakesArguments(IntrinsicOf(context, call))) {
+  if (shadows && is_intrinsic && !is_method && is_6 && takes()) {
     report(diag::IntrinsicBeforeFunction);
     return CallIntrinsic(context, call);
   }
@@ -212,11 +214,11 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, const ast::CallExp
 ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
                   Span span) {
   const auto* owner = context.GetIf<ast::TypeExpr>(member.base);  // S<int> in S<int>::f()
-  const ExprId object = owner ? ExprId{} : CheckExpr(context, member.base);
+  ExprId object = owner ? ExprId{} : CheckExpr(context, member.base);
   Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
   if ((object && context.IsError(object)) || !ok) return context.ErrorExpr(span);
-  const TypeId type = owner ? ResolveType(context, owner->type) : context.TypeIdOf(object);
+  TypeId type = owner ? ResolveType(context, owner->type) : context.TypeIdOf(object);
   if (context.IsError(type)) return context.ErrorExpr(span);
   if (object && context[type].kind == TypeKind::kObject) {
     if (IsTypedAccess(context, member, object))
@@ -241,6 +243,11 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     return CallValue(context, {value, std::string(context[member.name]), member.name_span}, expr,
                      span);
   }
+  const VarId self = context.view.body ? context.view.body->self : VarId{};
+  if (owner && self && DerivesFrom(context, context[self].type, type)) {  // the method of a base
+    object = context.At(member.name_span).Ref(self);
+    type = context[self].type;
+  }
   const KeptVector<FunctionInfoId> overloads =
       CandidatesOf(context, symbol, type, member.arguments, arguments);
   const Choice choice =
@@ -251,38 +258,10 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
     return context.ErrorExpr(span);
   }
   const bool is_static = !context[choice.function].self;
-  if (owner && !is_static)
+  if (!object && !is_static)
     return context.Fail(member.name_span, diag::FieldWithoutObject, context[member.name]);
   return CallFunction(context, choice.function, is_static ? ExprId{} : object, std::move(arguments),
                       {member.name_span, span});
-}
-
-// The function for arguments whose classes are known although its parameters are interfaces. There
-// is one function for each tuple of classes.
-FunctionInfoId ForClasses(Context& context, FunctionInfoId id, ExprSpan arguments) {
-  const auto declared = context[context[id].parameters];
-  std::vector<Parameter> parameters(declared.begin(), declared.end());
-  std::string key = fmt::format("classes {}", id.index);
-  bool is_same = true;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    Parameter& parameter = parameters[i];
-    const TypeId given = i < arguments.size() ? context.TypeIdOf(arguments[i]) : parameter.type;
-    if (parameter.storage == Storage::kIn && IsInterface(context, parameter.type) &&
-        DerivesFrom(context, given, parameter.type)) {
-      parameter.type = given;
-      is_same = false;
-    }
-    key += fmt::format(" {}", parameter.type.index);
-  }
-  if (is_same) return id;
-  const auto [known, is_new] = context.functions.instances.try_emplace(std::move(key), 0);
-  if (is_new) {
-    FunctionInfo info = context[id];
-    info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
-    info.function = {};
-    known->second = context.functions.infos.Add(info).index;
-  }
-  return FunctionInfoId{known->second};
 }
 
 // A temporary that is written before it is read.

@@ -228,8 +228,10 @@ ExprId CheckNode(Context& context, const ast::ErrorExpr&, Span span) {
 ExprId CheckNode(Context& context, const ast::SizeofExpr& expr, Span span) {
   const ast::Expr& operand = context[expr.operand];
   TypeId type;
-  if (const auto* written = std::get_if<ast::TypeExpr>(&operand.node)) {
-    type = ResolveType(context, written->type);
+  ast::ExprId element = expr.operand;  // of float4[2], a type with sizes after it
+  while (const auto* array = context.GetIf<ast::IndexExpr>(element)) element = array->base;
+  if (context.GetIf<ast::TypeExpr>(element)) {
+    type = TypeArgument(context, expr.operand);
   } else if (const auto* name = std::get_if<ast::NameExpr>(&operand.node);
              name && Find(context, name->name, true)) {
     type = TypeArgument(context, expr.operand);

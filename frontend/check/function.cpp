@@ -25,7 +25,7 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
   Parameter parameter;
   parameter.decl = id;
   parameter.type = WithoutString(context, ResolveVarType(context, var), var);
-  parameter.enumeration = EnumClassOf(context, var);
+  parameter.enumeration = EnumOf(context, var);
   const bool out = (var.qualifiers & ast::kOut) != 0;
   const bool in = (var.qualifiers & ast::kIn) != 0;
   parameter.storage = !out ? Storage::kIn : in ? Storage::kInOut : Storage::kOut;
@@ -185,6 +185,16 @@ const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, 
       overloads[slot->second] = MergeOverloads(context, overloads[slot->second], added);
   }
   return context.functions.overloads.emplace(key, std::move(overloads)).first->second;
+}
+
+void DeclarePrototype(Context& context, const ast::FunctionDecl& decl) {
+  const SymbolId symbol = FindFunction(context, {decl.name, {}, false});
+  if (!symbol) return;
+  for (const FunctionInfoId id : OverloadsOf(context, symbol, {})) {
+    FunctionInfo& info = context[id];
+    if (info.parameters.size == decl.parameters.size)
+      info.declared = std::min(info.declared, std::max(context.view.order, 1u) - 1);
+  }
 }
 
 std::string SignatureText(const Context& context, const FunctionInfo& info) {

@@ -21,6 +21,9 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
 // All functions that have the name and scope of `first`, declared so far or later, except
 // templates. A prototype and its definition are one function.
 const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self);
+// A prototype inside a function: the functions of this name and number of parameters may be called
+// after it, although they are declared later.
+void DeclarePrototype(Context& context, const ast::FunctionDecl& decl);
 // The signature as messages have it: "f(float, out int)".
 std::string SignatureText(const Context& context, const FunctionInfo& info);
 

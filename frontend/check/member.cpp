@@ -115,8 +115,14 @@ ExprId StaticMember(Context& context, TypeId owner, const ast::MemberExpr& expr,
     ReportNoMember(context, owner, expr.name, expr.name_span);
     return context.ErrorExpr(span);
   }
-  if (context[member].kind == SymbolKind::kField)
+  if (context[member].kind == SymbolKind::kField) {
+    const VarId self = context.view.body ? context.view.body->self : VarId{};
+    const ExprId object = self ? context.At(expr.name_span).Ref(self) : ExprId{};
+    if (const ExprId field =
+            object ? FieldNamed(context, object, owner, expr.name, span) : ExprId{})
+      return field;  // that of a base
     return context.Fail(expr.name_span, diag::FieldWithoutObject, context[expr.name]);
+  }
   return UseSymbol(context, member, span);
 }
 

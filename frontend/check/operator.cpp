@@ -20,7 +20,8 @@ namespace {
 
 ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span span) {
   Exprs steps;
-  const ExprId target = TakeSteps(context, CheckExpr(context, operand), steps);
+  const ExprId operand_steps = TakeSteps(context, CheckExpr(context, operand), steps);
+  const ExprId target = TakeChanged(context, operand_steps, steps);
   if (context.IsError(target)) return target;
   const Type& type = context.TypeOf(target);
   if (!CheckNoEnumClass(context, SpellingOf(op), target, span)) return context.ErrorExpr(span);
@@ -41,7 +42,8 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
     return WithPrologue(context, steps, result);
   }
   if (!CheckTarget(context, target)) return context.ErrorExpr(span);
-  if (!context.Is<MatrixSwizzle>(target)) return context.At(span).UnaryOf(op, target);
+  if (!context.Is<MatrixSwizzle>(target))
+    return WithPrologue(context, steps, context.At(span).UnaryOf(op, target));
   const bool is_post = IsPostfix(op);
   const ExprId old = is_post ? Hoist(context, Clone(context.program, target), steps) : ExprId{};
   const ExprId changed = AssignCompound(context, IsIncrement(op) ? BinaryOp::kAdd : BinaryOp::kSub,

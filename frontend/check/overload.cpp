@@ -11,8 +11,16 @@
 namespace clipc::check {
 namespace {
 
+// Whether the first type is T[], of objects, and the second an array of as many T as it likes: a
+// parameter without a size takes every array (DXC's HLSLFileCheck, resource-array-param.hlsl).
+bool IsOpenArrayOf(const Context& context, TypeId open, TypeId array) {
+  const Type &to = context[open], &from = context[array];
+  return to.kind == TypeKind::kArray && from.kind == TypeKind::kArray && to.count == 0 &&
+         to.element == from.element && context[to.element].kind == TypeKind::kObject;
+}
+
 std::optional<ConversionRank> Rank(const Context& context, TypeId from, TypeId to) {
-  if (from == to) return ConversionRank{};
+  if (from == to || IsOpenArrayOf(context, to, from)) return ConversionRank{};
   if (const auto rank = RankImplicit(context.types, from, to)) return rank;
   if (DerivesFrom(context, from, to)) return ConversionRank{.form = 1};
   return std::nullopt;
@@ -28,9 +36,7 @@ bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan ar
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const Parameter& parameter = context[info.parameters][i];
     const TypeId given = context.TypeIdOf(arguments[i]);
-    // The conversion has an error of its own where nothing else fits.
-    constexpr std::uint64_t kOtherEnum = std::uint64_t{1} << 56;
-    if (IsOfOtherEnum(context, arguments[i], parameter.enumeration)) cost += kOtherEnum;
+    cost += EnumCost(context, arguments[i], parameter.enumeration);
     const auto add = [&](std::optional<ConversionRank> rank) {
       if (!rank) return false;
       cost += CostOf(*rank);
@@ -136,6 +142,34 @@ Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overload
     if (choice.function) break;
   }
   return choice;
+}
+
+FunctionInfoId ForClasses(Context& context, FunctionInfoId id, ExprSpan arguments) {
+  const auto declared = context[context[id].parameters];
+  std::vector<Parameter> parameters(declared.begin(), declared.end());
+  std::string key = fmt::format("classes {}", id.index);
+  bool is_same = true;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Parameter& parameter = parameters[i];
+    const TypeId given = i < arguments.size() ? context.TypeIdOf(arguments[i]) : parameter.type;
+    const bool is_class =
+        IsInterface(context, parameter.type) && DerivesFrom(context, given, parameter.type);
+    if (parameter.storage == Storage::kIn &&
+        (is_class || IsOpenArrayOf(context, parameter.type, given))) {
+      parameter.type = given;
+      is_same = false;
+    }
+    key += fmt::format(" {}", parameter.type.index);
+  }
+  if (is_same) return id;
+  const auto [known, is_new] = context.functions.instances.try_emplace(std::move(key), 0);
+  if (is_new) {
+    FunctionInfo info = context[id];
+    info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
+    info.function = {};
+    known->second = context.functions.infos.Add(info).index;
+  }
+  return FunctionInfoId{known->second};
 }
 
 void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overloads,

@@ -18,6 +18,9 @@ struct Choice {
 // overloads that are declared later.
 Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overloads,
                       ExprSpan arguments, Name name, Span span);
+// The function for arguments whose classes are known although its parameters are interfaces, and
+// arrays of a size although those have none. There is one function for each tuple of types.
+FunctionInfoId ForClasses(Context& context, FunctionInfoId id, ExprSpan arguments);
 // Reports that none of the overloads fits the arguments.
 void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overloads,
                       ExprSpan arguments, Name name, Span span);

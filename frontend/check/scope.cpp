@@ -170,7 +170,9 @@ bool IsSame(Context& context, SymbolId one, SymbolId other) {
   if (kind != context[other].kind) return false;
   if (kind == SymbolKind::kNamespace || context[one].decl == context[other].decl) return true;
   const auto is_alias = [&](SymbolId id) {
-    return context[id].decl && context.GetIf<ast::TypedefDecl>(context[id].decl);
+    const ast::DeclId decl = context[id].decl;
+    const auto* alias = decl ? context.GetIf<ast::TypedefDecl>(decl) : nullptr;
+    return alias && !alias->is_template;
   };
   return kind == SymbolKind::kType && (is_alias(one) || is_alias(other)) &&
          ResolveTypeSymbol(context, one) == ResolveTypeSymbol(context, other);

@@ -86,6 +86,8 @@ void CheckNode(Context& context, const ast::DeclStmt& stmt, Span) {
       CheckLocal(context, id, *var);
     } else if (const auto* use = std::get_if<ast::UsingDecl>(&decl.node)) {
       DeclareUsing(context, *use, decl.span, context.view.scope);
+    } else if (const auto* function = std::get_if<ast::FunctionDecl>(&decl.node)) {
+      DeclarePrototype(context, *function);
     } else {
       DeclareLocalType(context, id);
     }

@@ -96,7 +96,7 @@ struct Parameter {
   ast::DeclId with_default;  // the declaration with the default argument, or none
   TypeId type;
   Storage storage = Storage::kIn;
-  SymbolId enumeration = {};  // the enum class that the type is; none for other types
+  SymbolId enumeration = {};  // the enum that the type is; none for other types
 };
 
 // A bit-field, which is a part of a field: uint a : 3 and uint b : 5 are one field `a_b`.

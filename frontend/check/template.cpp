@@ -325,7 +325,29 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
   return made;
 }
 
+std::optional<TypeId> InstantiateAlias(Context& context, SymbolId id, const ast::Type& type) {
+  const Symbol symbol = context[id];
+  const auto* alias = symbol.decl ? context.GetIf<ast::TypedefDecl>(symbol.decl) : nullptr;
+  if (!alias || !alias->is_template) return std::nullopt;
+  const RecursionGuard guard(context, type.span, RecursionGuard::kDeclaration);
+  const List<ast::TemplateParameter> parameters = alias->template_parameters;
+  std::vector<std::uint64_t> found(parameters.size, kUnknown);
+  if (!guard.ok() || !ReadTemplateArguments(context, parameters, type.arguments, found))
+    return context.types.Error();
+  if (type.arguments.size > parameters.size)
+    return context.FailType(type.span, diag::TooManyTypeArguments, context[alias->name],
+                            parameters.size);
+  const std::uint32_t order = OrderOf(context, id);
+  const ScopeId scope = BindTemplate(context, parameters, symbol.scope, order, found);
+  if (!scope) return context.FailType(type.span, diag::MissingTypeArgument, context[alias->name]);
+  const ViewSwitch in(context, context.ViewFrom(scope, order));
+  return ArrayOf(context, ResolveType(context, alias->type), alias->dimensions, alias->name_span);
+}
+
 namespace {
+
+constexpr Scalar kFloats[] = {Scalar::kFloat, Scalar::kHalf, Scalar::kDouble, Scalar::kMin16Float,
+                              Scalar::kMin10Float};
 
 bool IsLiteral(const Program& program, ExprId expr) {
   if (const auto* unary = As<Unary>(program, expr)) expr = unary->operand;
@@ -345,9 +367,22 @@ bool DeduceFromArguments(Context& context, const ast::FunctionDecl& decl, ExprSp
   for (std::uint32_t i = 0; i < arguments.size(); ++i)
     if (!IsLiteral(context.program, arguments[i])) agrees = deduce(i, found) && agrees;
   const std::vector<std::uint64_t> before = found;
+  // Whether a literal with a point becomes a whole number, which is not what the template is called
+  // with: 2.5 of larger(i, 2.5).
+  const auto loses = [&](std::uint32_t i) {
+    const TypeId type = context.TypeIdOf(arguments[i]);
+    if (!context[type].IsNumeric() || !IsFloat(context[type].scalar)) return false;
+    return std::ranges::none_of(kFloats, [&](Scalar kind) {
+      std::vector<std::uint64_t> own = before;
+      const auto& parameter = context.Get<ast::VarDecl>(context[decl.parameters][i]);
+      return Deduce(context, parameter.type, context.types.WithScalar(type, kind),
+                    decl.template_parameters, own);
+    });
+  };
   for (std::uint32_t i = 0; i < arguments.size(); ++i) {
     if (!IsLiteral(context.program, arguments[i])) continue;
     std::vector<std::uint64_t> own = before;
+    agrees = agrees && !loses(i);
     deduce(i, own);
     for (std::size_t p = 0; p < own.size(); ++p) {
       if (before[p] != kUnknown || own[p] == kUnknown) continue;

@@ -12,6 +12,9 @@ namespace clipc::check {
 
 // The type S<float>; nullopt if the symbol is not a template.
 std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type);
+// The type that A<float> names, of `template<typename T> using A = ..;`; nullopt if the symbol is
+// not such a template.
+std::optional<TypeId> InstantiateAlias(Context& context, SymbolId id, const ast::Type& type);
 // The instance of a function template that a call asks for; none if the arguments of the call do
 // not determine those of the template.
 FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,

@@ -54,7 +54,7 @@ ast::Qualifiers WithAliases(Context& context, ast::Qualifiers qualifiers, ast::T
     const SymbolId symbol = Find(context, type.name, true);
     if (!symbol || !context[symbol].decl) break;
     const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
-    if (!alias) break;
+    if (!alias || alias->is_template) break;
     if (!(qualifiers & kMajority)) qualifiers |= alias->qualifiers & kMajority;
     // The last pragma before a typedef holds for it. If there is none, the pragma of the variable
     // holds for a matrix, and none for an array (vkd3d's test of the pragma, checked against
@@ -148,6 +148,7 @@ TypeId ResolveNamedType(Context& context, const ast::Type& type) {
     if (context.names.uses_any() && !IsOneThing(context, type.span, type.name, true))
       return context.types.Error();
     if (const auto instance = InstantiateStruct(context, symbol, type)) return *instance;
+    if (const auto named = InstantiateAlias(context, symbol, type)) return *named;
     return ResolveTypeSymbol(context, symbol);
   }
   if (is_plain) {

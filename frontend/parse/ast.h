@@ -45,7 +45,7 @@ struct File {
   std::vector<TechniqueShader> technique_shaders;
   std::optional<EffectText> effect;  // on request: EffectParts::keep
   List<ExprId> entry_arguments;      // of EffectParts::entry_call, if the file has it
-  bool has_enum_classes = false;
+  bool has_enums = false;
   bool has_later_stage = false;  // a hull, domain or geometry shader
 };
 

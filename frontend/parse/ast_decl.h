@@ -113,6 +113,8 @@ struct TypedefDecl {
   TypeId type;
   List<ExprId> dimensions;
   Qualifiers qualifiers = 0;
+  List<TemplateParameter> template_parameters;  // of `template<int N> using A = B<N>;`
+  bool is_template = false;
 };
 enum class BufferKind : std::uint8_t { kCbuffer, kTbuffer };
 struct BufferDecl {

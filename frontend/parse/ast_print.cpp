@@ -297,8 +297,11 @@ void Printer::PutDecl(DeclId id, std::string_view variable) {
           [&](const StructDecl& d) { PutStruct(d); },
           [&](const TypedefDecl& d) {
             Line("typedef ", d.name, Dimensions{d.dimensions}, " : ", d.type,
-                 QualifierBits{d.qualifiers});
-            Below([&] { PutDefinition(d.type); });
+                 QualifierBits{d.qualifiers}, If(d.is_template, " template"));
+            Below([&] {
+              PutTemplate(d.template_parameters);
+              PutDefinition(d.type);
+            });
           },
           [&](const BufferDecl& d) {
             Line(d.kind == BufferKind::kCbuffer ? "cbuffer " : "tbuffer ", d.name, d.registers);

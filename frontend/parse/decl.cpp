@@ -78,7 +78,7 @@ void Parser::ParseDeclaration(Decls& decls, Scope scope) {
 bool Parser::ParseKeywordDeclaration(Decls& decls, Scope scope) {
   switch (WordAt()) {
     case Word::kTypedef: ParseTypedef(decls); return true;
-    case Word::kUsing: ParseUsing(decls); return true;
+    case Word::kUsing: ParseUsing(decls, {}); return true;
     case Word::kNamespace: ParseNamespace(decls); return true;
     case Word::kTemplate: ParseTemplate(decls, scope); return true;
     case Word::kStaticAssert: ParseStaticAssert(); return true;
@@ -268,11 +268,13 @@ void Parser::ParseTypedef(Decls& decls) {
 }
 
 // using namespace a::b;  using a::b;  using T = float4;
-void Parser::ParseUsing(Decls& decls) {
+void Parser::ParseUsing(Decls& decls, const TemplateHeader& header) {
   const std::size_t start = pos_;
   Next();
   if (AtName() && (At(kEqual, 1) || At(kLeftBracket, 1))) {
     TypedefDecl decl{};
+    decl.template_parameters = header.parameters;
+    decl.is_template = header.present;
     decl.name_span = Here();
     decl.name = Next().name();
     CheckAttributes(ParseAttributes(), AttributeOwner::kOther, "the definition of a type");

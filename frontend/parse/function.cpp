@@ -28,7 +28,7 @@ void Parser::ParseTemplate(Decls& decls, Scope scope) {
     decls.Add(definition);
     ParseEndOfType(definition);
   } else if (AtWord(Word::kUsing)) {
-    ParseUsing(decls);
+    ParseUsing(decls, header);
   } else {
     ParseSpecified(decls, scope, header);
   }

@@ -100,7 +100,7 @@ class Parser : private TreeBuilder {
   void ParseBuffer(Decls& decls, const Specifiers& specifiers);
   void ParseNamespace(Decls& decls);
   void ParseTypedef(Decls& decls);
-  void ParseUsing(Decls& decls);
+  void ParseUsing(Decls& decls, const TemplateHeader& header);
   void ParseStaticAssert();
   void ExpectSemicolon(std::string_view after);
 
@@ -174,7 +174,14 @@ class Parser : private TreeBuilder {
   StmtId ParseSimple();
   StmtId ParseDeclOrExpr();
   StmtId ParseBody(std::string_view of);
-  ExprId ParseCondition(std::string_view of);
+  // What is in the parentheses after `if`, `while` or `switch`.
+  struct Condition {
+    ExprId value;
+    StmtId declared;  // the declaration of `if (float x = f())`, whose value is x; or none
+  };
+  bool AtConditionDeclaration() const;
+  Condition ParseCondition(std::string_view of);
+  StmtId AfterDeclaration(std::size_t start, const Condition& condition, StmtId stmt);
 
   // ---- expressions (expr.cpp)
   ExprId ParseExpression();

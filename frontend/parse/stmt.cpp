@@ -13,8 +13,15 @@ StmtId Parser::ParseStatement() {
   if (!nesting.ok()) return AddStmt(start, ErrorStmt{});
   const List<Attr> attributes = ParseAttributes();
   CheckStatementAttributes(attributes);
+  const bool is_block = At(kLeftBrace);
   const StmtId stmt = ParseUnattributed(start);
-  if (!attributes.empty()) file_.stmts[stmt].attributes = attributes;
+  if (!attributes.empty()) {
+    // Those of `if (float x = f())` are at the `if`, after the declaration.
+    const auto* with_declaration = std::get_if<BlockStmt>(&file_.stmts[stmt].node);
+    const bool is_inside = with_declaration && !is_block;
+    file_.stmts[is_inside ? file_.stmt_lists[with_declaration->body].back() : stmt].attributes =
+        attributes;
+  }
   if (panic_ && !leaving_function_) SkipStatement();
   return stmt;
 }
@@ -100,11 +107,47 @@ StmtId Parser::ParseBody(std::string_view of) {
   return ParseStatement();
 }
 
-// Parses (condition), after the word `of`.
-ExprId Parser::ParseCondition(std::string_view of) {
-  if (At(kLeftParen)) return ParseInBrackets(kRightParen);
-  Unexpected(fmt::format("`(` after `{}`", of));
-  return ErrorExprHere();
+// Whether the text goes on with `(float x =`.
+bool Parser::AtConditionDeclaration() const {
+  if (!At(kLeftParen)) return false;
+  const std::size_t after = SkipTypeName(SkipQualifiers(1));
+  return after != 0 && At(kIdentifier, after) && At(kEqual, after + 1);
+}
+
+// Parses (condition) or (float x = value), after the word `of`. dxc takes a declaration as C++ does
+// (DXC's CodeGenSPIRV/cf.if.plain.hlsl).
+Parser::Condition Parser::ParseCondition(std::string_view of) {
+  if (!At(kLeftParen)) {
+    Unexpected(fmt::format("`(` after `{}`", of));
+    return {ErrorExprHere(), {}};
+  }
+  if (!AtConditionDeclaration()) return {ParseInBrackets(kRightParen), {}};
+  const std::size_t open = pos_;
+  Next();
+  Bracketed bracketed(*this);
+  const std::size_t start = pos_;
+  Collector decls(decls_);
+  VarDecl var = MakeVar(ParseSpecifiers("a declaration"));
+  const std::size_t name_at = pos_;
+  if (panic_ || !ParseDeclaratorName(var.name, var.name_span, "variable"))
+    return {ErrorExprHere(), {}};
+  Declare(var.name, Meaning::kValue);
+  const ExprId value = AddExpr(name_at, NameExpr{{var.name, {}, false}, {}});
+  ParseDeclaratorTail(var, Scope::kLocal);
+  decls.Add(AddDecl(start, var));
+  const StmtId declared = AddStmt(start, DeclStmt{decls.Finish()});
+  ExpectClose(kRightParen, open);
+  return {value, declared};
+}
+
+// The statement after the declaration of its condition, if there is one: `if (float x = f()) ..` is
+// { float x = f(); if (x) .. }.
+StmtId Parser::AfterDeclaration(std::size_t start, const Condition& condition, StmtId stmt) {
+  if (!condition.declared) return stmt;
+  Collector body(stmts_);
+  body.Add(condition.declared);
+  body.Add(stmt);
+  return AddStmt(start, BlockStmt{body.Finish()});
 }
 
 // A chain of else-ifs is one path of the tree; the parser reads it in a loop.
@@ -112,9 +155,10 @@ StmtId Parser::ParseIf(std::size_t start) {
   struct Arm {
     std::size_t start;
     List<Attr> attributes;
-    ExprId condition;
+    Condition condition;
     StmtId then;
   };
+  NameScope scope(*this);
   std::vector<Arm> arms;
   const int depth_before = depth_;
   List<Attr> attributes;
@@ -141,8 +185,9 @@ StmtId Parser::ParseIf(std::size_t start) {
   depth_ = depth_before;
   while (!arms.empty()) {
     const Arm& arm = arms.back();
-    otherwise = AddStmt(arm.start, IfStmt{arm.condition, arm.then, otherwise});
+    otherwise = AddStmt(arm.start, IfStmt{arm.condition.value, arm.then, otherwise});
     file_.stmts[otherwise].attributes = arm.attributes;
+    otherwise = AfterDeclaration(arm.start, arm.condition, otherwise);
     arms.pop_back();
   }
   return otherwise;
@@ -167,10 +212,18 @@ StmtId Parser::ParseFor() {
 StmtId Parser::ParseWhile() {
   const std::size_t start = pos_;
   Next();
-  WhileStmt loop{};
-  loop.condition = ParseCondition("while");
-  loop.body = ParseBody("while (...)");
-  return AddStmt(start, loop);
+  NameScope scope(*this);
+  const Condition condition = ParseCondition("while");
+  const StmtId body = ParseBody("while (...)");
+  if (!condition.declared) return AddStmt(start, WhileStmt{condition.value, body});
+  // while (float x = f()) {..}  =>  while (true) { float x = f(); if (!x) break; {..} }
+  Collector stmts(stmts_);
+  stmts.Add(condition.declared);
+  const ExprId ends = AddExpr(start, UnaryExpr{UnaryOp::kNot, condition.value});
+  stmts.Add(AddStmt(start, IfStmt{ends, AddStmt(start, BreakStmt{}), {}}));
+  stmts.Add(body);
+  const ExprId always = AddExpr(start, Literal{LiteralKind::kBool, 1});
+  return AddStmt(start, WhileStmt{always, AddStmt(start, BlockStmt{stmts.Finish()})});
 }
 
 StmtId Parser::ParseDo() {
@@ -184,7 +237,7 @@ StmtId Parser::ParseDo() {
     return AddStmt(start, ErrorStmt{});
   }
   Next();
-  loop.condition = ParseCondition("while");
+  loop.condition = At(kLeftParen) ? ParseInBrackets(kRightParen) : ParseCondition("while").value;
   ExpectSemicolon("`do ... while (...)`");
   return AddStmt(start, loop);
 }
@@ -192,12 +245,14 @@ StmtId Parser::ParseDo() {
 StmtId Parser::ParseSwitch() {
   const std::size_t start = pos_;
   Next();
+  NameScope scope(*this);
   SwitchStmt statement{};
-  statement.value = ParseCondition("switch");
+  const Condition condition = ParseCondition("switch");
+  statement.value = condition.value;
   if (!panic_ && !At(kLeftBrace)) Unexpected("`{` after `switch (...)`");
   if (panic_) return AddStmt(start, ErrorStmt{});
   statement.body = ParseStatement();
-  return AddStmt(start, statement);
+  return AfterDeclaration(start, condition, AddStmt(start, statement));
 }
 
 StmtId Parser::ParseCase() {

@@ -75,7 +75,7 @@ DeclId Parser::ParseEnum() {
   Next();
   decl.is_class = AtAnyOf({Word::kClass, Word::kStruct});
   if (decl.is_class) Next();
-  file_.has_enum_classes |= decl.is_class;
+  file_.has_enums = true;
   if (AtName()) TakeName(decl, Meaning::kType);
   if (Accept(kColon)) decl.underlying = ParseNamedType();
   decl.enumerators = ParseEnumerators();

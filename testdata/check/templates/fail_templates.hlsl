@@ -11,5 +11,8 @@ float4 main(float4 p : POSITION) : SV_Position {
   larger(i, p.x);
   // CHECK-DAG: [[#@LINE+1]]:3: error: no function `larger` takes (int, float) [no-matching-function, X3013]
   larger(1, 2.5);
+  // A literal becomes what the other argument is, but not if it loses its fraction: [temp.deduct.call] of C++, which DXC follows.
+  // CHECK-DAG: [[#@LINE+1]]:3: error: no function `larger` takes (int, float) [no-matching-function, X3013]
+  larger(i, 2.5);
   return p * endless<0>(1);
 }
