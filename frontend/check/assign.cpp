@@ -358,10 +358,11 @@ ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue) {
 
 // (i += 2) *= 3  =>  (i += 2, i *= 3), as in DXC's CodeGenSPIRV/unary-op.prefix-inc.hlsl.
 ExprId TakeChanged(Context& context, ExprId target, Exprs& prologue) {
+  if (context.Is<VarRef>(target) || !context.program.profile.IsAtLeast(6, 0)) return target;
   const auto* assign = context.GetIf<Assign>(target);
   const auto* unary = context.GetIf<Unary>(target);
   const bool is_step = unary && ChangesOperand(unary->op) && !IsPostfix(unary->op);
-  if (!context.program.profile.IsAtLeast(6, 0) || (!assign && !is_step)) return target;
+  if (!assign && !is_step) return target;
   const ExprId changed = assign ? assign->target : unary->operand;
   if (!IsPure(context.program, changed)) return target;
   prologue.push_back(target);

@@ -20,9 +20,10 @@ bool IsOpenArrayOf(const Context& context, TypeId open, TypeId array) {
 }
 
 std::optional<ConversionRank> Rank(const Context& context, TypeId from, TypeId to) {
-  if (from == to || IsOpenArrayOf(context, to, from)) return ConversionRank{};
+  if (from == to) return ConversionRank{};
   if (const auto rank = RankImplicit(context.types, from, to)) return rank;
   if (DerivesFrom(context, from, to)) return ConversionRank{.form = 1};
+  if (IsOpenArrayOf(context, to, from)) return ConversionRank{};
   return std::nullopt;
 }
 

@@ -29,25 +29,38 @@ bool CallChangesSelf(Context& context, SymbolId id, ScopeId scope) {
   return false;
 }
 
+// What the struct has of the name that is written after a struct, B::v or B<T>::v.
+SymbolId MemberNamed(const Context& context, Name name, ScopeId scope, SymbolKind kind) {
+  const SymbolId found = context.names.FindNested(scope, name);
+  return found && context[found].kind == kind ? found : SymbolId{};
+}
+
 // Whether the expression is `this`, a field, or a path from one of them.
 bool IsPartOfSelf(const Context& context, ast::ExprId id, ScopeId scope) {
   const auto& node = context[id].node;
-  if (const auto* member = std::get_if<ast::MemberExpr>(&node))
+  if (const auto* member = std::get_if<ast::MemberExpr>(&node)) {
+    if (context.Is<ast::TypeExpr>(member->base))
+      return bool(MemberNamed(context, member->name, scope, SymbolKind::kField));
     return IsPartOfSelf(context, member->base, scope);
+  }
   if (const auto* index = std::get_if<ast::IndexExpr>(&node))
     return IsPartOfSelf(context, index->base, scope);
   const auto* name = std::get_if<ast::NameExpr>(&node);
-  if (!name || !name->name.scopes.empty()) return false;
+  if (!name) return false;
   if (context[name->name.name] == "this") return true;
-  const SymbolId found = context.names.FindNested(scope, name->name.name);
-  return found && context[found].kind == SymbolKind::kField;
+  return bool(MemberNamed(context, name->name.name, scope, SymbolKind::kField));
 }
 
 // Whether the call itself may change the object or a part of it; its operands may, too.
 bool CallChangesSelf(Context& context, const ast::CallExpr& call, ScopeId scope) {
   const auto part = [&](ast::ExprId e) { return IsPartOfSelf(context, e, scope); };
   // The callee is a method of a part of the object, or else a method of the object.
-  if (const auto* member = context.GetIf<ast::MemberExpr>(call.callee)) return part(member->base);
+  const auto* member = context.GetIf<ast::MemberExpr>(call.callee);
+  if (member && context.Is<ast::TypeExpr>(member->base)) {
+    const SymbolId own = MemberNamed(context, member->name, scope, SymbolKind::kFunction);
+    return own && CallChangesSelf(context, own, scope);
+  }
+  if (member) return part(member->base);
   const auto* name = context.GetIf<ast::NameExpr>(call.callee);
   if (!name) return false;
   const SymbolId found = context.names.FindNested(scope, name->name.name);

@@ -109,7 +109,8 @@ StmtId Parser::ParseBody(std::string_view of) {
 
 // Whether the text goes on with `(float x =`.
 bool Parser::AtConditionDeclaration() const {
-  if (!At(kLeftParen)) return false;
+  const bool may_be_type = At(kIdentifier, 2) || At(kLess, 2) || At(kColonColon, 2);
+  if (!At(kLeftParen) || !may_be_type) return false;
   const std::size_t after = SkipTypeName(SkipQualifiers(1));
   return after != 0 && At(kIdentifier, after) && At(kEqual, after + 1);
 }

@@ -105,8 +105,8 @@ void WrittenWalk::VisitAssign(const Assign& node) {
 // place. Its value is read here, so that a message names what the text names.
 bool WrittenWalk::IsOfOwnTemporary(const Assign& node) const {
   const auto* target = As<VarRef>(program_, node.target);
-  return target && TypeOf(program_, node.target).IsNumeric() &&
-         program_.vars[target->var].span == program_.exprs[node.target].span;
+  return target && program_.vars[target->var].span == program_.exprs[node.target].span &&
+         TypeOf(program_, node.target).IsNumeric();
 }
 
 void WrittenWalk::VisitIntrinsic(const IntrinsicCall& node) {
