@@ -139,8 +139,9 @@ bool CheckEnumClasses(Context& context, ExprId left, ExprId right, Span span) {
 }
 
 bool CheckNoEnumClass(Context& context, std::string_view op, ExprId operand, Span span) {
+  if (!context.file.has_enums) return true;
   const Known meaning = ClassOf(context, MeaningOf(context, operand));
-  if (!context.file.has_enums || !meaning || !*meaning) return true;
+  if (!meaning || !*meaning) return true;
   context.Report(span, diag::BadOperand, op, NameOf(context, *meaning, {}));
   return false;
 }

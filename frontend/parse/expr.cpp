@@ -199,7 +199,7 @@ ExprId Parser::ParseMember(ExprId base, std::size_t start) {
   }
   member.name_span = Here();
   member.name = Next().name();
-  const bool is_template = MeaningOf(member.name) == Meaning::kFunctionTemplate && At(kLess) &&
+  const bool is_template = At(kLess) && MeaningOf(member.name) == Meaning::kFunctionTemplate &&
                            IsTemplateUse(member.name, 0);
   if (is_template || IsMemberTemplateUse(0)) member.arguments = ParseTemplateArguments();
   return AddExpr(start, member);
