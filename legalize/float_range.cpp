@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "ir/access.h"
 #include "ir/evaluate.h"
@@ -31,6 +32,7 @@ constexpr double kRounding = 0x1p-23;
 constexpr double kLargest = 0x1p127, kSmallest = 0x1p-126;
 
 using Range = std::optional<FloatRange>;
+using FieldOfVar = std::pair<VarId, std::uint32_t>;
 
 Range Rounded(FloatRange range, int steps = 1) {
   if (std::max(std::abs(range.low), std::abs(range.high)) >= kLargest) return std::nullopt;
@@ -68,8 +70,11 @@ Range AllOf(Scalar kind) {
 
 class RangeFinder {
  public:
-  RangeFinder(const Program& program, const std::function<Range(VarId)>& of_local)
-      : program_(program), of_local_(of_local) {}
+  using OfLocal = std::function<Range(VarId)>;
+  using OfField = std::function<ExprId(const FieldRef&)>;
+
+  RangeFinder(const Program& program, const OfLocal& of_local, const OfField& of_field)
+      : program_(program), of_local_(of_local), of_field_(of_field) {}
 
   Range Of(ExprId expr, int depth = 0) const {
     if (depth == 0 || As<Literal>(program_, expr) || As<VarRef>(program_, expr)) {
@@ -93,7 +98,13 @@ class RangeFinder {
     return Visit(
         Overloaded{
             [&](const VarRef& node) { return of_local_(node.var); },
-            [&](const Swizzle& node) { return OfSwizzle(node, of); },
+            [&](const FieldRef& node) {
+              const ExprId value = of_field_(node);
+              return value ? of(value) : std::nullopt;
+            },
+            [&](const Swizzle& node) {
+              return OfComponents(node.base, {node.components.data(), node.count}, depth + 1);
+            },
             [&](const Unary& node) {
               const auto range = node.op == UnaryOp::kNegate ? of(node.operand) : std::nullopt;
               return range ? Range({-range->high, -range->low, range->may_be_nan}) : std::nullopt;
@@ -126,17 +137,50 @@ class RangeFinder {
     return all;
   }
 
-  Range OfSwizzle(const Swizzle& node, auto& of) const {
-    const auto* ref = As<VarRef>(program_, node.base);
-    if (!ref) return of(node.base);
-    const bool is_place = std::ranges::any_of(program_.inputs, [&](const IoVar& input) {
-      return input.builtin == Builtin::kPixelPosition && input.var == ref->var;
+  // Of these components of a vector or scalar.
+  Range OfComponents(ExprId expr, std::span<const std::uint8_t> components, int depth) const {
+    if (depth >= kMaxDepth) return std::nullopt;
+    const auto of_whole = [&] { return Of(expr, depth); };
+    return Visit(Overloaded{
+                     [&](const VarRef& node) {
+                       if (!IsPlace(node.var)) return of_whole();
+                       const bool is_xy = std::ranges::all_of(
+                           components, [](std::uint8_t component) { return component < 2; });
+                       return is_xy ? Range(FloatRange{0, kLargestPlace}) : std::nullopt;
+                     },
+                     [&](const FieldRef& node) {
+                       const ExprId value = of_field_(node);
+                       return value ? OfComponents(value, components, depth + 1) : std::nullopt;
+                     },
+                     [&](const Construct& node) { return OfParts(node, components, depth + 1); },
+                     [&](const auto&) { return of_whole(); },
+                 },
+                 program_.exprs[expr].node);
+  }
+
+  // Of these components of a vector that is put together.
+  Range OfParts(const Construct& node, std::span<const std::uint8_t> components, int depth) const {
+    Range all;
+    for (const std::uint8_t component : components) {
+      std::uint32_t argument = 0, at = component;
+      const auto size = [&] {
+        const Type& type = TypeOf(program_, program_.expr_lists[node.arguments][argument]);
+        return std::uint32_t{type.rows} * type.columns;
+      };
+      for (; argument + 1 < node.arguments.size && at >= size(); ++argument) at -= size();
+      const auto part = static_cast<std::uint8_t>(at);
+      const Range range =
+          OfComponents(program_.expr_lists[node.arguments][argument], {&part, 1}, depth);
+      all = component == components[0] ? range : Union(all, range);
+      if (!all) return all;
+    }
+    return all;
+  }
+
+  bool IsPlace(VarId var) const {
+    return std::ranges::any_of(program_.inputs, [&](const IoVar& input) {
+      return input.builtin == Builtin::kPixelPosition && input.var == var;
     });
-    if (!is_place) return of(node.base);
-    const bool is_xy =
-        std::ranges::all_of(node.components.begin(), node.components.begin() + node.count,
-                            [](std::uint8_t component) { return component < 2; });
-    return is_xy ? Range(FloatRange{0, kLargestPlace}) : std::nullopt;
   }
 
   Range OfBinary(ExprId expr, const Binary& node, auto& of) const {
@@ -250,8 +294,19 @@ class RangeFinder {
   }
 
   const Program& program_;
-  const std::function<Range(VarId)>& of_local_;
+  const OfLocal& of_local_;
+  const OfField& of_field_;
 };
+
+// The field of a variable that the path lies in; std::nullopt where it starts with no field.
+std::optional<FieldOfVar> FieldOf(const Program& program, ExprId path) {
+  for (; path; path = WholeOf(program, path)) {
+    const auto* field = As<FieldRef>(program, path);
+    const auto* ref = field ? As<VarRef>(program, field->base) : nullptr;
+    if (ref) return FieldOfVar(ref->var, field->field);
+  }
+  return std::nullopt;
+}
 
 // The amount by which the step of a loop changes its variable, below 0 where it counts down.
 std::optional<double> StepOf(const Program& program, ExprId step) {
@@ -269,28 +324,43 @@ std::optional<double> StepOf(const Program& program, ExprId step) {
 }  // namespace
 
 Range FloatRanges::Of(ExprId expr) {
-  const std::function<Range(VarId)> of_local = [&](VarId var) -> Range {
-    if (program_.vars[var].storage != Storage::kLocal) return std::nullopt;
-    if (!has_locals_) FindLocals();
-    return var.index < locals_.size() ? locals_[var.index] : std::nullopt;
+  const RangeFinder::OfLocal of_local = [&](VarId var) -> Range {
+    return IsKnown(var) ? locals_[var.index] : std::nullopt;
   };
-  return RangeFinder(program_, of_local).Of(expr);
+  const RangeFinder::OfField of_field = [&](const FieldRef& node) { return ValueOf(node); };
+  return RangeFinder(program_, of_local, of_field).Of(expr);
+}
+
+// Whether the variable is one that declarations tell of.
+bool FloatRanges::IsKnown(VarId var) {
+  if (program_.vars[var].storage != Storage::kLocal) return false;
+  if (!has_locals_) FindLocals();
+  return var.index < locals_.size();
 }
 
 // Declarations are found in the order of the text, so that the variables in their values are known.
 void FloatRanges::FindLocals() {
   has_locals_ = true;
   locals_.resize(program_.vars.size());
+  values_.resize(program_.vars.size());
   std::vector<std::uint32_t> writes(program_.vars.size());
   ForEachLiveExpr(program_, [&](ExprId expr) {
     ForEachWrite(program_, expr, [&](ExprId target) {
-      if (const VarId root = RootOf(program_, target)) ++writes[root.index];
+      if (const auto field = FieldOf(program_, target)) {
+        written_fields_.push_back(*field);
+      } else if (const VarId root = RootOf(program_, target)) {
+        ++writes[root.index];
+      }
     });
   });
+  std::ranges::sort(written_fields_);
   const auto on_declaration = [&](const Declare& declare) {
-    const bool is_settled = declare.init && writes[declare.var.index] == 0 &&
-                            program_.types[program_.vars[declare.var].type].IsNumeric();
-    if (is_settled) locals_[declare.var.index] = Of(declare.init);
+    if (!declare.init || writes[declare.var.index] != 0) return;
+    if (program_.types[program_.vars[declare.var].type].IsNumeric()) {
+      locals_[declare.var.index] = Of(declare.init);
+    } else if (As<Construct>(program_, declare.init)) {
+      values_[declare.var.index] = declare.init;
+    }
   };
   for (const FunctionId id : program_.functions.ids()) {
     ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) {
@@ -298,6 +368,17 @@ void FloatRanges::FindLocals() {
       if (const auto* declare = As<Declare>(program_, stmt)) on_declaration(*declare);
     });
   }
+}
+
+// What the field has from its variable's declaration on; none where it may change.
+ExprId FloatRanges::ValueOf(const FieldRef& node) {
+  const VarId var = RootOf(program_, node.base);
+  if (!var || !IsKnown(var) || !As<VarRef>(program_, node.base)) return {};
+  const auto* value = As<Construct>(program_, values_[var.index]);
+  const bool is_settled = value &&
+                          program_.types[program_.vars[var].type].kind == TypeKind::kStruct &&
+                          !std::ranges::binary_search(written_fields_, FieldOfVar(var, node.field));
+  return is_settled ? program_.expr_lists[value->arguments][node.field] : ExprId{};
 }
 
 // The variable of `for (int i = first; i < last; i++)` that only the step changes.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ir/program.h"
@@ -15,8 +17,8 @@ struct FloatRange {
 };
 
 // Knows the bounds of constants, of saturate, clamp and frac, of a pixel's place on the screen, of
-// integers, of local variables that only their declaration or the head of a `for` gives a value,
-// and of what arithmetic and rounding make of them.
+// integers, of local variables and their fields that only a declaration or the head of a `for`
+// gives a value, and of what arithmetic and rounding make of them.
 class FloatRanges {
  public:
   // The functions must keep their variables and writes while this lives. Values may be replaced by
@@ -27,12 +29,16 @@ class FloatRanges {
   std::optional<FloatRange> Of(ir::ExprId expr);
 
  private:
+  bool IsKnown(ir::VarId var);
   void FindLocals();
+  ir::ExprId ValueOf(const ir::FieldRef& node);
   void FindCounter(const ir::For& loop, const std::vector<std::uint32_t>& writes);
 
   const ir::Program& program_;
   bool has_locals_ = false;                        // found for the first that is asked for
   std::vector<std::optional<FloatRange>> locals_;  // by VarId
+  std::vector<ir::ExprId> values_;                 // of structs, by VarId
+  std::vector<std::pair<ir::VarId, std::uint32_t>> written_fields_;
 };
 
 }  // namespace clipc::legalize
