@@ -71,13 +71,21 @@ ExprId Combine(Context& context, BinaryOp op, const Side& left, const Side& righ
 ExprId CombineLogical(Context& context, BinaryOp op, const Side& left, const Side& right,
                       Span span) {
   const TypeId type = context.types.WithScalar(left.type, Scalar::kBool);
-  // The order of evaluation makes a difference only if the right side has an effect.
-  BinaryOp wanted = op;
-  if (context.options.short_circuits && context[type].kind == TypeKind::kScalar &&
-      !IsPure(context.program, right.value)) {
-    wanted = op == BinaryOp::kLogicalAnd ? BinaryOp::kShortCircuitAnd : BinaryOp::kShortCircuitOr;
-  }
-  return Combine(context, wanted, {left.value, type}, {right.value, type}, span);
+  return Combine(context, op, {left.value, type}, {right.value, type}, span);
+}
+
+// From 6.0 on `&&` and `||` of scalars do not evaluate the right side where the left one says the
+// result, which makes a difference only if that side has an effect.
+void ShortCircuit(Context& context, ExprId expr) {
+  const auto* logical = context.GetIf<Binary>(expr);
+  const bool is_lazy = context.options.short_circuits && logical && IsLogical(logical->op) &&
+                       context.TypeOf(expr).kind == TypeKind::kScalar &&
+                       !IsPure(context.program, logical->right);
+  if (!is_lazy) return;
+  const bool is_and = logical->op == BinaryOp::kLogicalAnd;
+  context.program.exprs[expr].node =
+      Binary{is_and ? BinaryOp::kShortCircuitAnd : BinaryOp::kShortCircuitOr, logical->left,
+             logical->right};
 }
 
 // The shift, whose operands keep their kinds: the result is signed as the left operand is.
@@ -163,7 +171,9 @@ ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
                           context.TypeName(side), is_and ? "and(a, b)" : "or(a, b)");
     }
   }
-  return CombineOperands(context, expr.op, left, right, {expr.op_span, span});
+  const ExprId combined = CombineOperands(context, expr.op, left, right, {expr.op_span, span});
+  ShortCircuit(context, combined);
+  return combined;
 }
 
 ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
