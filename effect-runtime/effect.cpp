@@ -346,6 +346,7 @@ clipc_error clipc_gl_effect_apply(clipc_gl_effect* effect, uint32_t pass, char* 
   BindBlocks(*effect, *program);
   BindTextures(*effect, *program);
   std::uint32_t planes =
+      program->clip_distances |
       gl::ApplyStates(effect->gl, effect->table.states + with.first_state, with.state_count);
   for (std::uint32_t i = 0; i < program->plane_count; ++i)
     planes |= 1U << effect->table.planes[program->first_plane + i].index;

@@ -92,6 +92,7 @@ typedef struct clipc_gl_effect_program {
   uint32_t first_use, use_count; /**< of blocks */
   uint32_t first_sampler, sampler_count;
   uint32_t first_plane, plane_count;
+  uint32_t clip_distances; /**< a mask of those that the shader writes */
 } clipc_gl_effect_program;
 typedef struct clipc_gl_effect_use {
   const char* name; /**< of the block in the GLSL */

@@ -18,7 +18,7 @@ namespace clipc {
 
 struct RegisterFact {
   std::string name = {};  // "t3"
-  std::uint32_t space = 0;
+  std::uint32_t number = 0, space = 0;
   bool is_explicit = false;  // the text names it
   friend bool operator==(const RegisterFact&, const RegisterFact&) = default;
 };
@@ -131,6 +131,7 @@ struct ResourceFact {
   struct Part {
     std::string name = {}, type = {};
     bool is_unbounded = false;
+    std::uint32_t elements = 0;  // of an array that has a size; 0: it is none
     std::optional<RegisterFact> reg = {};
     std::string counter_of = {};  // the buffer whose counter it is
     friend bool operator==(const Part&, const Part&) = default;

@@ -29,7 +29,8 @@ constexpr Named<glsl::BlockForm> kBlockForms[] = {{glsl::BlockForm::kStd140, "st
                                                   {glsl::BlockForm::kUniforms, "uniforms"}};
 
 RegisterFact FactOf(const ir::Register& reg) {
-  return {std::string(1, reg.letter) + std::to_string(reg.number), reg.space, reg.is_explicit};
+  return {std::string(1, reg.letter) + std::to_string(reg.number), reg.number, reg.space,
+          reg.is_explicit};
 }
 
 // The places of constants in a block, by the variable and in the block's order.
@@ -254,7 +255,8 @@ class Describer {
                             .type = resource && resource->declared_type
                                         ? program_.types.Name(resource->declared_type)
                                         : TypeName(var),
-                            .is_unbounded = type.kind == ir::TypeKind::kArray && type.count == 0};
+                            .is_unbounded = type.kind == ir::TypeKind::kArray && type.count == 0,
+                            .elements = type.kind == ir::TypeKind::kArray ? type.count : 0};
     if (!resource) return part;
     part.reg = FactOf(resource->reg);
     if (resource->counter_of) part.counter_of = program_.vars[resource->counter_of].name;

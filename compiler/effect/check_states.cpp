@@ -106,7 +106,11 @@ class StateChecker {
   }
 
   void Check(ast::EffectParameter& parameter) {
-    for (EffectState& state : parameter.states) Check(PlaceOf(parameter), state);
+    const StatePlace place = PlaceOf(parameter);
+    for (EffectState& state : parameter.states) Check(place, state);
+    for (std::vector<EffectState>& element : parameter.elements) {
+      for (EffectState& state : element) Check(place, state);
+    }
     for (const Span end : parameter.unended) diagnostics_.Report(end, diag::EffectNoSemicolon);
   }
 

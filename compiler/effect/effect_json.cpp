@@ -127,10 +127,11 @@ class EffectPrinter {
     Annotations(parameter.annotations);
     Text(parameter.value, "value");
     Text(HexadecimalDigits(fact.initial), "default");
-    if (!parameter.states.empty()) {
-      json_.ListOf("states", parameter.states,
-                   [&](const ast::EffectState& state) { State(state); });
-    }
+    const auto add_states = [&](const std::vector<ast::EffectState>& states) {
+      json_.ListOf("states", states, [&](const ast::EffectState& state) { State(state); });
+    };
+    if (parameter.is_block) add_states(parameter.states);
+    if (!parameter.elements.empty()) json_.ListOf("elements", parameter.elements, add_states);
     std::vector<std::string> shaders;
     for (const ast::EffectShader& shader : parameter.shaders) shaders.push_back(shader.text);
     Texts(shaders, "shaders");

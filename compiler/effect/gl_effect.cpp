@@ -55,7 +55,7 @@ class GlEffectMaker {
     for (GlEffect::Parameter& parameter : made_.parameters)
       parameter.annotations = AnnotationsOf(parameter.name);
     for (GlEffect::Texture& texture : made_.textures)
-      texture.annotations = AnnotationsOf(texture.name);
+      texture.annotations = AnnotationsOf(texture.name.substr(0, texture.name.find('[')));
     return std::move(made_);
   }
 
@@ -147,14 +147,22 @@ class GlEffectMaker {
     return {first, states.size()};
   }
 
-  // The program's number. Passes whose shaders become the same share one.
+  // What a pass of Direct3D 9 gives to the pixel shader's sampler of a register.
+  struct PassStage {
+    std::string sampler = {}, texture = {};
+    friend bool operator==(const PassStage&, const PassStage&) = default;
+  };
+  using PassStages = std::vector<PassStage>;  // by the number of the register
+
+  // The program's number. Passes whose shaders become the same share one, unless
+  // they give it other samplers.
   std::size_t ProgramOf(const std::shared_ptr<const EffectCode>& code,
                         const ast::EffectPass& pass) {
-    const auto known = std::ranges::find_if(made_.programs, [&](const GlEffect::Program& program) {
-      return program.code == code || *program.code == *code;
-    });
-    if (known != made_.programs.end())
-      return static_cast<std::size_t>(known - made_.programs.begin());
+    const PassStages stages = StagesOf(pass, *code);
+    for (std::size_t i = 0; i < made_.programs.size(); ++i) {
+      const auto& known = made_.programs[i].code;
+      if (stages_[i] == stages && (known == code || *known == *code)) return i;
+    }
     GlEffect::Program program;
     program.code = code;
     program.uses.first = made_.uses.size();
@@ -163,7 +171,8 @@ class GlEffectMaker {
     for (const StageFacts& stage : code->facts.stages) {
       for (const BufferFact& buffer : stage.buffers) AddBlock(buffer, program.uses, pass);
       for (const ResourceFact& resource : stage.resources)
-        AddSampler(resource, program.samplers, pass);
+        AddSampler(resource, stage.stage == "pixel" ? stages : PassStages(), program.samplers,
+                   pass);
     }
     if (code->facts.planes) {
       for (const clip_table::Plane& plane : code->facts.planes->planes)
@@ -173,6 +182,7 @@ class GlEffectMaker {
     program.samplers.count = made_.samplers.size() - program.samplers.first;
     program.planes.count = made_.planes.size() - program.planes.first;
     made_.programs.push_back(std::move(program));
+    stages_.push_back(stages);
     return made_.programs.size() - 1;
   }
 
@@ -225,15 +235,57 @@ class GlEffectMaker {
     parameter.elements = shape.dimensions.empty() ? 0 : 1;
     for (const ShapeFact::Dimension& dimension : shape.dimensions)
       parameter.elements *= dimension.count;
+    // A column of a float1x4 is a vector of one component, as an element of a float[4] is.
+    if (shape.kind == ir::TypeKind::kMatrix && shape.rows == 1 && !member.IsRowMajor()) {
+      parameter.elements = std::max(1U, parameter.elements) * shape.columns;
+      parameter.columns = 1;
+    }
   }
 
-  void AddSampler(const ResourceFact& resource, const GlRange& samplers,
+  // Sampler[0] = <S>; Texture[1] = (T); of those that the pixel shader has and that say something
+  // else than the sampler itself.
+  PassStages StagesOf(const ast::EffectPass& pass, const EffectCode& code) const {
+    PassStages stages;
+    for (const ast::EffectState& state : pass.states) {
+      const bool is_sampler = EqualIgnoringCase(state.word, "Sampler");
+      if (!state.has_index || state.is_wrong) continue;
+      if (!is_sampler && !EqualIgnoringCase(state.word, "Texture")) continue;
+      const std::optional<std::string> own = OwnName(code, state.index, is_sampler);
+      if (!own || *own == state.value.word) continue;
+      if (stages.size() <= state.index) stages.resize(state.index + 1);
+      PassStage& stage = stages[state.index];
+      (is_sampler ? stage.sampler : stage.texture) = state.value.word;
+    }
+    return stages;
+  }
+
+  // The name of the pixel shader's sampler of a register, or of that one's texture; none for a
+  // register without a sampler.
+  std::optional<std::string> OwnName(const EffectCode& code, std::uint32_t number,
+                                     bool of_sampler) const {
+    for (const StageFacts& stage : code.facts.stages) {
+      for (const ResourceFact& resource : stage.resources) {
+        const auto& part = resource.texture;
+        if (stage.stage != "pixel" || !ir::IsSampler(resource.kind) || !part || !part->reg)
+          continue;
+        const std::uint32_t element = number - part->reg->number;
+        if (element >= std::max(1U, part->elements)) continue;
+        if (of_sampler) return part->elements == 0 ? part->name : "";
+        const ast::EffectParameter said = Said(part->name);
+        return TextureOf(element < said.elements.size() ? said.elements[element] : said.states);
+      }
+    }
+    return std::nullopt;
+  }
+
+  void AddSampler(const ResourceFact& resource, const PassStages& stages, const GlRange& samplers,
                   const ast::EffectPass& pass) {
     const auto& [glsl, kind, set, binding, texture, sampler, access] = resource;
     if (!texture) return;
     const auto first = made_.samplers.begin() + static_cast<std::ptrdiff_t>(samplers.first);
-    if (std::any_of(first, made_.samplers.end(),
-                    [&](const GlEffect::Sampler& it) { return it.name == resource.glsl; }))
+    if (std::any_of(first, made_.samplers.end(), [&](const GlEffect::Sampler& it) {
+          return it.name.substr(0, it.name.find('[')) == resource.glsl;
+        }))
       return;
     const std::optional<std::uint32_t> target = TargetOf(kind);
     if (!target) {
@@ -241,15 +293,29 @@ class GlEffectMaker {
       return;
     }
     const bool is_old = ir::IsSampler(kind);  // of Direct3D 9, which has its texture
-    const EffectParameterFact* const said =
-        effect_.FindParameter(is_old || !sampler ? texture->name : sampler->name);
-    const std::vector<ast::EffectState> states =
-        said ? said->text.states : std::vector<ast::EffectState>();
-    const std::string named = is_old ? TextureOf(states) : "";
-    const std::size_t sampling = NumberOf(ReadGlSampling(states, is_old, states_), made_.samplings);
-    const std::size_t number =
-        NumberOf(GlEffect::Texture{named.empty() ? texture->name : named, *target}, made_.textures);
-    made_.samplers.push_back({glsl, number, sampling});
+    const ast::EffectParameter said = Said(is_old || !sampler ? texture->name : sampler->name);
+    for (std::uint32_t i = 0; i < std::max(1U, texture->elements); ++i) {
+      const std::string element = texture->elements == 0 ? "" : fmt::format("[{}]", i);
+      std::vector<ast::EffectState> states =
+          i < said.elements.size() ? said.elements[i] : said.states;
+      std::string named = texture->name + element;
+      if (is_old) {
+        const std::size_t index = texture->reg ? texture->reg->number + i : stages.size();
+        const PassStage by_pass = index < stages.size() ? stages[index] : PassStage();
+        if (!by_pass.sampler.empty()) states = Said(by_pass.sampler).states;
+        const std::string own = by_pass.texture.empty() ? TextureOf(states) : by_pass.texture;
+        if (!own.empty()) named = own;
+      }
+      const std::size_t sampling =
+          NumberOf(ReadGlSampling(states, is_old, states_), made_.samplings);
+      const std::size_t number = NumberOf(GlEffect::Texture{named, *target}, made_.textures);
+      made_.samplers.push_back({glsl + element, number, sampling});
+    }
+  }
+
+  ast::EffectParameter Said(std::string_view name) const {
+    const EffectParameterFact* const fact = effect_.FindParameter(name);
+    return fact ? fact->text : ast::EffectParameter();
   }
 
   const EffectFacts& effect_;
@@ -257,7 +323,8 @@ class GlEffectMaker {
   Diagnostics& diagnostics_;
   StateReport states_;
   GlEffect made_;
-  std::vector<Block> blocks_;  // beside block_sizes
+  std::vector<Block> blocks_;       // beside block_sizes
+  std::vector<PassStages> stages_;  // beside programs
 };
 
 }  // namespace

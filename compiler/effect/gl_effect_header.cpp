@@ -72,9 +72,10 @@ std::string RowOf(const VulkanState& row) {
 }
 std::string RowOf(const GlEffect::Program& row) {
   const auto& shaders = row.code->shaders;
-  return fmt::format("{}, {}, {}, {}, {}", Literals(shaders.front().text),
+  return fmt::format("{}, {}, {}, {}, {}, {}", Literals(shaders.front().text),
                      Literals(shaders.size() > 1 ? shaders[1].text : ""), RangeText(row.uses),
-                     RangeText(row.samplers), RangeText(row.planes));
+                     RangeText(row.samplers), RangeText(row.planes),
+                     row.code->facts.planes ? row.code->facts.planes->clip_distance_mask : 0);
 }
 std::string RowOf(const GlEffect::Use& row) {
   return fmt::format("{}, {}", Quoted(row.name), row.block);

@@ -131,7 +131,7 @@ class StateReader {
     if (!EqualIgnoringCase(name, "NULL")) {
       const EffectParameterFact* const block = effect_.FindParameter(name);
       if (state.is_wrong) return;
-      if (!block || block->text.states.empty()) {
+      if (!block || !block->text.is_block) {
         report_.NotBlock(state);
       } else {
         for (const EffectState& inner : block->text.states) Add(call.place, inner);

@@ -72,9 +72,11 @@ struct EffectTechnique {
 struct EffectParameter {
   std::string name, type, semantic;
   std::vector<Annotation> annotations;
-  std::string value;                  // the default value; empty without one
-  std::vector<EffectState> states;    // of a block of states
-  std::vector<Span> unended;          // as EffectPass::unended, of that block
+  std::string value;                               // the default value; empty without one
+  bool is_block = false;                           // it is a block of states, perhaps an empty one
+  std::vector<EffectState> states;                 // of a block of states
+  std::vector<std::vector<EffectState>> elements;  // of an array of such blocks
+  std::vector<Span> unended;                       // as EffectPass::unended, of these blocks
   std::vector<EffectShader> shaders;  // of a shader variable: one, or the elements of an array
 };
 

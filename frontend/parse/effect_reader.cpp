@@ -88,6 +88,21 @@ class EffectReader {
     return states;
   }
 
+  // { sampler_state { Filter = LINEAR; }, sampler_state { ... } }, or the same without the words.
+  std::vector<std::vector<EffectState>> ReadElements() {
+    std::vector<std::vector<EffectState>> elements;
+    Take();
+    while (!AtEnd()) {
+      if (!At(kLeftBrace)) {
+        Take();
+        continue;
+      }
+      elements.push_back(ReadStates());
+      if (!AtEnd()) Take();
+    }
+    return elements;
+  }
+
   // A shader, or the elements of { a, b }.
   std::vector<EffectShader> ReadShaders() {
     if (!At(kLeftBrace)) return {ReadShader(tokens_)};
@@ -333,6 +348,18 @@ bool IsShader(TokenSpan value, const Names& names) {
          ((word == "compile" || word == "asm") && value[1].kind != kEqual);
 }
 
+// Whether a value is a block of states: { Filter = LINEAR; }, or {}, which is not a list of values.
+bool IsStates(TokenSpan value) {
+  if (value.size() == 2 && value[0].kind == kLeftBrace) return true;
+  return value.size() > 2 && value[0].kind == kLeftBrace && value[1].kind == kIdentifier &&
+         (value[2].kind == kEqual || value[2].kind == kLeftBracket);
+}
+// Whether a value is an array of such blocks, each with or without the word sampler_state.
+bool IsArrayOfStates(TokenSpan value) {
+  if (value.size() < 2 || value[0].kind != kLeftBrace) return false;
+  return IsStates(value.subspan(value[1].kind == kIdentifier ? 2 : 1));
+}
+
 // The type without the qualifiers that say nothing of it.
 std::string TypeText(TokenSpan type, const Names& names) {
   constexpr std::string_view kLeft[] = {"uniform", "extern", "const", "shared", "static"};
@@ -353,17 +380,15 @@ EffectParameter ReadParameter(const EffectVariable& variable, TokenSpan tokens,
   if (variable.semantic) parameter.semantic = names[variable.semantic];
   parameter.annotations = EffectReader(names, part(variable.annotations)).TakeAnnotations();
   const TokenSpan value = part(variable.value);
-  const bool has_states = value.size() > 2 && value[0].kind == kLeftBrace &&
-                          value[1].kind == kIdentifier &&
-                          (value[2].kind == kEqual || value[2].kind == kLeftBracket);
   if (IsShader(value, names)) {
     parameter.shaders = EffectReader(names, value).ReadShaders();
-  } else if (has_states) {
-    EffectReader reader(names, value);
-    parameter.states = reader.ReadStates();
-    parameter.unended = reader.TakeUnended();
   } else {
-    parameter.value = TextOf(value, names);
+    EffectReader reader(names, value);
+    parameter.is_block = IsStates(value);
+    if (parameter.is_block) parameter.states = reader.ReadStates();
+    if (IsArrayOfStates(value)) parameter.elements = reader.ReadElements();
+    if (!parameter.is_block) parameter.value = TextOf(value, names);
+    parameter.unended = reader.TakeUnended();
   }
   return parameter;
 }
@@ -419,7 +444,8 @@ Effect ReadEffect(const File& file) {
     }
     EffectParameter parameter = ReadParameter(variable, tokens, file.names);
     // A static variable is not a parameter, but may hold a shader or a block of states.
-    const bool is_data = parameter.shaders.empty() && parameter.states.empty();
+    const bool is_data =
+        parameter.shaders.empty() && !parameter.is_block && parameter.elements.empty();
     if (!is_data || !is_static) effect.parameters.push_back(std::move(parameter));
   }
   return effect;
