@@ -119,10 +119,11 @@ Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
     result = ReadDigits(digits, rounded, format);
     value = result.ec == std::errc() ? rounded : static_cast<float>(value);
   }
-  const double largest = number.kind == LiteralKind::kDouble
-                             ? std::numeric_limits<double>::max()
-                             : double{std::numeric_limits<float>::max()};
-  if (value > largest) {
+  // Up to half a step above the largest float, 0x1.fffffep127, a number is rounded to that.
+  const double infinite = number.kind == LiteralKind::kDouble
+                              ? std::numeric_limits<double>::infinity()
+                              : 0x1.ffffffp127;
+  if (value >= infinite) {
     value = std::numeric_limits<double>::infinity();
     if (number.problem == NumberProblem::kNone) number.problem = NumberProblem::kInfinite;
   }

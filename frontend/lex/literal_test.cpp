@@ -64,6 +64,13 @@ TEST(ReadNumber, Floats) {
   EXPECT_EQ(ReadNumber("1.0").kind, LiteralKind::kFloat);
 }
 
+TEST(ReadNumber, LargestFloat) {
+  for (const char* text : {"3.4028235e38", "3.40282347e+38", "3.4028235e38f"}) {
+    EXPECT_EQ(ReadNumber(text).problem, NumberProblem::kNone) << text;
+    EXPECT_EQ(static_cast<float>(Float(text)), std::numeric_limits<float>::max()) << text;
+  }
+}
+
 TEST(ReadNumber, SuffixRoundsToFloatOnce) {
   EXPECT_EQ(Float("0.1f"), 0.1f);
   EXPECT_EQ(Float("0.1"), 0.1);
@@ -88,7 +95,9 @@ TEST(ReadNumber, Problems) {
   }
   EXPECT_EQ(ReadNumber("089").problem, NumberProblem::kBadOctal);
   EXPECT_EQ(ReadNumber("18446744073709551616").problem, NumberProblem::kTooLarge);
-  for (const char* text : {"1e39", "1e39f", "1e400", "3.5e38h", "1e400L"}) {
+  // From the halfway point to the next float on.
+  for (const char* text : {"3.4028235677973367e38", "3.4028235677973367e38f", "1e39", "1e39f",
+                           "1e400", "3.5e38h", "1e400L"}) {
     EXPECT_EQ(ReadNumber(text).problem, NumberProblem::kInfinite) << text;
     EXPECT_TRUE(std::isinf(Float(text))) << text;
   }
