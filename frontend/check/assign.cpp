@@ -277,7 +277,8 @@ bool IsConstVar(const Context& context, VarId var) {
 bool CheckTarget(Context& context, ExprId target) {
   const Span span = context[target].span;
   const VarId root = RootOf(context.program, target);
-  if (!root) {
+  // An input is the value of a call, as of WaveGetLaneIndex(): parameters of an entry are local.
+  if (!root || context[root].storage == Storage::kInput) {
     context.Report(span, diag::NotAssignable);
     return false;
   }
