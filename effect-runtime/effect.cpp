@@ -345,12 +345,9 @@ clipc_error clipc_gl_effect_apply(clipc_gl_effect* effect, uint32_t pass, char* 
   effect->gl.UseProgram(effect->programs[with.program]);
   BindBlocks(*effect, *program);
   BindTextures(*effect, *program);
-  std::uint32_t planes =
-      program->clip_distances |
+  const std::uint32_t by_state =
       gl::ApplyStates(effect->gl, effect->table.states + with.first_state, with.state_count);
-  for (std::uint32_t i = 0; i < program->plane_count; ++i)
-    planes |= 1U << effect->table.planes[program->first_plane + i].index;
-  return Report(effect->switches.Enable(planes), message);
+  return Report(effect->switches.Enable(by_state | program->clip_distances), message);
 }
 
 const clipc_gl_effect_technique* clipc_gl_effect_technique_of(const clipc_gl_effect* effect,

@@ -278,7 +278,6 @@ class ProgramFinder {
     request.first().text = text;
     request.language.effect = number_;
     request.outputs.facts = true;
-    request.planes.given_to_device = !command_.header.empty();  // which names them
     for (const EffectStage& stage : program.shaders) {
       const auto at = std::ranges::find(kMiddleStages, stage.stage) - std::begin(kMiddleStages);
       if (at == std::ssize(kMiddleStages) || request.shaders.size() == 1) continue;

@@ -46,7 +46,17 @@ void DeclareTemporaries(Context& context) {
   context.view.body->temporaries.clear();
 }
 
+ExprId WithoutString(const Context& context, ExprId value) {
+  while (value && context.TypeOf(value).kind == TypeKind::kString) {
+    const auto* comma = context.GetIf<Comma>(value);
+    value = comma ? comma->first : ExprId{};
+  }
+  return value;
+}
+
 void EmitValue(Context& context, ExprId value) {
+  value = WithoutString(context, value);
+  if (!value) return;
   const Expr& expr = context[value];
   const Span span = expr.span;
   if (const auto* comma = std::get_if<Comma>(&expr.node)) {

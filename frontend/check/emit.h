@@ -17,6 +17,9 @@ List<StmtId> TakeStmts(Context& context, std::size_t mark);
 // Adds statements that evaluate the expression for its effects. The steps of a Comma are statements
 // of their own, and the assignment that makes a temporary becomes its declaration.
 void EmitValue(Context& context, ExprId value);
+// What is left to evaluate of a value that nobody uses: nothing of a string, which is for the
+// application only.
+ExprId WithoutString(const Context& context, ExprId value);
 // Adds the steps of a Comma as statements and returns its last value. The value must be evaluated
 // once and before the rest of its statement.
 ExprId Unwrap(Context& context, ExprId value);

@@ -9,6 +9,7 @@
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/cast_target.h"
+#include "frontend/check/emit.h"
 #include "frontend/check/enum.h"
 #include "frontend/check/enum_class.h"
 #include "frontend/check/global.h"
@@ -152,7 +153,7 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
     // The sides decide whether the result is a float4 or a float1x4.
     if (type && context[*type].Components() == context[sides].Components()) type = sides;
   }
-  if (!type || *type == context.types.Void()) {
+  if (!type || *type == context.types.Void() || *type == context.types.String()) {
     return context.Fail(span, diag::BranchesDiffer, context.TypeName(when_true),
                         context.TypeName(when_false));
   }
@@ -212,8 +213,9 @@ ExprId CheckNode(Context& context, const ast::TypeExpr& expr, Span span) {
 ExprId CheckNode(Context& context, const ast::CommaExpr& expr, Span span) {
   const ExprId left = CheckExpr(context, expr.left);
   const ExprId right = CheckExpr(context, expr.right);
-  return context.IsError(left, right) ? context.ErrorExpr(span)
-                                      : context.At(span).CommaOf(left, right);
+  if (context.IsError(left, right)) return context.ErrorExpr(span);
+  const ExprId first = WithoutString(context, left);
+  return first ? context.At(span).CommaOf(first, right) : right;
 }
 
 ExprId CheckNode(Context& context, const ast::InitListExpr&, Span span) {

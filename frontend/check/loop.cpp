@@ -27,9 +27,10 @@ void CheckForInit(Context& context, ast::StmtId init, For& loop) {
   const std::size_t mark = context.stmts.size();
   if (const auto* stmt = context.GetIf<ast::ExprStmt>(init)) {
     const ExprId value = CheckExpr(context, stmt->expr);
-    if (context.IsError(value)) return;
+    const ExprId kept = WithoutString(context, value);
+    if (!kept || context.IsError(value)) return;
     DeclareTemporaries(context);
-    loop.init = context.program.stmt_lists.Add({context.At(context[init].span).Eval(value)});
+    loop.init = context.program.stmt_lists.Add({context.At(context[init].span).Eval(kept)});
     return;
   }
   CheckStmt(context, init);
@@ -59,7 +60,7 @@ void CheckNode(Context& context, const ast::ForStmt& stmt, Span span) {
     const std::span<const SymbolId> declared = context.names.locals().subspan(mark);
     variables.assign(declared.begin(), declared.end());
     if (stmt.condition) loop.condition = CheckCondition(context, stmt.condition, "for");
-    if (stmt.step) loop.step = CheckExpr(context, stmt.step);
+    if (stmt.step) loop.step = WithoutString(context, CheckExpr(context, stmt.step));
     DeclareTemporaries(context);
     loop.body = CheckLoopBody(context, stmt.body);
   }

@@ -76,7 +76,7 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
   // The first bit-field that is written would read the number that it is a part of.
   if (!init && HoldsBits(context, type)) init = context.At(var.name_span).ZeroOf(type);
   if (init) init = Unwrap(context, init);
-  Emit(context, var.name_span, Declare{result, init});
+  if (type != context.types.String()) Emit(context, var.name_span, Declare{result, init});
 }
 
 void CheckNode(Context& context, const ast::DeclStmt& stmt, Span) {
