@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -79,7 +80,8 @@ struct Context final : TemporaryMaker {
   KeptMap<std::uint32_t, SymbolId> enum_symbols;
   // The bit-fields that are read, by the expression that each became: bit_field.h.
   KeptMap<std::uint32_t, BitAccess> bits;
-  std::unordered_set<std::uint32_t> large_literals;  // expressions: large_literal.h
+  std::unordered_set<std::uint32_t> large_literals;         // expressions: large_literal.h
+  std::unordered_map<std::uint32_t, double> long_literals;  // likewise
   KeptVector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   KeptVector<StmtId> stmts;          // the statements of the blocks in progress
   bool drops_value = false;          // whether the assignment checked next is a statement

@@ -65,7 +65,7 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
       if (literal.bits > kMaxUint) context.Report(span, diag::IntegerTooLarge, literal.bits);
       if (IsUnsigned(context, literal)) {
         const ExprId value = at.Uint(static_cast<std::uint32_t>(literal.bits));
-        if (literal.kind == LiteralKind::kInt) NoteLargeLiteral(context, value);
+        if (has_wide && literal.kind != LiteralKind::kUint) NoteLargeLiteral(context, value);
         return value;
       }
       return at.Int(static_cast<std::int32_t>(literal.bits));
@@ -77,7 +77,11 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
       if (!has_wide) return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Add(context.types.Make(Scalar::kUint64), Literal{literal.bits});
     case LiteralKind::kHalf: return at.LiteralOf(Scalar::kHalf, number);
-    case LiteralKind::kFloat: return at.Float(static_cast<float>(number));
+    case LiteralKind::kFloat: {
+      const ExprId value = at.Float(static_cast<float>(number));
+      if (has_wide && number != static_cast<float>(number)) NoteLongLiteral(context, value, number);
+      return value;
+    }
     case LiteralKind::kDouble: return at.LiteralOf(Scalar::kDouble, number);
     case LiteralKind::kString: break;
   }
@@ -138,6 +142,7 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
     return context.Fail(condition_span, diag::ConditionNotScalar,
                         "?:", context.TypeName(condition));
   }
+  AdaptLarge(context, when_true, when_false);
   const bool is_scalar = context.TypeOf(condition).Components() == 1;
   if (!is_scalar && context.options.short_circuits) {
     return context.Fail(condition_span, diag::NeedsScalars, "?:", context.TypeName(condition),

@@ -71,9 +71,8 @@ void Adapt(Context& context, ExprId& literal, ExprId other) {
   const Scalar kind = context.TypeOf(other).scalar;
   const bool is_wide = kind == Scalar::kInt64;
   const bool is_word = kind == Scalar::kInt || kind == Scalar::kUint;
-  const bool has_word =
-      context.TypeOf(literal).scalar == Scalar::kUint || IsBeyondWord(context, literal);
-  if (!context.TypeOf(other).IsNumeric() || (!is_wide && (!is_word || has_word))) return;
+  if (!context.TypeOf(other).IsNumeric()) return;
+  if (!is_wide && (!is_word || IsBeyondWord(context, literal))) return;
   const std::uint64_t bits = context.Get<Literal>(literal).bits;
   literal = context.At(context[literal].span)
                 .Add(context.types.Make(kind),
@@ -99,9 +98,37 @@ ExprId FoldLarge(Context& context, BinaryOp op, ExprId& left, ExprId& right, Spa
     const auto value = Compute(op, *one, *other);
     return value ? LiteralOf(context, *value, span) : ExprId{};
   }
+  AdaptLarge(context, left, right);
+  return {};
+}
+
+void AdaptLarge(Context& context, ExprId& left, ExprId& right) {
+  if (context.large_literals.empty()) return;
   Adapt(context, left, right);
   Adapt(context, right, left);
-  return {};
+}
+
+ExprId AdaptShifted(Context& context, ast::ExprId written, ExprId left, ExprId right) {
+  const auto* sign = context.GetIf<ast::UnaryExpr>(written);
+  const auto* literal = context.GetIf<ast::Literal>(sign ? sign->operand : written);
+  const bool is_plain = literal && literal->kind != LiteralKind::kUint;
+  const auto number = is_plain ? NumberOf(context, left) : std::nullopt;
+  if (!number || context.TypeOf(right).scalar != Scalar::kUint || IsBeyondWord(context, left))
+    return left;
+  return context.At(context[left].span).Uint(static_cast<std::uint32_t>(*number));
+}
+
+void NoteLongLiteral(Context& context, ExprId value, double number) {
+  context.long_literals.emplace(value.index, number);
+}
+
+ExprId DoubleOf(Context& context, ExprId value) {
+  const auto* unary = context.GetIf<Unary>(value);
+  const bool is_negated = unary && unary->op == UnaryOp::kNegate;
+  const auto found = context.long_literals.find(is_negated ? unary->operand.index : value.index);
+  if (found == context.long_literals.end()) return {};
+  return context.At(context[value].span)
+      .LiteralOf(Scalar::kDouble, is_negated ? -found->second : found->second);
 }
 
 }  // namespace clipc::check

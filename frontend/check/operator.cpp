@@ -154,7 +154,7 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
 }
 
 ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
-  const ExprId left = CheckExpr(context, expr.left);
+  ExprId left = CheckExpr(context, expr.left);
   const ExprId right = CheckExpr(context, expr.right);
   if (context.IsError(left, right)) return context.ErrorExpr(span);
   const std::string_view spelling = SpellingOf(expr.op);
@@ -171,6 +171,8 @@ ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
                           context.TypeName(side), is_and ? "and(a, b)" : "or(a, b)");
     }
   }
+  if (IsShift(expr.op) && context.program.profile.IsAtLeast(6, 0))
+    left = AdaptShifted(context, expr.left, left, right);
   const ExprId combined = CombineOperands(context, expr.op, left, right, {expr.op_span, span});
   ShortCircuit(context, combined);
   return combined;

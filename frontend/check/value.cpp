@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "frontend/check/expr.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
 #include "frontend/typing/constant.h"
@@ -51,6 +52,9 @@ ExprId Implicit(Context& context, ExprId value, TypeId to) {
   const Span span = context[value].span;
   if (from == to) return value;
   if (context.IsError(from, to)) return context.ErrorExpr(span);
+  if (!context.long_literals.empty() && context[to].scalar == Scalar::kDouble) {
+    if (const ExprId exact = DoubleOf(context, value)) return Implicit(context, exact, to);
+  }
   if (RankImplicit(context.types, from, to)) {
     if (RefusesBits(context, from, to, span)) return context.ErrorExpr(span);
     if (NeedsCast(context, from, to)) {
