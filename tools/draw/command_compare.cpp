@@ -69,7 +69,7 @@ class Runner {
       options_.targets = {"glsl150", "glsl410", "glsl450", "essl320", "vulkan"};
     if ((Stage().makes_patches || Stage().reads_patches) &&
         options_.targets == CompareOptions().targets)
-      options_.targets = {"glsl400", "glsl410", "glsl450", "essl310", "essl320"};
+      options_.targets = {"glsl400", "glsl410", "glsl450", "essl310", "essl320", "vulkan"};
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
     }

@@ -126,6 +126,12 @@ std::vector<const Expected*> Defined(const std::vector<Expected>& expected) {
   return outputs;
 }
 
+std::vector<std::string> NamesOf(const std::vector<const Expected*>& outputs) {
+  std::vector<std::string> names;
+  for (const Expected* output : outputs) names.push_back(output->name);
+  return names;
+}
+
 std::vector<Captured> Chosen(const std::vector<Captured>& captured,
                              const std::vector<const Expected*>& expected) {
   std::vector<Captured> chosen;

@@ -51,6 +51,8 @@ struct Comparison {
 // captured.
 std::vector<const Expected*> Defined(const std::vector<Expected>& expected);
 
+std::vector<std::string> NamesOf(const std::vector<const Expected*>& outputs);
+
 // The captured values of each expected output, found by its name.
 std::vector<Captured> Chosen(const std::vector<Captured>& captured,
                              const std::vector<const Expected*>& expected);

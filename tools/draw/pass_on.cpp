@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/pass_on.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
+
+#include "ir/access.h"
+#include "tools/draw/pass_patch.h"
 
 namespace clipc::draw {
 namespace {
 
 using namespace ir;
-
-WordKind KindOf(Scalar scalar) {
-  const Scalar kind = BaseOf(scalar);
-  return kind == Scalar::kFloat ? WordKind::kFloat
-         : kind == Scalar::kInt ? WordKind::kInt
-                                : WordKind::kUint;
-}
 
 // Whether the draw call gives the input, and no vertex has it.
 bool IsOfPrimitive(Builtin builtin) {
@@ -25,7 +23,10 @@ bool IsOfPrimitive(Builtin builtin) {
 class PassOnWriter {
  public:
   PassOnWriter(const Shader& shader, const RandomInputs& random, PassOnFor api)
-      : shader_(shader), program_(shader.lowered), random_(random), api_(api) {}
+      : shader_(shader), program_(shader.lowered), random_(random), api_(api) {
+    const int size = VerticesOfOne(program_);
+    made_.vertices = static_cast<int>(random.vertices.size()) / size * size;
+  }
 
   PassedOn Write() && {
     for (std::size_t i = 0; i < program_.inputs.size(); ++i) {
@@ -33,7 +34,7 @@ class PassOnWriter {
       if (IsOfPrimitive(input.builtin) || !shader_.info.inputs.at(i).is_used) continue;
       Pass(i, input);
     }
-    made_.text = declarations_ + "\nvoid main() {\n" + body_ + "}\n";
+    made_.vertex = declarations_ + "\nvoid main() {\n" + body_ + "}\n";
     return std::move(made_);
   }
 
@@ -46,8 +47,7 @@ class PassOnWriter {
     const std::string target = Target(number, input, *type, count);
     for (std::uint32_t element = 0; element < count; ++element) {
       const std::string name = "value_" + std::to_string(number) + "_" + std::to_string(element);
-      if (api_ == PassOnFor::kVulkan)
-        declarations_ += "layout(location = " + std::to_string(made_.attributes.size()) + ") ";
+      if (api_ == PassOnFor::kVulkan) declarations_ += LocationText(made_.attributes.size());
       declarations_ += "in " + TypeText(*type) + " " + name + ";\n";
       const std::string index = is_array ? "[" + std::to_string(element) + "]" : "";
       body_ += "    " + target + index + " = " + name + ";\n";
@@ -55,7 +55,7 @@ class PassOnWriter {
       attribute.name = name;
       attribute.kind = KindOf(type->scalar);
       const std::uint32_t size = type->Components();
-      for (const auto& vertex : random_.vertices) {
+      for (const auto& vertex : std::span(random_.vertices).first(made_.vertices)) {
         for (std::uint32_t k = 0; k < size; ++k)
           attribute.words.push_back(static_cast<std::uint32_t>(vertex[number][element * size + k]));
       }
@@ -79,11 +79,10 @@ class PassOnWriter {
     const auto& info = shader_.info.inputs.at(number);
     if (input.reader && !input.reader->IsWhole())
       throw DrawError("an input that is a part of another, which no test draws with");
-    if (info.location)
-      declarations_ += "layout(location = " + std::to_string(*info.location) + ") ";
-    declarations_ += QualifierOf(input, type.scalar) + "out " +
-                     (api_ == PassOnFor::kOpenGlEs ? "highp " : "") + TypeText(type) + " " +
-                     info.name + ";\n";
+    if (info.location) declarations_ += LocationText(*info.location);
+    declarations_ += QualifierOf(input, type.scalar) + "out ";
+    declarations_ += PrecisionText(api_);
+    declarations_ += TypeText(type) + " " + info.name + ";\n";
     return info.name;
   }
 
@@ -96,6 +95,13 @@ class PassOnWriter {
 };
 
 }  // namespace
+
+WordKind KindOf(Scalar scalar) {
+  const Scalar kind = BaseOf(scalar);
+  return kind == Scalar::kFloat ? WordKind::kFloat
+         : kind == Scalar::kInt ? WordKind::kInt
+                                : WordKind::kUint;
+}
 
 std::string TypeText(const Type& type) {
   const Scalar kind = BaseOf(type.scalar);
@@ -112,8 +118,22 @@ std::string QualifierOf(const IoVar& input, Scalar kind) {
   return input.centroid ? "centroid " : input.sample ? "sample " : "";
 }
 
+std::string LocationText(std::size_t location) {
+  return "layout(location = " + std::to_string(location) + ") ";
+}
+
+std::string_view PrecisionText(PassOnFor api) {
+  return api == PassOnFor::kOpenGlEs ? "highp " : "";
+}
+
+int VerticesOfOne(const Program& program) {
+  return static_cast<int>(std::max(1u, VerticesRead(program)));
+}
+
 PassedOn PassOn(const Shader& shader, const RandomInputs& random, PassOnFor api) {
-  return PassOnWriter(shader, random, api).Write();
+  return clipc::InfoOf(shader.lowered.stage).reads_patches
+             ? PassPatch(shader, random, api)
+             : PassOnWriter(shader, random, api).Write();
 }
 
 int MostEmitted(const Emission& emission, int vertices) {

@@ -164,9 +164,7 @@ void Judge::State::Run(const Program& program) {
   }
   if (!options.draws) return;
   if (only && !only->target.empty()) return Draw(program, *checked, only->target);
-  // The SPIR-V of patches runs as the GLSL that SPIRV-Cross makes of it.
-  const StageInfo& stage = clipc::InfoOf(program.stage);
-  Draw(program, *checked, stage.makes_patches || stage.reads_patches ? "glsl450" : "vulkan");
+  Draw(program, *checked, "vulkan");
   DrawSomeOpenGl(program, *checked);
 }
 

@@ -1,5 +1,5 @@
 // Clip distances of the control points, which both functions read.
-// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl410,glsl450
+// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl410,glsl450,vulkan
 struct V { float4 p : SV_Position; float3 clip : SV_ClipDistance; };
 struct O { float4 p : SV_Position; float clip : SV_ClipDistance; };
 struct C { float f[4] : SV_TessFactor; float i[2] : SV_InsideTessFactor; };

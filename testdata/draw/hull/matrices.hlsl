@@ -1,6 +1,6 @@
 // Thirty-two control points with matrices, bools and arrays, read before and after they are written.
 // RUN: %draw compare %s -T hs_5_0 --random 40
-// RUN: %draw compare %s -T hs_6_0 --target=glsl450 --seed 2 --random 40
+// RUN: %draw compare %s -T hs_6_0 --target=glsl450,vulkan --seed 2 --random 40
 struct P { row_major float3x3 m : M; bool on : ON; float2x4 c : C; int k[2] : K; };
 struct C { float f[3] : SV_TessFactor; float i : SV_InsideTessFactor; bool any : ANY; row_major float2x3 r : R; };
 C Fn(OutputPatch<P, 32> o, InputPatch<P, 32> p) {

@@ -1,7 +1,7 @@
 // Clip distances that the control points write, which the function of the constants reads.
 // RUN: %clipc %s -T hs_5_0 --validate -o - | FileCheck %s
 // RUN: %clipc %s -T hs_5_0 -spirv -o %t.spv
-// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl410,glsl450
+// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl410,glsl450,vulkan
 // CHECK: gl_out[1].gl_ClipDistance[2]
 struct P { float4 p : SV_Position; float2 n : N; };
 struct O { float4 p : SV_Position; float3 clip : SV_ClipDistance; };

@@ -3,7 +3,7 @@
 // RUN: %clipc %s -T hs_5_0 -DPLAIN -Gis --validate -o - | FileCheck %s
 // RUN: %clipc %s -T hs_5_0 -DPLAIN --validate -o - | FileCheck %s --check-prefix=PLAIN --implicit-check-not=precise
 // RUN: %clipc %s -T hs_5_0 -spirv -o %t.spv
-// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl450
+// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl450,vulkan
 #ifdef PLAIN
 #define precise
 #endif

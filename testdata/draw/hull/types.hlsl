@@ -1,7 +1,7 @@
 // A semantic has one input, whatever types the two functions give it: fxc has one signature for both. The wider type is the input's.
 // RUN: %clipc %s -T hs_5_0 --validate -Werror -o - | FileCheck %s
 // RUN: %clipc %s -T hs_5_0 -spirv -o %t.spv
-// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl410,glsl450
+// RUN: %draw compare %s -T hs_5_0 --target=glsl400,glsl410,glsl450,vulkan
 // CHECK-COUNT-1: in vec4 vs_COLOR0[];
 // CHECK-NOT: vs_COLOR0[];
 // CHECK: in vec3 vs_NORMAL0[];

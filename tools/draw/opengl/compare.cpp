@@ -65,7 +65,7 @@ Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
             ? Chosen(CapturedMemory(trial.shader, trial.inputs, Dispatch(of, inputs)), outputs)
         : stage.emits_vertices ? Emit(of, names, trial, inputs)
         : stage.reads_patches  ? Evaluate(of, names, trial, inputs)
-        : stage.makes_patches  ? MakePatches(of, outputs, trial, inputs)
+        : stage.makes_patches  ? MakePatches(of, NamesOf(outputs), trial, inputs)
                                : Capture(of, names, inputs),
         trial.tolerance);
   };

@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "tools/draw/pass_on.h"
-
 namespace clipc::draw {
 namespace {
 
@@ -35,34 +33,26 @@ void CheckStrips(const std::string& geometry, GeometryRun run, const std::string
 
 }  // namespace
 
-void TakePrimitives(const RandomInputs& random, int size, Inputs& inputs) {
-  inputs.attributes.clear();
+PassedOn PassOnInto(Inputs& inputs, const Version& version, const Shader& shader,
+                    const RandomInputs& random) {
+  PassedOn passed = PassOn(shader, random, version.es ? PassOnFor::kOpenGlEs : PassOnFor::kOpenGl);
   inputs.first_vertex = inputs.base_instance = 0;
   inputs.instances = 1;
-  inputs.vertices = static_cast<int>(random.vertices.size()) / size * size;
-}
-
-std::string PassOnText(const Version& version, const Shader& shader, const RandomInputs& random,
-                       Inputs& inputs) {
-  const PassedOn passed =
-      PassOn(shader, random, version.es ? PassOnFor::kOpenGlEs : PassOnFor::kOpenGl);
-  for (const PassedOn::Attribute& attribute : passed.attributes) {
-    const std::size_t words = attribute.words.size() / random.vertices.size();
+  inputs.vertices = passed.vertices;
+  inputs.attributes.clear();
+  for (const PassedOn::Attribute& attribute : passed.attributes)
     inputs.attributes.push_back({attribute.name, attribute.words});
-    inputs.attributes.back().words.resize(words * static_cast<std::size_t>(inputs.vertices));
-  }
-  return version.Head() + passed.text;
+  return passed;
 }
 
 std::vector<Captured> Emit(const std::string& geometry, std::span<const std::string> names,
                            const Trial& trial, Inputs inputs) {
   constexpr std::array<GLenum, 5> kModes = {GL_POINTS, GL_LINES, GL_TRIANGLES, GL_LINES_ADJACENCY,
                                             GL_TRIANGLES_ADJACENCY};
-  const Emission& emission = trial.shader.lowered.emission;
-  const auto size = static_cast<int>(InfoOf(emission.input).vertices);
-  TakePrimitives(trial.inputs, size, inputs);
+  const ir::Emission& emission = trial.shader.lowered.emission;
+  const Version version = VersionOf(geometry);
   GeometryRun run;
-  run.vertex = PassOnText(VersionOf(geometry), trial.shader, trial.inputs, inputs);
+  run.vertex = version.Head() + PassOnInto(inputs, version, trial.shader, trial.inputs).vertex;
   run.geometry = WithPoints(geometry);
   run.primitive = kModes[static_cast<std::size_t>(emission.input)];
   run.most_vertices = MostEmitted(emission, inputs.vertices);

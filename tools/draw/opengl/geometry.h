@@ -7,15 +7,14 @@
 
 #include "tools/draw/compare.h"
 #include "tools/draw/opengl/program.h"
+#include "tools/draw/pass_on.h"
 
 namespace clipc::draw {
 
-// Lets the draw call have all whole primitives of `size` vertices that the random ones give.
-void TakePrimitives(const RandomInputs& random, int size, Inputs& inputs);
-// A vertex shader that passes the inputs of `shader`, which reads vertices, on; adds their values
-// to `inputs`, after TakePrimitives.
-std::string PassOnText(const Version& version, const Shader& shader, const RandomInputs& random,
-                       Inputs& inputs);
+// The shaders that pass the random vertices on to the shader, which reads several. Lets the draw
+// call have those of whole primitives or patches, and adds their values to `inputs`.
+PassedOn PassOnInto(Inputs& inputs, const Version& version, const Shader& shader,
+                    const RandomInputs& random);
 
 // Runs the text of a geometry shader after a vertex shader that passes the random vertices on, and
 // returns its outputs `names` of all vertices that it emits. They are captured as points, in the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +11,9 @@ namespace clipc::draw {
 
 // Runs the text of a hull shader after a vertex shader that passes the random vertices on, and
 // before one that takes its outputs to where they are captured. Returns the outputs of the control
-// points, patch after patch; what a patch has once stands with each of its points. `outputs` are
-// some of the shader's.
-std::vector<Captured> MakePatches(const std::string& control,
-                                  std::span<const Expected* const> outputs, const Trial& trial,
-                                  Inputs inputs);
+// points, patch after patch; what a patch has once stands with each of its points. `names` are
+// some of the shader's outputs.
+std::vector<Captured> MakePatches(const std::string& hull, const std::vector<std::string>& names,
+                                  const Trial& trial, Inputs inputs);
 
 }  // namespace clipc::draw

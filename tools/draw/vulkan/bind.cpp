@@ -96,7 +96,7 @@ WordKind AttributeKind(const Program& program, const IoVar& input) {
 void AddAttributes(const Program& program, const GlslInfo& info, const Inputs& inputs,
                    DrawCall& call) {
   const bool draws_pixels = clipc::InfoOf(program.stage).draws_pixels;
-  if (clipc::InfoOf(program.stage).emits_vertices) return;  // tools/draw/pass_on.h gives them
+  if (clipc::InfoOf(program.stage).reads_vertices) return;  // tools/draw/pass_on.h gives them
   if (draws_pixels)
     call.attributes.push_back(
         {0, WordKind::kFloat, Find(inputs.attributes, NameOfFeed(std::nullopt)).words});

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <regex>
-#include <utility>
 
 #include "tools/draw/dispatch.h"
 #include "tools/draw/feed.h"
-#include "tools/draw/pass_on.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"
+#include "tools/draw/vulkan/several_vertices.h"
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -25,29 +24,6 @@ std::string Capturable(const std::string& glsl) {
                       : std::regex_replace(text, std::regex("gl_CullDistance"), "cull_distance");
 }
 
-// The outputs of the vertices that a geometry shader emits.
-std::vector<Captured> Emitted(const Runner& runner, const Spirv& spirv, const Trial& trial,
-                              const std::vector<const Expected*>& outputs, DrawCall call) {
-  PassedOn passed = PassOn(trial.shader, trial.inputs, PassOnFor::kVulkan);
-  const ir::Emission& emission = trial.shader.lowered.emission;
-  const auto all = static_cast<int>(trial.inputs.vertices.size());
-  call.vertices = all - all % static_cast<int>(InfoOf(emission.input).vertices);
-  call.instances = 1;
-  call.first_vertex = call.base_instance = 0;
-  for (PassedOn::Attribute& attribute : passed.attributes) {
-    const std::size_t words = attribute.words.size() / static_cast<std::size_t>(all);
-    attribute.words.resize(words * static_cast<std::size_t>(call.vertices));
-    call.attributes.push_back({static_cast<std::uint32_t>(call.attributes.size()), attribute.kind,
-                               std::move(attribute.words)});
-  }
-  const Spirv vertex = SpirvOfGlsl("#version 450\n" + passed.text);
-  const Spirv points = WithPoints(spirv);
-  const auto primitive = static_cast<int>(emission.input);
-  const int most = MostEmitted(emission, call.vertices);
-  return runner.CaptureEmitted({vertex, points, primitive, most}, FindOutputs(spirv, outputs),
-                               call);
-}
-
 // The outputs' values in one run of the shader.
 std::vector<Captured> Run(const Runner& runner, const Spirv& spirv, const Trial& trial,
                           const std::vector<const Expected*>& outputs, const DrawCall& call) {
@@ -55,7 +31,7 @@ std::vector<Captured> Run(const Runner& runner, const Spirv& spirv, const Trial&
   const StageInfo& stage = clipc::InfoOf(shader.typed.stage);
   if (stage.runs_in_groups)
     return Chosen(CapturedMemory(shader, trial.inputs, runner.Dispatch(spirv, call)), outputs);
-  if (stage.emits_vertices) return Emitted(runner, spirv, trial, outputs, call);
+  if (stage.reads_vertices) return CaptureSeveral(runner, spirv, trial, outputs, call);
   if (!stage.draws_pixels) return runner.Capture(spirv, FindOutputs(spirv, outputs), call);
   const SurfaceSpace space{.is_vulkan = true, .flips_y = true};
   const Spirv vertex = SpirvOfGlsl(SurfaceVertexShader(shader, shader.glsl, space));

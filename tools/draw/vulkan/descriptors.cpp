@@ -9,8 +9,8 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-constexpr auto kAllStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment |
-                            vk::ShaderStageFlagBits::eGeometry | vk::ShaderStageFlagBits::eCompute;
+constexpr auto kAllStages =
+    vk::ShaderStageFlagBits::eAllGraphics | vk::ShaderStageFlagBits::eCompute;
 
 bool IsBuffer(DescriptorKind kind) {
   using enum DescriptorKind;

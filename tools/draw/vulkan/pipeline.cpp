@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <string>
 
@@ -17,6 +18,14 @@ vk::Format FormatOf(WordKind kind, std::size_t components) {
       {eR32Uint, eR32G32Uint, eR32G32B32Uint, eR32G32B32A32Uint}};
   if (components < 1 || components > 4) throw DrawError("an attribute is a scalar or a vector");
   return kFormats[static_cast<int>(kind)][components - 1];
+}
+
+vk::ShaderStageFlagBits KindOf(Stage stage) {
+  using enum vk::ShaderStageFlagBits;
+  constexpr vk::ShaderStageFlagBits kKinds[] = {
+      eVertex, eFragment, eCompute, eGeometry, eTessellationControl, eTessellationEvaluation};
+  static_assert(std::size(kKinds) == kStageCount);
+  return kKinds[static_cast<std::size_t>(stage)];
 }
 
 }  // namespace
@@ -79,14 +88,14 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<std::string> entries;
   std::vector<vk::ShaderStageFlagBits> kinds;
-  const auto add = [&](const Spirv& spirv, vk::ShaderStageFlagBits kind) {
+  const auto add = [&](const Spirv& spirv) {
     modules.emplace_back(device, vk::ShaderModuleCreateInfo({}, spirv));
     entries.push_back(EntryPointOf(spirv));
-    kinds.push_back(kind);
+    kinds.push_back(KindOf(StageOf(spirv)));
   };
-  add(shaders.vertex, vk::ShaderStageFlagBits::eVertex);
-  if (!shaders.geometry.empty()) add(shaders.geometry, vk::ShaderStageFlagBits::eGeometry);
-  if (draws) add(shaders.fragment, vk::ShaderStageFlagBits::eFragment);
+  add(shaders.vertex);
+  for (const Spirv& spirv : shaders.after) add(spirv);
+  if (draws) add(shaders.fragment);
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
   for (std::size_t i = 0; i < modules.size(); ++i)
     stages.emplace_back(vk::PipelineShaderStageCreateFlags(), kinds[i], *modules[i],
@@ -94,6 +103,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
   const vk::PipelineInputAssemblyStateCreateInfo assembly(
       {}, draws ? vk::PrimitiveTopology::eTriangleList : shaders.topology);
+  const vk::PipelineTessellationStateCreateInfo patches({}, shaders.patch_points);
   const vk::Viewport size(0, 0, static_cast<float>(targets.size.width),
                           static_cast<float>(targets.size.height), 0, 1);
   const vk::Rect2D scissor({0, 0}, targets.size);
@@ -121,6 +131,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   info.setStages(stages);
   info.pVertexInputState = &input;
   info.pInputAssemblyState = &assembly;
+  if (shaders.patch_points > 0) info.pTessellationState = &patches;
   info.pViewportState = &viewport;
   info.pRasterizationState = &rasterization;
   info.pMultisampleState = &samples;

@@ -34,8 +34,9 @@ struct PipelineShaders {
   Spirv vertex;
   Spirv fragment = {};  // for every end but kCapture
   PipelineEnd end = PipelineEnd::kCapture;
-  Spirv geometry = {};                                                 // empty: none
+  std::vector<Spirv> after = {};                                       // the stages between the two
   vk::PrimitiveTopology topology = vk::PrimitiveTopology::ePointList;  // of kCapture
+  std::uint32_t patch_points = 0;                                      // of ePatchList
 };
 // The targets that a pipeline draws to.
 struct PipelineTargets {

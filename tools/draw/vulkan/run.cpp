@@ -129,16 +129,17 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
   return CaptureAll({{.vertex = vertex}, call.vertices * call.instances}, outputs, call);
 }
 
-std::vector<Captured> Runner::CaptureEmitted(const Emission& emission,
-                                             std::span<const Output> outputs,
-                                             const DrawCall& call) const {
+std::vector<Captured> Runner::CaptureLast(const Stages& stages, std::span<const Output> outputs,
+                                          const DrawCall& call) const {
   using enum vk::PrimitiveTopology;
   constexpr vk::PrimitiveTopology kTopologies[] = {
       ePointList, eLineList, eTriangleList, eLineListWithAdjacency, eTriangleListWithAdjacency};
-  return CaptureAll({{.vertex = emission.vertex,
-                      .geometry = emission.geometry,
-                      .topology = kTopologies[emission.primitive]},
-                     emission.most},
+  const bool has_patches = stages.patch_points > 0;
+  return CaptureAll({{.vertex = stages.vertex,
+                      .after = stages.after,
+                      .topology = has_patches ? ePatchList : kTopologies[stages.primitive],
+                      .patch_points = stages.patch_points},
+                     stages.most},
                     outputs, call);
 }
 
@@ -152,14 +153,13 @@ std::vector<Captured> Runner::CaptureAll(const Feedback& from, std::span<const O
     const std::vector<vk::DescriptorSetLayout> set_layouts = descriptors.Layouts();
     const auto pushed = static_cast<std::uint32_t>(call.push_constants.size());
     PipelineShaders shaders = from.shaders;
-    const bool emits = !shaders.geometry.empty();
-    const auto stage =
-        emits ? vk::ShaderStageFlagBits::eGeometry : vk::ShaderStageFlagBits::eVertex;
-    const vk::PushConstantRange range(stage, 0, pushed);
+    const bool has_more = !shaders.after.empty();
+    constexpr auto kStages = vk::ShaderStageFlagBits::eAllGraphics;
+    const vk::PushConstantRange range(kStages, 0, pushed);
     vk::PipelineLayoutCreateInfo layout_info({}, set_layouts);
     if (pushed > 0) layout_info.setPushConstantRanges(range);
     const vk::raii::PipelineLayout pipeline_layout(device, layout_info);
-    Spirv& writes = emits ? shaders.geometry : shaders.vertex;
+    Spirv& writes = has_more ? shaders.after.back() : shaders.vertex;
     writes = WithTransformFeedback(writes, outputs, layout.places, layout.strides);
     const vk::raii::Pipeline pipeline = MakePipeline(device, shaders, attributes, pipeline_layout);
     const std::vector<Buffer> feedback =
@@ -170,13 +170,13 @@ std::vector<Captured> Runner::CaptureAll(const Feedback& from, std::span<const O
       commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
       descriptors.Bind(commands, pipeline_layout);
       if (pushed > 0) {
-        commands.pushConstants<std::uint8_t>(*pipeline_layout, stage, 0, call.push_constants);
+        commands.pushConstants<std::uint8_t>(*pipeline_layout, kStages, 0, call.push_constants);
       }
       Draw(commands, feedback, counter, attributes, call);
     });
     const std::uint32_t written = device_->Read(counter).at(0) / layout.strides.at(0);
     return Gather(*device_, layout, feedback, outputs,
-                  emits ? static_cast<int>(written) : from.most);
+                  has_more ? static_cast<int>(written) : from.most);
   } catch (const vk::Error& error) {
     throw DrawError(std::string("Vulkan refuses the shader or its inputs: ") + error.what());
   }

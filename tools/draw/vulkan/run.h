@@ -62,16 +62,17 @@ class Runner {
   std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs,
                                 const DrawCall& call) const;
 
-  // Runs the geometry shader, which gives points, after that vertex shader, on primitives of that
-  // number of vertices, and returns `outputs` of the vertices that are emitted, at most `most`.
-  struct Emission {
-    const Spirv& vertex;
-    const Spirv& geometry;
-    int primitive = 0;  // an ir::Primitive
+  // Runs the stages in their order, of which the last gives points, and returns `outputs` of all
+  // that it gives, at most `most`.
+  struct Stages {
+    Spirv vertex;
+    std::vector<Spirv> after;
+    int primitive = 0;               // an ir::Primitive
+    std::uint32_t patch_points = 0;  // above 0: patches in place of primitives
     int most = 0;
   };
-  std::vector<Captured> CaptureEmitted(const Emission& emission, std::span<const Output> outputs,
-                                       const DrawCall& call) const;
+  std::vector<Captured> CaptureLast(const Stages& stages, std::span<const Output> outputs,
+                                    const DrawCall& call) const;
 
   // Draws the surface with both shaders and returns the values of each target, in their order. A
   // pixel has `samples`, which are resolved.

@@ -2,9 +2,13 @@
 #include "tools/draw/vulkan/spirv.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#include <iterator>
+#include <map>
 #include <set>
 
+#include "tools/draw/pass_patch.h"
 #include "tools/draw/vulkan/reflect.h"
 
 namespace clipc::draw::vulkan {
@@ -139,6 +143,10 @@ std::size_t Walk(const Spirv& spirv, Visit&& visit) {
   return at;
 }
 
+std::size_t EntryPointAt(const Spirv& spirv) {
+  return Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+}
+
 void Append(Spirv& spirv, spv::Op op, std::initializer_list<std::uint32_t> operands) {
   spirv.push_back((operands.size() + 1) << 16 | op);
   spirv.insert(spirv.end(), operands);
@@ -181,16 +189,27 @@ std::vector<Output> OutputsOf(const Spirv& spirv) { return Reflected(spirv, Refl
 Reads ReadsOf(const Spirv& spirv) { return Reflected(spirv, ReflectReads); }
 
 Stage StageOf(const Spirv& spirv) {
-  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
-  return spirv.at(entry + 1) == spv::ExecutionModelFragment ? Stage::kPixel : Stage::kVertex;
+  const std::size_t entry = EntryPointAt(spirv);
+  constexpr Stage kStagesByModel[] = {Stage::kVertex,   Stage::kHull,  Stage::kDomain,
+                                      Stage::kGeometry, Stage::kPixel, Stage::kCompute};
+  static_assert(std::size(kStagesByModel) == kStageCount);
+  return kStagesByModel[std::min<std::size_t>(spirv.at(entry + 1), kStageCount - 1)];
 }
 
 std::string EntryPointOf(const Spirv& spirv) {
-  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+  const std::size_t entry = EntryPointAt(spirv);
   return reinterpret_cast<const char*>(&spirv.at(entry + 3));
 }
 
 Spirv WithPoints(Spirv spirv) {
+  if (StageOf(spirv) == Stage::kDomain) {
+    const std::size_t entry = EntryPointAt(spirv);
+    Spirv mode;
+    Append(mode, spv::OpExecutionMode, {spirv[entry + 2], spv::ExecutionModePointMode});
+    const auto after = static_cast<std::ptrdiff_t>(entry + (spirv[entry] >> 16));
+    spirv.insert(spirv.begin() + after, mode.begin(), mode.end());
+    return spirv;
+  }
   for (std::size_t at = kHeaderWords; at < spirv.size(); at += std::max(spirv[at] >> 16, 1u)) {
     const bool is_mode = (spirv[at] & 0xffff) == spv::OpExecutionMode;
     if (is_mode && (spirv[at + 2] == spv::ExecutionModeOutputLineStrip ||
@@ -198,6 +217,105 @@ Spirv WithPoints(Spirv spirv) {
       spirv[at + 2] = spv::ExecutionModeOutputPoints;
   }
   return spirv;
+}
+
+namespace {
+
+// Copies a hull shader, with changes. Its outputs of factors get locations; another one, which no
+// statement of the shader names, gets the factors that the tessellator sees.
+class FactorChanger {
+ public:
+  FactorChanger(const Spirv& spirv, std::uint32_t segments)
+      : spirv_(spirv), segments_(static_cast<float>(segments)), next_(spirv.at(kBoundAt)) {}
+
+  Spirv Change() && {
+    Learn();
+    made_.assign(spirv_.begin(), spirv_.begin() + kHeaderWords);
+    for (std::size_t at = kHeaderWords; at < spirv_.size(); at += SizeAt(at)) Copy(at);
+    made_[kBoundAt] = next_;
+    return std::move(made_);
+  }
+
+ private:
+  static constexpr std::size_t kBoundAt = 3;
+
+  spv::Op OpAt(std::size_t at) const { return static_cast<spv::Op>(spirv_[at] & 0xffff); }
+  std::size_t SizeAt(std::size_t at) const { return std::max(spirv_[at] >> 16, 1u); }
+
+  // The factors that an instruction decorates; none for others.
+  const FactorsAsData* DecoratedAt(std::size_t at) const {
+    if (OpAt(at) != spv::OpDecorate || spirv_[at + 2] != spv::DecorationBuiltIn) return nullptr;
+    if (spirv_[at + 3] == spv::BuiltInTessLevelOuter) return &kFactors[0];
+    return spirv_[at + 3] == spv::BuiltInTessLevelInner ? &kFactors[1] : nullptr;
+  }
+
+  // Finds the output of the outer factors and its types.
+  void Learn() {
+    std::map<std::uint32_t, std::uint32_t> inner;  // by the id of a pointer or of an array
+    for (std::size_t at = kHeaderWords; at < spirv_.size(); at += SizeAt(at)) {
+      const spv::Op op = OpAt(at);
+      if (DecoratedAt(at) == &kFactors[0]) outer_ = spirv_[at + 1];
+      if (op == spv::OpTypePointer) inner[spirv_[at + 1]] = spirv_[at + 3];
+      if (op == spv::OpTypeArray) inner[spirv_[at + 1]] = spirv_[at + 2];
+      if (op == spv::OpVariable && spirv_[at + 2] == outer_) pointer_ = spirv_[at + 1];
+      if (op == spv::OpEntryPoint) entry_ = spirv_[at + 2];
+    }
+    if (pointer_ == 0) throw DrawError("a hull shader without factors");
+    array_ = inner[pointer_];
+    float_ = inner[array_];
+    constant_ = next_;
+    new_ = constant_ + 3;
+    next_ = new_ + 1;
+  }
+
+  void Copy(std::size_t at) {
+    const spv::Op op = OpAt(at);
+    const auto begin = spirv_.begin() + static_cast<std::ptrdiff_t>(at);
+    if (const FactorsAsData* data = DecoratedAt(at)) {
+      Append(made_, spv::OpDecorate, {spirv_[at + 1], spv::DecorationLocation, data->location});
+      if (data != kFactors) return;
+      Append(made_, spv::OpDecorate, {new_, spv::DecorationBuiltIn, spv::BuiltInTessLevelOuter});
+      Append(made_, spv::OpDecorate, {new_, spv::DecorationPatch});
+      return;
+    }
+    // The domain shader says how the tessellator works.
+    if (op == spv::OpExecutionMode && spirv_[at + 2] != spv::ExecutionModeOutputVertices) return;
+    if (op == spv::OpFunction && !std::exchange(has_function_, true)) Declare();
+    if (op == spv::OpFunction) is_in_entry_ = spirv_[at + 2] == entry_;
+    const bool begins = op == spv::OpLabel || op == spv::OpVariable || op == spv::OpFunction;
+    if (is_in_entry_ && !begins) {
+      Append(made_, spv::OpStore, {new_, constant_ + 2});
+      is_in_entry_ = false;
+    }
+    made_.insert(made_.end(), begin, begin + static_cast<std::ptrdiff_t>(SizeAt(at)));
+    if (op != spv::OpEntryPoint) return;
+    made_.push_back(new_);
+    made_[made_.size() - SizeAt(at) - 1] += 1 << 16;
+  }
+
+  // The factors of a line: one line, and its segments.
+  void Declare() {
+    Append(made_, spv::OpConstant, {float_, constant_, std::bit_cast<std::uint32_t>(1.0f)});
+    Append(made_, spv::OpConstant,
+           {float_, constant_ + 1, std::bit_cast<std::uint32_t>(segments_)});
+    Append(made_, spv::OpConstantComposite,
+           {array_, constant_ + 2, constant_, constant_ + 1, constant_, constant_});
+    Append(made_, spv::OpVariable, {pointer_, new_, spv::StorageClassOutput});
+  }
+
+  const Spirv& spirv_;
+  const float segments_;
+  std::uint32_t next_;
+  std::uint32_t outer_ = 0, pointer_ = 0, array_ = 0, float_ = 0, entry_ = 0;
+  std::uint32_t constant_ = 0, new_ = 0;  // the first of three constants, and the variable
+  bool has_function_ = false, is_in_entry_ = false;
+  Spirv made_;
+};
+
+}  // namespace
+
+Spirv WithFactorsAsData(const Spirv& spirv, std::uint32_t segments) {
+  return FactorChanger(spirv, segments).Change();
 }
 
 Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
@@ -220,7 +338,7 @@ Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
            {output.variable, spv::DecorationXfbStride, strides[place.buffer]});
   }
 
-  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+  const std::size_t entry = EntryPointAt(spirv);
   const std::size_t modes = entry + (spirv.at(entry) >> 16);
   const std::size_t body = Walk(spirv, IsPreamble);
   Spirv result;

@@ -72,8 +72,12 @@ struct Reads {
 };
 Reads ReadsOf(const Spirv& spirv);
 
-// The geometry shader, changed to give points in place of strips.
+// The geometry or domain shader, changed to give points in place of strips or triangles.
 Spirv WithPoints(Spirv spirv);
+
+// The hull shader, changed to give its factors as data, and so many segments to a tessellator of
+// lines (tools/draw/pass_patch.h).
+Spirv WithFactorsAsData(const Spirv& spirv, std::uint32_t segments);
 
 // The place where transform feedback writes an output.
 struct FeedbackSlot {
