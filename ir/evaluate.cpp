@@ -9,37 +9,6 @@
 #include "ir/scalar.h"
 
 namespace clipc::ir {
-namespace {
-
-// The most phases of a group: each runs all phases before it again.
-constexpr std::size_t kMaxPhases = 1024;
-
-// The inputs of thread number `index` of the group.
-std::vector<IoBits> InputsOf(const Program& program, const std::array<std::uint32_t, 3>& group,
-                             std::uint32_t index) {
-  const auto& size = program.group_size;
-  const std::uint32_t within[] = {index % size[0], index / size[0] % size[1],
-                                  index / (size[0] * size[1])};
-  std::vector<IoBits> inputs;
-  for (const IoVar& input : program.inputs) {
-    IoBits& bits = inputs.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (input.builtin == Builtin::kThreadId) bits[i] = group[i] * size[i] + within[i];
-      if (input.builtin == Builtin::kGroupId) bits[i] = group[i];
-      if (input.builtin == Builtin::kGroupThreadId) bits[i] = within[i];
-    }
-    if (input.builtin == Builtin::kGroupIndex) bits[0] = index;
-  }
-  return inputs;
-}
-
-// Whether the wait orders what the group shares, so that a new phase begins for that.
-bool OrdersShared(const Program& program, ExprId call) {
-  return BarrierOf(std::get<IntrinsicCall>(program.exprs[call].node).op).orders_shared;
-}
-
-}  // namespace
-
 Machine::Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options,
                  Neighbours* neighbours, GroupThread* thread)
     : program_(program),
@@ -296,31 +265,6 @@ PatchResult RunPatch(const Program& program, const EvalInputs& inputs, const Eva
     of_point.points[i] = std::move(result.outputs);
   }
   return {std::move(of_point.points)};
-}
-
-GroupResult RunGroup(const Program& program, const EvalInputs& inputs, const GroupRun& run,
-                     const EvalOptions& options) {
-  const auto& [x, y, z] = program.group_size;
-  const std::uint32_t count = x * y * z;
-  std::vector<EvalInputs> threads(count, inputs);
-  for (std::uint32_t i = 0; i < count; ++i) threads[i].values = InputsOf(program, run.group, i);
-  std::vector<ThreadPast> pasts(count);
-  SharedWords shared;
-  for (std::size_t phase = 0; phase < kMaxPhases; ++phase) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::uint32_t number = run.is_reversed ? count - 1 - i : i;
-      GroupThread thread(number, phase, shared, pasts[number]);
-      const EvalResult result = Machine(program, threads[number], options, nullptr, &thread).Run();
-      if (!result) return {result.error};
-    }
-    if (shared.has_race()) return {"threads of a group race for the memory that they share"};
-    const ExprId at = pasts.front().waits_at;
-    if (!std::ranges::all_of(pasts, [&](const ThreadPast& past) { return past.waits_at == at; }))
-      return {"some threads of a group wait where others do not"};
-    if (!at) return {};
-    if (OrdersShared(program, at)) shared.BeginPhase();
-  }
-  return {"the threads of a group wait for each other too often to evaluate"};
 }
 
 }  // namespace clipc::ir

@@ -34,6 +34,9 @@
 // * A pixel that is discarded runs on, and writes no object from then on.
 // * The threads of a group run one after the other from one wait for the group to the next. Memory
 //   that they share begins as EvalOptions::undefined.
+// * A lane of a wave is active at a call if it runs the call in the same iterations of all loops
+//   around it as the lane that asks. Sums go from the lowest lane to the highest; the value of a
+//   lane that is not active is EvalOptions::undefined.
 namespace clipc::ir {
 
 // The components of one input or output as Literal holds them; for an array (clip distances), its
@@ -92,6 +95,9 @@ struct EvalInputs {
   // In a stage that makes patches, the control point that runs, and what the others wrote.
   std::uint32_t point = 0;
   std::vector<EvalOutputs> points = {};
+  // Returns a function that gives the objects what they hold now. RunGroup calls both where lanes
+  // of a wave ask each other: the wave runs several times. It may be empty.
+  std::function<std::function<void()>()> remember = {};
 };
 
 struct EvalOptions {
@@ -149,6 +155,9 @@ PatchResult RunPatch(const Program& program, const EvalInputs& inputs,
 struct GroupRun {
   std::array<std::uint32_t, 3> group = {};  // SV_GroupID
   bool is_reversed = false;                 // the last thread runs first
+  // WaveGetLaneCount(), from 4 to 128. Thread i of the group (SV_GroupIndex) is lane i % lanes of
+  // its wave number i / lanes; the last wave may have fewer threads.
+  std::uint32_t lanes = 8;
 };
 struct GroupResult {
   // Empty if all threads ran to the end, and no two raced for the memory that they share: then

@@ -60,6 +60,9 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (category == IntrinsicCategory::kAtomic) return EvalAtomic(node);
   if (category == IntrinsicCategory::kVertices) return EvalVertexCall(node);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
+  const bool asks_quad_of_lanes = thread_ && category == IntrinsicCategory::kQuad;
+  if (asks_quad_of_lanes || (thread_ && category == IntrinsicCategory::kWave))
+    return EvalWave(expr, node);
   const bool asks_quad =
       category == IntrinsicCategory::kNeighbours || category == IntrinsicCategory::kQuad;
   if (asks_quad && neighbours_) {

@@ -6,12 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "ir/evaluate_math.h"
+#include "ir/evaluate_lanes.h"
 
 // How the threads of a group run in step, from one wait for the group to the next. A phase is what
 // lies between two waits. In each phase every thread runs once, from its beginning: what it ran in
 // phases before it repeats, with what it read then and without its stores, and stops where it waits
 // next. So all stores of a phase come before all reads of the next, and no thread is kept alive.
+// Where lanes of a wave ask each other, the threads of a wave run a phase again and again as the
+// pixels of a quad do (ir/evaluate_lanes.h), each time with the memory that it began with.
 namespace clipc::ir {
 
 // The memory that a group shares, a word for each component, and who used it in the phase.
@@ -49,10 +51,13 @@ struct ThreadPast {
 // A thread in one phase.
 class GroupThread {
  public:
-  GroupThread(std::uint32_t number, std::size_t phase, SharedWords& shared, ThreadPast& past)
-      : number_(number), phase_(phase), shared_(shared), past_(past) {
+  GroupThread(std::uint32_t number, std::size_t phase, SharedWords& shared, ThreadPast& past,
+              Lanes& lanes)
+      : number_(number), phase_(phase), shared_(shared), past_(past), lanes_(lanes) {
     past.waits_at = {};
   }
+
+  Lanes& lanes() const { return lanes_; }
 
   void Start(std::span<const Word> words) { shared_.Start(words); }
   Word Read(std::uint32_t word, bool is_atomic);
@@ -72,6 +77,7 @@ class GroupThread {
   const std::size_t phase_;
   SharedWords& shared_;
   ThreadPast& past_;
+  Lanes& lanes_;
   std::size_t waits_ = 0, next_ = 0;
 };
 

@@ -151,6 +151,11 @@ class Machine {
   // ObjectRequest::coordinates, where the pixel's own is `own`.
   std::vector<double> CoordinatesOf(ExprId call, Scalar rep, std::span<const Word> own);
 
+  // evaluate_wave.cpp
+  void EvalWave(ExprId expr, const IntrinsicCall& node);
+  void PushFold(ExprId expr, Intrinsic op, const Lanes::Operands& operands);
+  void PushAllEqual(Scalar rep, std::span<const Word> own, const Lanes::Operands& operands);
+
   // evaluate_constant.cpp
   void EvalConstant(ExprId expr);
   void EvalConstantVar(VarId var);
@@ -167,7 +172,7 @@ class Machine {
   const EvalOptions& options_;
   Neighbours* const neighbours_;
   GroupThread* const thread_;
-  std::uint64_t flow_ = 0;  // a number for the calls and iterations that run: Neighbours::Ask
+  std::uint64_t flow_ = 0;  // a number for the calls and iterations that run: Lanes::Ask
   std::vector<Word> memory_, stack_;
   std::vector<std::uint32_t> address_;                   // by variable
   std::vector<std::uint32_t> aggregate_words_;           // by type, 0: not known yet

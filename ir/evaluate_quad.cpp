@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ir/evaluate_machine.h"
 #include "ir/intrinsic_list.h"
@@ -10,21 +11,16 @@
 
 namespace clipc::ir {
 
-std::optional<Neighbours::Operands> Neighbours::Ask(QuadKey key, std::span<const Word> own) {
-  notes_[pixel_].emplace(key, std::vector<Word>(own.begin(), own.end()));
-  Operands operands{};
-  for (std::size_t i = 0; i < kQuadPixels; ++i) {
-    const auto found = before_[i].find(key);
-    if (found == before_[i].end()) return std::nullopt;
-    operands[i] = found->second.data();
-  }
+std::optional<Lanes::Operands> Neighbours::AskAll(LaneKey key, std::span<const Word> own) {
+  Operands operands = Ask(key, own);
+  if (std::ranges::count(operands, nullptr) > 0) return std::nullopt;
   return operands;
 }
 
 void Machine::EvalDerivative(ExprId expr, const IntrinsicCall& node) {
   const std::size_t base = stack_.size();
   Eval(program_.expr_lists[node.arguments][0]);
-  const auto operands = neighbours_->Ask({flow_, expr.index}, std::span(stack_).subspan(base));
+  const auto operands = neighbours_->AskAll({flow_, expr.index}, std::span(stack_).subspan(base));
   stack_.resize(base);
   if (!operands) return PushUndefined(program_.exprs[expr].type);
   const Scalar rep = RepOf(expr);
@@ -51,7 +47,7 @@ void Machine::EvalDerivative(ExprId expr, const IntrinsicCall& node) {
 
 void Machine::EvalQuad(ExprId expr, const IntrinsicCall& node) {
   const auto arguments = program_.expr_lists[node.arguments];
-  std::size_t source = neighbours_->pixel();
+  std::size_t source = neighbours_->lane();
   if (node.op == Intrinsic::kQuadReadLaneAt) {
     Eval(arguments[1]);
     source = UintOf(stack_.back()) % kQuadPixels;
@@ -59,7 +55,7 @@ void Machine::EvalQuad(ExprId expr, const IntrinsicCall& node) {
   }
   const std::size_t base = stack_.size();
   Eval(arguments[0]);
-  const auto operands = neighbours_->Ask({flow_, expr.index}, std::span(stack_).subspan(base));
+  const auto operands = neighbours_->AskAll({flow_, expr.index}, std::span(stack_).subspan(base));
   stack_.resize(base);
   if (!operands) return PushUndefined(program_.exprs[expr].type);
   const auto is_true = [](const Word* words) { return words[0] != 0; };
@@ -76,7 +72,7 @@ void Machine::EvalQuad(ExprId expr, const IntrinsicCall& node) {
 }
 
 std::vector<double> Machine::CoordinatesOf(ExprId call, Scalar rep, std::span<const Word> own) {
-  const auto operands = neighbours_->Ask({flow_, call.index}, own);
+  const auto operands = neighbours_->AskAll({flow_, call.index}, own);
   if (!operands) return std::vector<double>(kQuadPixels * own.size(), std::nan(""));
   std::vector<double> all;
   for (const Word* words : *operands) {
@@ -89,10 +85,9 @@ std::array<EvalResult, kQuadPixels> RunQuad(const Program& program,
                                             const std::array<EvalInputs, kQuadPixels>& pixels,
                                             const EvalOptions& options) {
   std::array<EvalResult, kQuadPixels> results;
-  QuadNotes before, notes;
+  LaneNotes before, notes(kQuadPixels);
   do {
-    before = std::move(notes);
-    notes = {};
+    before = std::exchange(notes, LaneNotes(kQuadPixels));
     for (std::size_t i = 0; i < kQuadPixels; ++i) {
       Neighbours neighbours(i, before, notes);
       results[i] = Machine(program, pixels[i], options, &neighbours).Run();

@@ -126,6 +126,7 @@ class Runner {
   void Compare(const Shader& shader, const BuildOptions& build, const RandomOptions& random,
                const std::string& name) {
     RandomInputs inputs = MakeRandomInputs(shader.typed, random);
+    if (build.target == "vulkan") inputs.lanes = Vulkan().lanes();
     if (Stage().reads_patches) inputs.points = PointsOf(OpenGl(), shader, inputs);
     const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
     const Comparison found =
@@ -140,11 +141,13 @@ class Runner {
   }
 
   Comparison Run(const std::string& target, const Trial& trial) {
-    if (target == "vulkan") {
-      if (!vulkan_) vulkan_.emplace();
-      return vulkan::CompareWithVulkan(*vulkan_, trial);
-    }
-    return CompareWithOpenGl(OpenGl(), trial);
+    return target == "vulkan" ? vulkan::CompareWithVulkan(Vulkan(), trial)
+                              : CompareWithOpenGl(OpenGl(), trial);
+  }
+
+  vulkan::Runner& Vulkan() {
+    if (!vulkan_) vulkan_.emplace();
+    return *vulkan_;
   }
 
   harness::OpenGl& OpenGl() {

@@ -34,11 +34,12 @@ Buffers RunDispatch(const Program& program, const RandomInputs& inputs, const Di
   of_thread.read_object = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
     inputs.UseObject(program, buffers, request, run.undefined, result);
   };
+  of_thread.remember = [&] { return [&buffers, old = buffers] { buffers = old; }; };
   const std::uint32_t count = kGroups[0] * kGroups[1] * kGroups[2];
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t group = (run.is_reversed ? count - 1 - i : i) + run.first_group;
     const GroupResult result =
-        RunGroup(program, of_thread, {GroupAt(group % count), run.is_reversed},
+        RunGroup(program, of_thread, {GroupAt(group % count), run.is_reversed, inputs.lanes},
                  {.in_double = run.in_double, .undefined = run.undefined});
     if (!result) throw DrawError("the reference evaluator stops: " + result.error);
   }

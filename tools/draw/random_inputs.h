@@ -34,6 +34,7 @@ struct RandomInputs {
   std::vector<Bytes> cbuffers;  // by CbufferId
   Textures textures;
   Buffers buffers;
+  std::uint32_t lanes = 8;  // of a wave
 
   // Answers the evaluator's read_object for `program`, and changes `own`, a vertex's copy of the
   // buffers: what a vertex writes no other may read, for nothing says which of them is first.

@@ -114,6 +114,13 @@ vk::PhysicalDeviceTransformFeedbackPropertiesEXT Device::FeedbackLimits() const 
   return physical_.getProperties2<vk::PhysicalDeviceProperties2, Limits>().get<Limits>();
 }
 
+std::uint32_t Device::lanes() const {
+  using Limits = vk::PhysicalDeviceVulkan11Properties;
+  return physical_.getProperties2<vk::PhysicalDeviceProperties2, Limits>()
+      .get<Limits>()
+      .subgroupSize;
+}
+
 vk::raii::DeviceMemory Device::Allocate(const vk::MemoryRequirements& requirements) const {
   constexpr vk::MemoryPropertyFlags kWanted =
       vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;

@@ -40,6 +40,7 @@ class Device {
 
   const vk::raii::Device& get() const { return device_; }
   std::string name() const { return physical_.getProperties().deviceName; }
+  std::uint32_t lanes() const;  // of a subgroup
   vk::PhysicalDeviceTransformFeedbackPropertiesEXT FeedbackLimits() const;
 
   // Makes a buffer of these bytes, and of 16 at least, so that an empty one can be bound.

@@ -116,6 +116,7 @@ std::string Runner::WhyNone() {
 }
 
 std::string Runner::name() const { return device_->name(); }
+std::uint32_t Runner::lanes() const { return device_->lanes(); }
 
 // The shaders of a capture, of which the last one writes the outputs.
 struct Runner::Feedback {

@@ -52,6 +52,7 @@ class Runner {
   ~Runner();
 
   std::string name() const;
+  std::uint32_t lanes() const;  // of a subgroup
 
   // The reason why there is no device; empty if there is one, and always in CI (the environment has
   // `CI`), so that tests without a device fail there.
