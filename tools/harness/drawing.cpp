@@ -104,9 +104,9 @@ MeshBuffers::~MeshBuffers() {
   glDeleteBuffers(1, &indices_);
 }
 
-void MeshBuffers::Draw() const {
+void MeshBuffers::Draw(GLenum mode) const {
   glBindVertexArray(array_);
-  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+  glDrawElements(mode, count_, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace clipc::harness

@@ -60,7 +60,8 @@ class MeshBuffers : NotCopied {
   explicit MeshBuffers(const Mesh& mesh);
   ~MeshBuffers();
 
-  void Draw() const;
+  // Draws what the indices name: primitives of that kind.
+  void Draw(GLenum mode = GL_TRIANGLES) const;
 
  private:
   GLsizei count_;
