@@ -28,7 +28,10 @@ struct Reads {
   std::vector<ExprId> elements;  // of packed arrays
   std::vector<ExprId> members;   // whole ones
   std::vector<ExprId> blocks;    // values of a ConstantBuffer<T>
-  bool empty() const { return elements.empty() && members.empty() && blocks.empty(); }
+  std::vector<ExprId> arrays;    // of such values
+  bool empty() const {
+    return elements.empty() && members.empty() && blocks.empty() && arrays.empty();
+  }
 };
 
 // A finder of reads.
@@ -62,15 +65,22 @@ class ReadFinder {
         found.members.push_back(expr);
       else if (is_var && is_whole && IsArrayWithFields(expr, root))
         found.members.push_back(expr);
-      else if (is_whole && kinds_[root.index] == Kind::kBlock &&
-               TypeOf(program_, expr).kind == TypeKind::kStruct && IsElement(expr))
-        found.blocks.push_back(expr);
+      else if (is_whole && kinds_[root.index] == Kind::kBlock && IsElement(expr))
+        AddBlock(expr, found);
     }
     return found;
   }
 
  private:
   enum class Kind : std::uint8_t { kOther, kPacked, kBlock };
+
+  void AddBlock(ExprId expr, Reads& found) const {
+    const TypeId type = TypeIdOf(program_, expr);
+    if (program_.types[type].kind == TypeKind::kStruct) found.blocks.push_back(expr);
+    const bool is_array = program_.types[type].kind == TypeKind::kArray &&
+                          program_.types[program_.types.Innermost(type)].kind == TypeKind::kStruct;
+    if (is_array && As<VarRef>(program_, expr)) found.arrays.push_back(expr);
+  }
 
   bool IsArray(ExprId expr) const { return TypeOf(program_, expr).kind == TypeKind::kArray; }
   bool IsArrayWithFields(ExprId expr, VarId var) const {
@@ -106,6 +116,7 @@ class MemberReading {
       Become(expr, IsArray(var) ? WholeOf(var) : readers_[var.index], {});
     }
     for (const ExprId expr : reads.blocks) BecomeValue(expr);
+    for (const ExprId expr : reads.arrays) Become(expr, AllOf(As<VarRef>(program_, expr)->var), {});
     return std::move(readers_);
   }
 
@@ -183,6 +194,20 @@ class MemberReading {
         Call{function, program_.expr_lists.Add(std::span<const ExprId>(arguments))};
   }
 
+  // The value of a ConstantBuffer<T>, or of an array of these, that a path with known indices
+  // leads to: of its fields.
+  ExprId ValueAt(Builder& b, ExprId path, TypeId type) {
+    const Type of = types_[type];
+    if (of.kind != TypeKind::kArray)
+      return FieldsOf(b, type, [&] { return Clone(program_, path); });
+    std::vector<ExprId> elements;
+    for (std::uint32_t i = 0; i < of.count; ++i) {
+      const ExprId element = b.At(Clone(program_, path), b.Int(static_cast<std::int32_t>(i)));
+      elements.push_back(ValueAt(b, element, of.element));
+    }
+    return b.ConstructOf(type, elements);
+  }
+
   // Makes the value of a ConstantBuffer<T>, which a path leads to, one of its fields. A function
   // evaluates the indices once.
   void BecomeValue(ExprId expr) {
@@ -192,10 +217,9 @@ class MemberReading {
     for (ExprId part = expr; const auto* index = As<Index>(program_, part); part = index->base)
       indices.insert(indices.begin(), index->index);
     if (!indices.empty() && HasLiteralIndices(program_, expr)) {
-      const ExprId path = Clone(program_, expr);
       Builder b(program_, program_.exprs[expr].span);
-      program_.exprs[expr].node =
-          program_.exprs[FieldsOf(b, type, [&] { return Clone(program_, path); })].node;
+      const ExprId value = ValueAt(b, Clone(program_, expr), type);
+      program_.exprs[expr].node = program_.exprs[value].node;
       return;
     }
     std::vector<Parameter> parameters;
@@ -237,6 +261,16 @@ class MemberReading {
     for (std::uint32_t i = 0; i < types_.StructOf(type).fields.size(); ++i)
       fields.push_back(b.Field(whole(), i));
     return b.ConstructOf(type, fields);
+  }
+
+  // The function that returns all of an array of ConstantBuffer<T>.
+  FunctionId AllOf(VarId blocks) {
+    FunctionId& function = wholes_[blocks];
+    if (function) return function;
+    const Var var = program_.vars[blocks];
+    return function = Add(var.name + "_all", {}, var.type, [&](HelperBody& body) {
+             body.Return(ValueAt(body.b, body.b.Ref(blocks), var.type));
+           });
   }
 
   // The function that returns the whole of a member that is an array.
