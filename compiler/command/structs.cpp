@@ -25,6 +25,20 @@ constexpr std::uint32_t kRow = 16;
 
 // The keywords of C++20 and C23 that are not keywords of HLSL.
 constexpr std::string_view kKeywords[] = {
+    "_Alignas",
+    "_Alignof",
+    "_Atomic",
+    "_BitInt",
+    "_Bool",
+    "_Complex",
+    "_Decimal128",
+    "_Decimal32",
+    "_Decimal64",
+    "_Generic",
+    "_Imaginary",
+    "_Noreturn",
+    "_Static_assert",
+    "_Thread_local",
     "alignas",
     "alignof",
     "and",
@@ -96,6 +110,14 @@ constexpr std::string_view kKeywords[] = {
     "xor_eq",
 };
 
+// Whether it is a name that Header::Pad gives: padding0_.
+bool IsPadding(std::string_view name) {
+  constexpr std::string_view kStart = "padding";
+  if (!name.starts_with(kStart) || !name.ends_with('_')) return false;
+  const std::string_view number = name.substr(kStart.size(), name.size() - kStart.size() - 1);
+  return number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 std::string Identifier(std::string_view name) {
   std::string identifier;
   for (const char c : name) {
@@ -103,8 +125,9 @@ std::string Identifier(std::string_view name) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
     identifier += is_word ? c : '_';
   }
-  const bool is_keyword = std::ranges::find(kKeywords, identifier) != std::end(kKeywords);
-  return is_keyword ? identifier + "_" : identifier;
+  const bool is_taken =
+      std::ranges::find(kKeywords, identifier) != std::end(kKeywords) || IsPadding(identifier);
+  return is_taken ? identifier + "_" : identifier;
 }
 
 const char* NameOfScalar(Scalar scalar) {
