@@ -17,6 +17,7 @@
 #include "frontend/check/hull.h"
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
+#include "frontend/check/static_effects.h"
 #include "frontend/check/static_local.h"
 #include "frontend/check/tessellation.h"
 #include "frontend/parse/attributes.h"
@@ -61,6 +62,7 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
   ReachClipPlanes(context, planes_of, planes);
   if (bodies == EntryBodies::kCheck) {
     CheckBodies(context);
+    ReachStaticEffects(context);
     CheckRecursion(context);
     CheckHull(context);
     if (context.options.keeps_bindings) ReachAllBindings(context);

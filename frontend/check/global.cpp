@@ -60,11 +60,36 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   }
 }
 
+// Marks the variables and objects that the value changes, itself or in the functions that it calls.
+void MarkChanged(const Program& program, ExprId value, std::vector<bool>& is_function_seen,
+                 std::vector<bool>& is_changed) {
+  std::vector<FunctionId> waiting;
+  const auto mark = [&](ExprId part) {
+    const auto change = [&](ExprId path) {
+      if (const VarId root = RootOf(program, path)) is_changed[root.index] = true;
+    };
+    ForEachWrite(program, part, change);
+    const auto* object = As<ObjectCall>(program, part);
+    if (object && WritesObject(object->op))
+      change(OperandOf(program, *object, OperandKind::kObject));
+    const auto* call = As<Call>(program, part);
+    if (!call || is_function_seen[call->function.index]) return;
+    is_function_seen[call->function.index] = true;
+    waiting.push_back(call->function);
+  };
+  ForEachExpr(program, value, mark);
+  while (!waiting.empty()) {
+    const FunctionId function = waiting.back();
+    waiting.pop_back();
+    ForEachExpr(program, program.functions[function].body, mark);
+  }
+}
+
 // Moves an initialiser of a variable outside of functions to the beginning of `main` if it calls a
 // function or takes several steps, since an initialiser there must not have effects, or if it reads
-// a variable whose initialiser was moved.
+// a variable whose initialiser was moved or that a moved one changes.
 void InitialiseInMain(Program& program) {
-  std::vector<bool> is_moved(program.vars.size());
+  std::vector<bool> is_moved(program.vars.size()), is_seen(program.functions.size());
   std::vector<StmtId> body;
   for (const VarId global : program.globals) {
     ExprId value = program.vars[global].init;
@@ -74,6 +99,7 @@ void InitialiseInMain(Program& program) {
     };
     if (!value || (IsPure(program, value) && !AnyExpr(program, value, is_late))) continue;
     is_moved[global.index] = true;
+    MarkChanged(program, value, is_seen, is_moved);
     Builder at(program, program.exprs[value].span);
     while (const auto* comma = As<Comma>(program, value)) {
       const auto [first, second] = *comma;
@@ -89,22 +115,12 @@ void InitialiseInMain(Program& program) {
   SetMainBody(program, body);
 }
 
-// The initialiser in `int S::count = 1;` after a struct S with a `static int count`; none without
-// one.
-ExprId CheckOutOfLine(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
-  const ScopeId scope = context[id].scope;
-  if (!scope || context[scope].kind != ScopeKind::kStruct) return {};
-  for (const ast::DeclId definition : context.globals.out_of_line.Of(context, var.name, scope)) {
-    const auto& decl = context.Get<ast::VarDecl>(definition);
-    if (!decl.init) continue;
-    const ViewSwitch in_struct(context, context.ViewFrom(scope, ~0u));
-    return CheckInit(context, decl.init, type);
-  }
-  return {};
-}
-
 ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
-  return var.init ? CheckInit(context, var.init, type) : CheckOutOfLine(context, id, var, type);
+  if (var.init) return CheckInit(context, var.init, type);
+  const ast::ExprId init = InitOf(context, id, var);
+  if (!init) return {};
+  const ViewSwitch in_struct(context, context.ViewFrom(context[id].scope, ~0u));
+  return CheckInit(context, init, type);
 }
 
 // Whether the binding counts under this profile: register(vs_5_0, b0) does under one only, up to
@@ -188,6 +204,15 @@ bool ResolveVar(Context& context, SymbolId id) {
     symbol.resolution = Resolution::kDone;
   }
   return symbol.value != ~0u;
+}
+
+ast::ExprId InitOf(Context& context, SymbolId id, const ast::VarDecl& var) {
+  const ScopeId scope = context[id].scope;
+  if (var.init || !scope || context[scope].kind != ScopeKind::kStruct) return var.init;
+  for (const ast::DeclId definition : context.globals.out_of_line.Of(context, var.name, scope)) {
+    if (const ast::ExprId init = context.Get<ast::VarDecl>(definition).init) return init;
+  }
+  return {};
 }
 
 bool HoldsObjects(const Context& context, TypeId type) {

@@ -10,6 +10,9 @@ namespace clipc::check {
 
 // Resolves the variable, once. Returns false after an error, which was reported.
 bool ResolveVar(Context& context, SymbolId id);
+// The initialiser of a variable: its own, or that of `int S::count = 1;` after a struct S with a
+// `static int count`; none without one.
+ast::ExprId InitOf(Context& context, SymbolId id, const ast::VarDecl& var);
 // Whether the type is a texture, sampler or buffer, or an array of them.
 bool HoldsObjects(const Context& context, TypeId type);
 VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span span);

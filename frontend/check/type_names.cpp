@@ -199,6 +199,12 @@ std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::s
   return std::nullopt;
 }
 
+bool IsWritableObjectName(std::string_view text) {
+  return std::ranges::any_of(kObjectNames, [&](const auto& object) {
+    return IsWritable(object.kind) && EqualIgnoringCase(object.text, text);
+  });
+}
+
 bool IsOrHoldsObject(const Context& context, TypeId id) {
   const Type& type = context[context.types.Innermost(id)];
   return type.kind == TypeKind::kObject || type.kind == TypeKind::kString ||
