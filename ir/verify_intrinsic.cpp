@@ -10,7 +10,8 @@ namespace {
 
 bool FitsKind(char letter, Scalar kind) {
   switch (letter) {
-    case 'f': return IsFloat(kind);
+    case 'f':
+    case 'r': return IsFloat(kind);
     case 'n': return kind != Scalar::kBool;
     case 'b': return kind == Scalar::kBool;
     case 'i': return IsInteger(kind) && !IsUnsigned(kind);
@@ -45,7 +46,7 @@ class Matcher {
     const Type& type = types_[id];
     if (shape == 0) return type.kind == TypeKind::kVoid;
     if (!FitsShape(shape, type) || !FitsKind(kind, type.scalar)) return false;
-    if (kind == 'f' || kind == 'n' || kind == 'a') {
+    if (kind == 'f' || kind == 'r' || kind == 'n' || kind == 'a') {
       if (kinds_[Slot(kind)] && kinds_[Slot(kind)] != 1 + static_cast<int>(type.scalar))
         return false;
       kinds_[Slot(kind)] = 1 + static_cast<int>(type.scalar);
@@ -63,7 +64,9 @@ class Matcher {
   }
 
  private:
-  static std::size_t Slot(char kind) { return kind == 'f' ? 0 : kind == 'n' ? 1 : 2; }
+  static std::size_t Slot(char kind) {
+    return kind == 'f' || kind == 'r' ? 0 : kind == 'n' ? 1 : 2;
+  }
 
   const TypeTable& types_;
   std::array<int, 3> kinds_{};

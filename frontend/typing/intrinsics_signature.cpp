@@ -74,7 +74,7 @@ class Unifier : IntrinsicCheck {
       BadArgument(i, ShapeText(slot.shape));
       return false;
     }
-    if (std::string_view("fnawd").find(slot.kind) != std::string_view::npos) {
+    if (std::string_view("frnawd").find(slot.kind) != std::string_view::npos) {
       kind_ = kind_ ? CommonKind(*kind_, type.scalar) : type.scalar;
     }
     return true;
@@ -121,6 +121,7 @@ class Unifier : IntrinsicCheck {
     const Scalar kind = kind_.value_or(Scalar::kFloat);
     switch (letter) {
       case 'f': return IsFloat(kind) && kind != Scalar::kDouble ? kind : Scalar::kFloat;
+      case 'r': return IsFloat(kind) ? kind : Scalar::kFloat;
       case 'n': return kind == Scalar::kBool ? Scalar::kFloat : kind;
       case 'b': return Scalar::kBool;
       case 'w': return IsUnsigned(kind) ? Scalar::kUint : Scalar::kInt;

@@ -49,6 +49,8 @@ TEST(IntrinsicsTest, ComponentWise) {
   EXPECT_EQ(Call("sign", {"int"}), "int: sign(a)");
   EXPECT_EQ(Call("isnan", {"float2"}), "bool2: isnan(a)");
   EXPECT_EQ(Call("rcp", {"float1"}), "float1: rcp(a)");
+  EXPECT_EQ(Call("rcp", {"double2"}), "double2: rcp(a)");
+  EXPECT_EQ(Call("saturate", {"double"}), "double: saturate(a)");
 }
 
 TEST(IntrinsicsTest, VectorsOfFixedSize) {
