@@ -2,10 +2,13 @@
 #include "rewrite/rewrite.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "base/spelling.h"
 
 namespace clipc::rewrite {
 namespace {
@@ -15,6 +18,28 @@ struct Edit {
   TextRange range;
   std::string text;
 };
+
+// The code with other words for some of its words; the text of strings stays.
+std::string WithWords(std::string_view code,
+                      std::initializer_list<std::pair<std::string_view, std::string_view>> words) {
+  const auto is_letter = [](char c) {
+    return (c >= '0' && c <= '9') || (ToLower(c) >= 'a' && ToLower(c) <= 'z') || c == '_';
+  };
+  std::string result;
+  while (!code.empty()) {
+    const bool is_word = is_letter(code[0]);
+    std::size_t size = 1;
+    if (is_word)
+      size = static_cast<std::size_t>(std::ranges::find_if_not(code, is_letter) - code.begin());
+    else if (code[0] == '"')
+      size = std::min(code.find('"', 1), code.size() - 1) + 1;
+    const std::string_view part = code.substr(0, size);
+    const auto* found = std::ranges::find(words, part, [](const auto& word) { return word.first; });
+    result += is_word && found != words.end() ? found->second : part;
+    code.remove_prefix(size);
+  }
+  return result;
+}
 
 class Rewriter {
  public:
@@ -101,26 +126,26 @@ class Rewriter {
   }
 
   // Gives the entry function another name. Up to the wrapper: in its definition and its prototypes
-  // if the text spells them and says the name nowhere else, or else by a macro. After the wrapper:
-  // where it is called or declared.
+  // if the text spells them and says the name nowhere else, and in its calls too if a field or a
+  // variable has the name; or else by a macro. After the wrapper: where it is called or declared.
   void Rename(const Entry& entry, std::size_t end, const std::string& inner,
               std::vector<std::string>& undefined) {
     const EntryPoint& point = entry.point;
-    bool by_macro = false;
+    bool is_used = false, is_spelled = true, has_others = false;
     std::vector<TextRange> before, after;
     for (const Use& use : entry.uses) {
       const bool is_own =
           std::ranges::any_of(point.names, [&](Span name) { return name.end == use.span.end; });
+      const bool is_call = use.kind == Use::Kind::kCall, is_other = use.kind == Use::Kind::kOther;
+      has_others |= is_other;
       const auto range = source_->InMainText(use.span);
-      if (source_->AfterInMainText(use.span).value_or(0) > end) {
-        if (range && (is_own || use.is_call)) after.push_back(*range);
-      } else if (is_own && range) {
-        before.push_back(*range);
-      } else {
-        by_macro = true;
-      }
+      const bool is_after = source_->AfterInMainText(use.span).value_or(0) > end;
+      if (range && (is_own || is_call)) (is_after ? after : before).push_back(*range);
+      if (is_after) continue;
+      is_used |= !is_own;
+      is_spelled &= is_other || (range && (is_own || is_call));
     }
-    if (by_macro) {
+    if (!is_spelled || (is_used && !has_others)) {
       head_ += fmt::format("#define {} {}\n", point.name, inner);
       undefined.push_back(point.name);
       before.clear();
@@ -135,6 +160,14 @@ class Rewriter {
     return entry.pixel ? WritePixelWrapper(entry.point, *entry.pixel, name, inner, planes)
                        : WriteWrapper(entry.point, entry.form, name, inner, planes);
   }
+  // The wrapper after a macro that gave another name to the entry function, and to the fields and
+  // variables that are called like it.
+  static std::string WrapperAfterMacro(const Entry& entry, const std::string& name,
+                                       const std::string& inner, std::size_t planes) {
+    const std::string own = entry.point.prefix + "wrapper";
+    return WithWords(Wrapper(entry, own, inner, planes),
+                     {{own, name}, {entry.point.name, entry.point.prefix + entry.point.name}});
+  }
 
   void AddWrappers(const Entry& entry, std::size_t end, const std::string& inner,
                    const std::vector<std::string>& undefined) {
@@ -143,10 +176,12 @@ class Rewriter {
         fmt::format("\n\n// Written by clipc: `{}` {}.\n", name,
                     entry.pixel ? "discards outside of the clip planes" : "with its clip planes");
     for (const std::string& word : undefined) added += fmt::format("#undef {}\n", word);
-    added += Wrapper(entry, name, inner, entry.planes);
+    const bool by_macro = std::ranges::find(undefined, entry.point.name) != undefined.end();
+    const auto wrapper = by_macro ? WrapperAfterMacro : Wrapper;
+    added += wrapper(entry, name, inner, entry.planes);
     const std::size_t most = std::min<std::size_t>(entry.planes, options_.variants.value_or(0));
     for (std::size_t count = 0; options_.variants && count <= most; ++count)
-      added += "\n" + Wrapper(entry, fmt::format("{}_{}", name, count), inner, count);
+      added += "\n" + wrapper(entry, fmt::format("{}_{}", name, count), inner, count);
     const bool ends_line = end < text_.size() && (text_[end] == '\n' || text_[end] == '\r');
     if (options_.source_lines) {
       added += LineDirective(end);

@@ -18,8 +18,13 @@ namespace clipc::rewrite {
 
 // A token of the source that is the name of an entry function.
 struct Use {
+  enum class Kind : std::uint8_t {
+    kCall,
+    kDeclaration,  // of a function, this one or another
+    kOther,        // a field, a variable, or `compile vs_5_0 main()` of an effect
+  };
   Span span;
-  bool is_call = false;  // not a declaration, nor `compile vs_5_0 main()`
+  Kind kind = Kind::kOther;
 };
 
 // An entry point with clip planes, or the pixel shader that discards for them.

@@ -33,16 +33,21 @@ std::vector<std::string> EntriesOf(const ProgramRequest& request) {
 
 std::string_view LastPart(std::string_view entry) { return entry.substr(entry.rfind(':') + 1); }
 
-// Whether the name at `at` is called. `vs_5_0 main()` and `CompileShader(vs_5_0, main())` of an
-// effect name an entry function; and a word before the name is its type.
-bool IsCall(const Tokens& tokens, std::size_t at) {
-  if (tokens.list[at + 1].kind != TokenKind::kLeftParen || at == 0) return false;
+// What the name at `at` is. `vs_5_0 main()` and `CompileShader(vs_5_0, main())` of an effect name
+// an entry function; and a word before the name is its type.
+rewrite::Use::Kind KindOf(const Tokens& tokens, std::size_t at) {
+  using enum rewrite::Use::Kind;
+  if (tokens.list[at + 1].kind != TokenKind::kLeftParen || at == 0) return kOther;
   const auto word = [&](std::size_t back) {
     const bool is_word = at >= back && tokens.list[at - back].kind == TokenKind::kIdentifier;
     return is_word ? tokens.names[tokens.list[at - back].name()] : std::string_view();
   };
-  if (!word(1).empty()) return word(1) == "return";
-  return tokens.list[at - 1].kind != TokenKind::kComma || !ir::ParseProfile(word(2));
+  if (ir::ParseProfile(word(1))) return kOther;
+  if (!word(1).empty()) return word(1) == "return" ? kCall : kDeclaration;
+  const TokenKind before = tokens.list[at - 1].kind;
+  const bool is_other =
+      before == TokenKind::kDot || (before == TokenKind::kComma && ir::ParseProfile(word(2)));
+  return is_other ? kOther : kCall;
 }
 
 // The tokens that are the last part of the name of an entry, by entry.
@@ -54,7 +59,7 @@ std::vector<std::vector<rewrite::Use>> UsesOf(const Tokens& tokens,
     if (token.kind != TokenKind::kIdentifier) continue;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (tokens.names[token.name()] == LastPart(entries[i]))
-        uses[i].push_back({token.span(), IsCall(tokens, at)});
+        uses[i].push_back({token.span(), KindOf(tokens, at)});
     }
   }
   return uses;
