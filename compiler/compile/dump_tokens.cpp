@@ -19,6 +19,7 @@ constexpr Named<LiteralKind> kLiteralKinds[] = {{LiteralKind::kBool, "bool"},
                                                 {LiteralKind::kUint64, "uint64"},
                                                 {LiteralKind::kHalf, "half"},
                                                 {LiteralKind::kFloat, "float"},
+                                                {LiteralKind::kTypedFloat, "float"},
                                                 {LiteralKind::kDouble, "double"},
                                                 {LiteralKind::kString, "string"}};
 

@@ -15,6 +15,7 @@
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/init.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/member.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/out_element.h"
@@ -115,6 +116,7 @@ IntrinsicCheck IntrinsicOf(Context& context, const NamedCall& call) {
 }
 
 ExprId CallIntrinsic(Context& context, NamedCall& call) {
+  if (call.arguments.size() > 1 && HasUntyped(context)) AdaptArguments(context, call.arguments);
   Exprs steps;
   OutElements elements;
   const std::string_view name = context[call.name()];

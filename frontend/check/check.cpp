@@ -15,6 +15,7 @@
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
 #include "frontend/check/hull.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/check/static_effects.h"
@@ -92,6 +93,7 @@ void Run(Context& context, const ir::PassOptions& passes) {
   CheckUnusedClipPlanes(context, attributes);
   if (!context.diagnostics.has_errors()) SettleStaticLocals(context);
   FinishGlobals(context);
+  ReportInfinite(context);
   ResetStatics(context);
   resolve::Resolve(program,
                    {.is_specialised = !context.options.entry_call.empty(),

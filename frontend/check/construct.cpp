@@ -6,6 +6,7 @@
 #include "base/spelling.h"
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/value.h"
 #include "frontend/typing/conversion.h"
 #include "frontend/typing/reread.h"
@@ -98,6 +99,10 @@ ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, S
   Exprs arguments;
   const bool ok = CheckArguments(context, list, arguments);
   if (!ok || context.IsError(type)) return context.ErrorExpr(span);
+  for (std::size_t i = 0; HasUntyped(context) && i < arguments.size(); ++i) {
+    const ExprId exact = ExactFor(context, arguments[i], type);
+    arguments[i] = SettleInt(context, exact, context[type].scalar, true);
+  }
   const Type wanted = context[type];
   if (wanted.kind == TypeKind::kStruct) return ConstructStruct(context, type, arguments, span);
   if (!wanted.IsNumeric()) {
@@ -117,6 +122,7 @@ ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, S
   if (is_cast && IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type)) {
     // fxc refuses float4(1) and float3x3(m); HLSL 2021 and glslang accept them as
     // casts, and no compiler gives them another meaning.
+    NoteTyped(context, arguments[0]);
     return ConvertExplicit(context.program, arguments[0], type, context);
   }
   if (given != needed) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -80,8 +80,14 @@ struct Context final : TemporaryMaker {
   KeptMap<std::uint32_t, SymbolId> enum_symbols;
   // The bit-fields that are read, by the expression that each became: bit_field.h.
   KeptMap<std::uint32_t, BitAccess> bits;
-  std::unordered_set<std::uint32_t> large_literals;         // expressions: large_literal.h
-  std::unordered_map<std::uint32_t, double> long_literals;  // likewise
+  // Expressions: large_literal.h.
+  std::unordered_map<std::uint32_t, std::int64_t> int_literals;
+  std::unordered_map<std::uint32_t, std::optional<double>> real_literals;
+  struct InfiniteLiteral {
+    ExprId literal;
+    double number;  // which a float does not hold
+  };
+  std::vector<InfiniteLiteral> infinite_literals;
   KeptVector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   KeptVector<StmtId> stmts;          // the statements of the blocks in progress
   bool drops_value = false;          // whether the assignment checked next is a statement

@@ -30,58 +30,50 @@
 namespace clipc::check {
 namespace {
 
-// Whether the literal is a uint. fxc takes 0x3 for a uint and 3000000000 for an int, -1294967296;
-// DXC, whose shader models begin with 6, decides by the size of both. Direct3D 9 counts in floats,
-// where 0x3 makes no difference.
+// Whether the literal is a uint up to 5.1. fxc takes 0x3 for a uint and 3000000000 for an int,
+// -1294967296. Direct3D 9 counts in floats, where 0x3 makes no difference.
 bool IsUnsigned(const Context& context, const ast::Literal& literal) {
   const Profile& profile = context.program.profile;
   const bool is_large = literal.bits > std::numeric_limits<std::int32_t>::max();
-  if (profile.IsAtLeast(6, 0) || literal.kind == LiteralKind::kUint)
-    return is_large || literal.kind == LiteralKind::kUint;
+  if (literal.kind == LiteralKind::kUint) return true;
   return literal.kind == LiteralKind::kHexadecimal && (is_large || !profile.IsDirect3D9());
 }
 
-// An int64; one that only such a type holds may have been written without a suffix.
-ExprId WideLiteral(Context& context, std::uint64_t bits, Span span) {
-  const ExprId value = context.At(span).Add(context.types.Make(Scalar::kInt64), Literal{bits});
-  if (bits > std::numeric_limits<std::uint32_t>::max()) NoteLargeLiteral(context, value);
-  return value;
+// An integer without `ll` from profile 6.0 on. With `u` it is a uint (SemaExpr.cpp of DXC: `long`
+// is the same as `int`).
+ExprId UntypedInt(Context& context, const ast::Literal& literal, Span span) {
+  const auto number = static_cast<std::int64_t>(literal.bits);
+  return literal.kind == LiteralKind::kUint ? TruncateLiteral(context, number, Scalar::kUint, span)
+                                            : IntLiteral(context, number, span);
 }
 
 ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
   Builder at = context.At(span);
   const double number = std::bit_cast<double>(literal.bits);
   constexpr std::uint64_t kMaxUint = std::numeric_limits<std::uint32_t>::max();
-  const bool is_wide = literal.kind == LiteralKind::kInt64 || literal.kind == LiteralKind::kUint64;
+  const bool is_integer = !IsFloatingPoint(literal.kind) && literal.kind != LiteralKind::kString;
   const bool has_wide = context.program.profile.IsAtLeast(6, 0);
-  if (is_wide && literal.bits > kMaxUint && !has_wide) {
+  if (is_integer && literal.bits > kMaxUint && !has_wide)
     return context.Fail(span, diag::IntegerTooLarge, literal.bits);
-  }
   switch (literal.kind) {
     case LiteralKind::kBool: return at.Bool(literal.bits != 0);
     case LiteralKind::kInt:
     case LiteralKind::kUint:
     case LiteralKind::kHexadecimal:
-      if (literal.bits > kMaxUint) context.Report(span, diag::IntegerTooLarge, literal.bits);
-      if (IsUnsigned(context, literal)) {
-        const ExprId value = at.Uint(static_cast<std::uint32_t>(literal.bits));
-        if (has_wide && literal.kind != LiteralKind::kUint) NoteLargeLiteral(context, value);
-        return value;
-      }
-      return at.Int(static_cast<std::int32_t>(literal.bits));
+      if (has_wide) return UntypedInt(context, literal, span);
+      return IsUnsigned(context, literal) ? at.Uint(static_cast<std::uint32_t>(literal.bits))
+                                          : at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:
       // fxc has the suffix, and no integers of 64 bits.
       if (!has_wide) return at.Int(static_cast<std::int32_t>(literal.bits));
-      return WideLiteral(context, literal.bits, span);
+      return at.Add(context.types.Make(Scalar::kInt64), Literal{literal.bits});
     case LiteralKind::kUint64:
       if (!has_wide) return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Add(context.types.Make(Scalar::kUint64), Literal{literal.bits});
     case LiteralKind::kHalf: return at.LiteralOf(Scalar::kHalf, number);
-    case LiteralKind::kFloat: {
-      const ExprId value = at.Float(static_cast<float>(number));
-      if (has_wide && number != static_cast<float>(number)) NoteLongLiteral(context, value, number);
-      return value;
-    }
+    case LiteralKind::kTypedFloat: return at.LiteralOf(Scalar::kFloat, number);
+    case LiteralKind::kFloat:
+      return has_wide ? RealLiteral(context, number, span) : at.LiteralOf(Scalar::kFloat, number);
     case LiteralKind::kDouble: return at.LiteralOf(Scalar::kDouble, number);
     case LiteralKind::kString: break;
   }
@@ -191,6 +183,7 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
   if (context.IsError(value, type)) return context.ErrorExpr(span);
   if (context.TypeIdOf(value) == type) {
     NoteCastTo(context, value, expr.type);
+    NoteTyped(context, value);
     return value;
   }
   const bool is_zero =
@@ -202,7 +195,7 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
     return Implicit(context, value, type);
   if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
     const ast::ExprId path = PathOfCast(context, value, expr.operand, type);
-    const ExprId converted = ConvertExplicit(context.program, value, type, context);
+    const ExprId converted = ConvertSilently(context, value, type);
     if (path) NoteCast(context, converted, path);
     NoteCastTo(context, converted, expr.type);
     return converted;

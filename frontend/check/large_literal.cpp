@@ -1,43 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/large_literal.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "ir/scalar.h"
 
 namespace clipc::check {
+
+std::optional<std::int64_t> NumberOf(const Context& context, ExprId value) {
+  const auto found = context.int_literals.find(value.index);
+  return found == context.int_literals.end() ? std::nullopt : std::optional(found->second);
+}
+
 namespace {
 
+bool IsInt(std::int64_t number) { return number == static_cast<std::int32_t>(number); }
+
+// Whether it is one that no int holds.
 bool IsLarge(const Context& context, ExprId value) {
-  return context.large_literals.contains(value.index);
+  const auto number = NumberOf(context, value);
+  return number && !IsInt(*number);
 }
 
-// The number that the expression is, if it is an int literal, negated or not, or one that was
-// noted.
-std::optional<std::int64_t> NumberOf(const Context& context, ExprId value) {
-  if (const auto* unary = context.GetIf<Unary>(value); unary && unary->op == UnaryOp::kNegate) {
-    const bool is_int = context.Is<Literal>(unary->operand) && !IsLarge(context, unary->operand);
-    const auto number = is_int ? NumberOf(context, unary->operand) : std::nullopt;
-    return number ? std::optional(-*number) : std::nullopt;
-  }
-  const auto* literal = context.GetIf<Literal>(value);
-  if (!literal) return std::nullopt;
-  if (IsLarge(context, value)) return static_cast<std::int64_t>(literal->bits);
-  if (context.TypeOf(value).scalar != Scalar::kInt) return std::nullopt;
-  return static_cast<std::int32_t>(literal->bits);
+// Whether an integer of the kind has the number.
+bool Holds(Scalar kind, std::int64_t number) {
+  if (IsUnsigned(kind)) return number >= 0 && (IsWide(kind) || number == UintOf(number));
+  return IsWide(kind) || IsInt(number);
 }
-
-// The literal of that value: an int if it is one, and one that is noted if not.
-ExprId LiteralOf(Context& context, std::int64_t value, Span span) {
-  using Int = std::numeric_limits<std::int32_t>;
-  Builder at = context.At(span);
-  if (value >= Int::min() && value <= Int::max()) return at.Int(static_cast<std::int32_t>(value));
-  const bool is_uint = value > 0 && value <= std::numeric_limits<std::uint32_t>::max();
-  const ExprId literal = is_uint ? at.Uint(static_cast<std::uint32_t>(value))
-                                 : at.Add(context.types.Make(Scalar::kInt64),
-                                          Literal{static_cast<std::uint64_t>(value)});
-  NoteLargeLiteral(context, literal);
-  return literal;
+// Whether the expression has the number, and not its lower 32 bits alone.
+bool IsExact(const Context& context, ExprId value) {
+  const auto number = NumberOf(context, value);
+  return !number || Holds(context.TypeOf(value).scalar, *number);
+}
+bool IsArithmetic(BinaryOp op) {
+  return op == BinaryOp::kAdd || op == BinaryOp::kSub || op == BinaryOp::kMul ||
+         op == BinaryOp::kDiv || op == BinaryOp::kMod;
 }
 
 // The value of the operation; nullopt where it has none, or not with 64 bits.
@@ -53,82 +57,205 @@ std::optional<std::int64_t> Compute(BinaryOp op, std::int64_t left, std::int64_t
       is_lost = right == 0 || (left == std::numeric_limits<std::int64_t>::min() && right == -1);
       if (!is_lost) value = op == BinaryOp::kDiv ? left / right : left % right;
       break;
+    case BinaryOp::kBitAnd: value = left & right; break;
+    case BinaryOp::kBitOr: value = left | right; break;
+    case BinaryOp::kBitXor: value = left ^ right; break;
+    case BinaryOp::kShiftLeft:
+    case BinaryOp::kShiftRight:
+      is_lost = right < 0 || right > 63;
+      if (!is_lost && op == BinaryOp::kShiftRight) value = left >> right;
+      if (!is_lost && op == BinaryOp::kShiftLeft)
+        value = static_cast<std::int64_t>(static_cast<std::uint64_t>(left) << right);
+      break;
     default: return std::nullopt;
   }
   return is_lost ? std::nullopt : std::optional(value);
 }
 
-// Whether neither an int nor a uint has the bits of the literal, which stays as it is beside one.
-bool IsBeyondWord(const Context& context, ExprId literal) {
-  const auto number = NumberOf(context, literal);
-  constexpr std::int64_t kWord = std::int64_t{1} << 32;
-  return number && (*number >= kWord || *number <= -kWord);
+// Whether the comparison holds; nullopt for other operations.
+std::optional<bool> Compare(BinaryOp op, std::int64_t left, std::int64_t right) {
+  switch (op) {
+    case BinaryOp::kLess: return left < right;
+    case BinaryOp::kLessEqual: return left <= right;
+    case BinaryOp::kGreater: return left > right;
+    case BinaryOp::kGreaterEqual: return left >= right;
+    case BinaryOp::kEqual: return left == right;
+    case BinaryOp::kNotEqual: return left != right;
+    default: return std::nullopt;
+  }
 }
 
-// Makes a noted literal one of the other operand's type, where that decides.
+// Whether more than the upper 32 bits of a mask is lost with them: ~0xff000000 is -4278190081.
+bool IsBeyondWord(std::int64_t number) {
+  constexpr std::int64_t kWord = std::int64_t{1} << 32;
+  return number >= kWord || number < -kWord;
+}
+
+// Makes a literal that no int holds one of the other operand's type, where that decides.
 void Adapt(Context& context, ExprId& literal, ExprId other) {
-  if (!IsLarge(context, literal) || IsLarge(context, other)) return;
-  const Scalar kind = context.TypeOf(other).scalar;
-  const bool is_wide = kind == Scalar::kInt64;
-  const bool is_word = kind == Scalar::kInt || kind == Scalar::kUint;
-  if (!context.TypeOf(other).IsNumeric()) return;
-  if (!is_wide && (!is_word || IsBeyondWord(context, literal))) return;
-  const std::uint64_t bits = context.Get<Literal>(literal).bits;
-  literal = context.At(context[literal].span)
-                .Add(context.types.Make(kind),
-                     Literal{is_wide ? bits : static_cast<std::uint32_t>(bits)});
+  if (!IsLarge(context, literal) || NumberOf(context, other)) return;
+  const Type& type = context.TypeOf(other);
+  if (!type.IsNumeric() || IsFloat(type.scalar)) return;
+  const Scalar kind = type.scalar == Scalar::kBool ? Scalar::kInt : type.scalar;
+  const Scalar own = context.TypeOf(literal).scalar;
+  const bool is_word = !IsBeyondWord(*NumberOf(context, literal));
+  if (is_word && (own == kind || (own == Scalar::kInt && kind == Scalar::kUint))) return;
+  const Span span = context[literal].span;
+  literal = IsWide(kind) ? context.At(span).Add(
+                               context.types.Make(kind),
+                               Literal{static_cast<std::uint64_t>(*NumberOf(context, literal))})
+                         : TruncateLiteral(context, *NumberOf(context, literal), kind, span);
+}
+
+// The number that an expression made of float literals without suffixes is; nullopt for all else.
+// `literals` gets these.
+std::optional<double> RealOf(const Context& context, ExprId value, std::vector<ExprId>& literals) {
+  const auto found = context.real_literals.find(value.index);
+  if (found != context.real_literals.end()) {
+    if (found->second) literals.push_back(value);
+    return found->second;
+  }
+  if (const auto* unary = context.GetIf<Unary>(value); unary && unary->op == UnaryOp::kNegate) {
+    const auto number = RealOf(context, unary->operand, literals);
+    return number ? std::optional(-*number) : std::nullopt;
+  }
+  const auto* binary = context.GetIf<Binary>(value);
+  const auto left = binary ? RealOf(context, binary->left, literals) : std::nullopt;
+  const auto right = left ? RealOf(context, binary->right, literals) : std::nullopt;
+  if (!right) return std::nullopt;
+  switch (binary->op) {
+    case BinaryOp::kAdd: return *left + *right;
+    case BinaryOp::kSub: return *left - *right;
+    case BinaryOp::kMul: return *left * *right;
+    case BinaryOp::kDiv: return *left / *right;
+    default: return std::nullopt;
+  }
 }
 
 }  // namespace
 
-void NoteLargeLiteral(Context& context, ExprId value) {
-  context.large_literals.insert(value.index);
+ExprId IntLiteral(Context& context, std::int64_t number, Span span) {
+  const bool is_uint = number > 0 && number <= std::numeric_limits<std::uint32_t>::max();
+  const Scalar kind = IsInt(number) ? Scalar::kInt : is_uint ? Scalar::kUint : Scalar::kInt64;
+  const auto bits = static_cast<std::uint64_t>(number);
+  const ExprId literal =
+      context.At(span).Add(context.types.Make(kind), Literal{IsWide(kind) ? bits : UintOf(bits)});
+  NoteIntLiteral(context, literal, number);
+  return literal;
 }
 
-ExprId NegateLarge(Context& context, ExprId operand, Span span) {
-  if (!IsLarge(context, operand)) return {};
-  const auto number = Compute(BinaryOp::kSub, 0, *NumberOf(context, operand));
-  return number ? LiteralOf(context, *number, span) : ExprId{};
+void NoteIntLiteral(Context& context, ExprId value, std::int64_t number) {
+  context.int_literals.emplace(value.index, number);
+}
+
+std::optional<std::int64_t> IntLiteralOf(const Context& context, UnaryOp op, ExprId operand) {
+  const auto number = NumberOf(context, operand);
+  if (number && op == UnaryOp::kComplement) return ~*number;
+  return number && op == UnaryOp::kNegate ? Compute(BinaryOp::kSub, 0, *number) : std::nullopt;
+}
+
+std::optional<std::int64_t> IntLiteralOf(const Context& context, BinaryOp op, ExprId left,
+                                         ExprId right) {
+  const auto one = NumberOf(context, left), other = NumberOf(context, right);
+  return one && other ? Compute(op, *one, *other) : std::nullopt;
 }
 
 ExprId FoldLarge(Context& context, BinaryOp op, ExprId& left, ExprId& right, Span span) {
   if (!IsLarge(context, left) && !IsLarge(context, right)) return {};
-  const auto one = NumberOf(context, left), other = NumberOf(context, right);
-  if (one && other) {
-    const auto value = Compute(op, *one, *other);
-    return value ? LiteralOf(context, *value, span) : ExprId{};
+  if (const auto number = IntLiteralOf(context, op, left, right)) {
+    // Of what ints give the lower 32 bits are right.
+    const bool is_right = op == BinaryOp::kShiftRight ? IsExact(context, left) : !IsArithmetic(op);
+    return is_right ? ExprId{} : IntLiteral(context, *number, span);
   }
-  AdaptLarge(context, left, right);
+  const auto one = NumberOf(context, left), other = NumberOf(context, right);
+  const auto holds = one && other ? Compare(op, *one, *other) : std::nullopt;
+  if (holds) return context.At(span).Bool(*holds);
+  if (!IsLogical(op)) AdaptLarge(context, left, right);
   return {};
 }
 
 void AdaptLarge(Context& context, ExprId& left, ExprId& right) {
-  if (context.large_literals.empty()) return;
+  if (context.int_literals.empty()) return;
   Adapt(context, left, right);
   Adapt(context, right, left);
 }
 
-ExprId AdaptShifted(Context& context, ast::ExprId written, ExprId left, ExprId right) {
-  const auto* sign = context.GetIf<ast::UnaryExpr>(written);
-  const auto* literal = context.GetIf<ast::Literal>(sign ? sign->operand : written);
-  const bool is_plain = literal && literal->kind != LiteralKind::kUint;
-  const auto number = is_plain ? NumberOf(context, left) : std::nullopt;
-  if (!number || context.TypeOf(right).scalar != Scalar::kUint || IsBeyondWord(context, left))
+void AdaptArguments(Context& context, Exprs& arguments) {
+  for (ExprId& argument : arguments) {
+    for (const ExprId other : arguments) {
+      Adapt(context, argument, other);
+      if (IsFloat(context.TypeOf(other).scalar))
+        argument = SettleInt(context, argument, Scalar::kFloat, false);
+      if (context.TypeOf(other).scalar == Scalar::kDouble && context.TypeOf(argument).IsNumeric())
+        argument = ExactFor(context, argument, context.TypeIdOf(other));
+    }
+  }
+}
+
+std::int64_t TruncatedTo(Context& context, std::int64_t number, Scalar kind, Span span) {
+  const std::int64_t left = IsUnsigned(kind) ? std::int64_t{UintOf(number)} : IntOf(number);
+  if (IsBeyondWord(number))
+    context.Report(span, diag::LiteralTruncated, number, NameOf(kind), left);
+  return left;
+}
+
+ExprId TruncateLiteral(Context& context, std::int64_t number, Scalar kind, Span span) {
+  const std::int64_t left = TruncatedTo(context, number, kind, span);
+  return context.At(span).Add(context.types.Make(kind), Literal{UintOf(left)});
+}
+
+ExprId SettleInt(Context& context, ExprId value, Scalar kind, bool is_cast) {
+  const auto number = NumberOf(context, value);
+  if (!number || IsInt(*number)) return value;
+  const Span span = context[value].span;
+  const bool is_word = BaseOf(kind) == Scalar::kInt || BaseOf(kind) == Scalar::kUint;
+  if (!is_word) return IsExact(context, value) ? value : IntLiteral(context, *number, span);
+  return is_cast || !IsBeyondWord(*number) ? value : TruncateLiteral(context, *number, kind, span);
+}
+
+ExprId AdaptShifted(Context& context, ExprId left, ExprId right) {
+  const auto number = NumberOf(context, left);
+  if (!number || context.TypeOf(right).scalar != Scalar::kUint || NumberOf(context, right))
     return left;
-  return context.At(context[left].span).Uint(static_cast<std::uint32_t>(*number));
+  return TruncateLiteral(context, *number, Scalar::kUint, context[left].span);
 }
 
-void NoteLongLiteral(Context& context, ExprId value, double number) {
-  context.long_literals.emplace(value.index, number);
+ExprId RealLiteral(Context& context, double number, Span span) {
+  const ExprId value = context.At(span).LiteralOf(Scalar::kFloat, number);
+  NoteRealLiteral(context, value, number);
+  const bool is_infinite = std::isinf(FloatOf(context.Get<Literal>(value).bits));
+  if (is_infinite && !std::isinf(number)) context.infinite_literals.push_back({value, number});
+  return value;
 }
 
-ExprId DoubleOf(Context& context, ExprId value) {
-  const auto* unary = context.GetIf<Unary>(value);
-  const bool is_negated = unary && unary->op == UnaryOp::kNegate;
-  const auto found = context.long_literals.find(is_negated ? unary->operand.index : value.index);
-  if (found == context.long_literals.end()) return {};
-  return context.At(context[value].span)
-      .LiteralOf(Scalar::kDouble, is_negated ? -found->second : found->second);
+void NoteRealLiteral(Context& context, ExprId value, double number) {
+  context.real_literals.emplace(value.index, number);
+}
+
+void NoteReal(Context& context, ExprId value, ExprId from) {
+  if (const auto number = NumberOf(context, from))
+    NoteRealLiteral(context, value, static_cast<double>(*number));
+}
+
+void NoteTyped(Context& context, ExprId value) {
+  context.int_literals.erase(value.index);
+  if (!context.real_literals.empty()) context.real_literals[value.index] = std::nullopt;
+}
+
+ExprId ExactFor(Context& context, ExprId value, TypeId to) {
+  if (context.real_literals.empty() || context[to].scalar != Scalar::kDouble) return value;
+  std::vector<ExprId> literals;
+  const auto number = RealOf(context, value, literals);
+  if (!number) return value;
+  std::erase_if(context.infinite_literals, [&](const Context::InfiniteLiteral& infinite) {
+    return std::ranges::find(literals, infinite.literal) != literals.end();
+  });
+  return context.At(context[value].span).LiteralOf(Scalar::kDouble, *number);
+}
+
+void ReportInfinite(Context& context) {
+  for (const auto& [literal, number] : context.infinite_literals)
+    context.Report(context[literal].span, diag::FloatLiteralRange, fmt::format("{}", number));
 }
 
 }  // namespace clipc::check

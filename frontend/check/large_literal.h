@@ -1,32 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "frontend/check/context.h"
 
 // Literals without a suffix from profile 6.0 on. To DXC one is a number of 64 bits without a type,
 // "literal int" or "literal float", which becomes what the other operand is: CombineBasicTypes in
 // its SemaHLSL.cpp. An integer of 2^31 and more is a uint here where it is used alone and fits one,
-// and a sum or the like of such literals is computed with 64 bits.
+// an int64 where it does not, and what is made of such literals is computed with 64 bits.
 namespace clipc::check {
 
-// Notes that the value is such a literal.
-void NoteLargeLiteral(Context& context, ExprId value);
-// The literal that `-operand` is, if the operand is a literal that was noted; else none.
-ExprId NegateLarge(Context& context, ExprId operand, Span span);
-// Makes a noted operand beside a value one of the value's type.
-void AdaptLarge(Context& context, ExprId& left, ExprId& right);
-// The uint that a literal is which is shifted by a uint: "For case like 1<<x" in
-// CheckBinOpForHLSL of DXC's SemaHLSL.cpp. `written` is the literal in the text; other operands
-// stay.
-ExprId AdaptShifted(Context& context, ast::ExprId written, ExprId left, ExprId right);
+// Whether there are such literals, which the functions here need not be asked of otherwise.
+inline bool HasUntyped(const Context& context) {
+  return !context.int_literals.empty() || !context.real_literals.empty();
+}
 
-// Notes that the float literal is `number`, which a float rounds.
-void NoteLongLiteral(Context& context, ExprId value, double number);
-// The double that a noted literal is, negated or not; none for all else.
-ExprId DoubleOf(Context& context, ExprId value);
-
-// The value of an operation of literals of which one was noted; none for other operations. A noted
-// operand beside a value is adapted.
+// The literal of such a number: an int if it is one.
+ExprId IntLiteral(Context& context, std::int64_t number, Span span);
+// Notes that the value is that number, made of such literals alone.
+void NoteIntLiteral(Context& context, ExprId value, std::int64_t number);
+// The number that an expression made of such literals alone is; nullopt for all else.
+std::optional<std::int64_t> NumberOf(const Context& context, ExprId value);
+// The number that an operation of such literals is; nullopt for other operations.
+std::optional<std::int64_t> IntLiteralOf(const Context& context, UnaryOp op, ExprId operand);
+std::optional<std::int64_t> IntLiteralOf(const Context& context, BinaryOp op, ExprId left,
+                                         ExprId right);
+// The value of an operation of such literals, one of which no int holds; none for other operations,
+// and those that ints give. A literal that no int holds, beside a value, is adapted.
 ExprId FoldLarge(Context& context, BinaryOp op, ExprId& left, ExprId& right, Span span);
+// Makes a literal that no int holds, beside a value, one of the value's type.
+void AdaptLarge(Context& context, ExprId& left, ExprId& right);
+// The same of the arguments of an intrinsic function, among them literals beside a double.
+void AdaptArguments(Context& context, Exprs& arguments);
+// The number of its lower 32 bits that the type holds. If more than a sign is lost, that is
+// reported, as by Clang's -Wconstant-conversion.
+std::int64_t TruncatedTo(Context& context, std::int64_t number, Scalar kind, Span span);
+// The literal of the lower 32 bits of the number.
+ExprId TruncateLiteral(Context& context, std::int64_t number, Scalar kind, Span span);
+// The value, which becomes one of the kind, by a cast or not: a number that the expression does not
+// have is a literal, of its lower 32 bits as above for an int or a uint.
+ExprId SettleInt(Context& context, ExprId value, Scalar kind, bool is_cast);
+// The uint that a literal is which is shifted by a uint: "For case like 1<<x" in
+// CheckBinOpForHLSL of DXC's SemaHLSL.cpp. Other operands stay.
+ExprId AdaptShifted(Context& context, ExprId left, ExprId right);
+
+// The literal of a number without a suffix, which is a float unless it becomes a double.
+ExprId RealLiteral(Context& context, double number, Span span);
+// Notes that the float is that number, made of such literals alone; NoteReal if `from`, of which
+// it was made, is one.
+void NoteRealLiteral(Context& context, ExprId value, double number);
+void NoteReal(Context& context, ExprId value, ExprId from);
+// Notes that the value has its type for good: (float)0.1 is not a literal to DXC.
+void NoteTyped(Context& context, ExprId value);
+// The value, which becomes one of `to`: as a double if it is made of such literals alone and `to`
+// is of doubles.
+ExprId ExactFor(Context& context, ExprId value, TypeId to);
+// Reports the literals that a float does not hold and that did not become doubles.
+void ReportInfinite(Context& context);
 
 }  // namespace clipc::check

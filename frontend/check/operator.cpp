@@ -127,14 +127,15 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
   const auto* literal = context.GetIf<ast::Literal>(expr.operand);
   constexpr std::uint64_t kLeastInt = std::uint64_t{1} << 31;
   if (expr.op == UnaryOp::kNegate && literal && literal->kind == LiteralKind::kInt &&
-      literal->bits == kLeastInt) {
+      literal->bits == kLeastInt && !context.program.profile.IsAtLeast(6, 0)) {
     return context.At(span).Int(std::numeric_limits<std::int32_t>::min());
   }
   ExprId operand = CheckExpr(context, expr.operand);
   if (context.IsError(operand)) return operand;
-  if (expr.op == UnaryOp::kNegate && !context.large_literals.empty()) {
-    if (const ExprId negated = NegateLarge(context, operand, span)) return negated;
-  }
+  const bool may_be_number = expr.op && !context.int_literals.empty();
+  const auto number = may_be_number ? IntLiteralOf(context, *expr.op, operand) : std::nullopt;
+  if (number && expr.op == UnaryOp::kNegate && context.TypeOf(operand).scalar != Scalar::kInt)
+    return IntLiteral(context, *number, span);
   const TypeId type = context.TypeIdOf(operand);
   const std::string_view spelling = expr.op ? SpellingOf(*expr.op) : "+";
   if (!CheckNoEnumClass(context, spelling, operand, span)) return context.ErrorExpr(span);
@@ -150,7 +151,10 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
                         : kind == Scalar::kBool  ? Scalar::kInt
                                                  : kind;
   operand = Implicit(context, operand, context.types.WithScalar(type, wanted));
-  return expr.op ? context.At(span).UnaryOf(*expr.op, operand) : operand;
+  if (!expr.op) return operand;
+  const ExprId result = context.At(span).UnaryOf(*expr.op, operand);
+  if (number) NoteIntLiteral(context, result, *number);
+  return result;
 }
 
 ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
@@ -171,8 +175,7 @@ ExprId CheckNode(Context& context, const ast::BinaryExpr& expr, Span span) {
                           context.TypeName(side), is_and ? "and(a, b)" : "or(a, b)");
     }
   }
-  if (IsShift(expr.op) && context.program.profile.IsAtLeast(6, 0))
-    left = AdaptShifted(context, expr.left, left, right);
+  if (IsShift(expr.op) && HasUntyped(context)) left = AdaptShifted(context, left, right);
   const ExprId combined = CombineOperands(context, expr.op, left, right, {expr.op_span, span});
   ShortCircuit(context, combined);
   return combined;
@@ -187,15 +190,19 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
     if (const auto call = CallOperator(context, SpellingOf(op), operands, op_span, span))
       return *call;
   }
-  if (!context.large_literals.empty()) {
+  std::optional<std::int64_t> number;
+  if (!context.int_literals.empty()) {
     if (const ExprId folded = FoldLarge(context, op, left, right, span)) return folded;
+    number = IntLiteralOf(context, op, left, right);
   }
   const auto type = OperandType(context, op, left, right, op_span);
   if (!type) return context.ErrorExpr(span);
   if (const auto least = BelowInt(context, op, left, right)) return context.At(span).Int(*least);
   const Side sides[] = {{left, *type}, {right, *type}};
   const auto combine = IsLogical(op) ? CombineLogical : IsShift(op) ? CombineShift : Combine;
-  return combine(context, op, sides[0], sides[1], span);
+  const ExprId combined = combine(context, op, sides[0], sides[1], span);
+  if (number) NoteIntLiteral(context, combined, *number);
+  return combined;
 }
 
 std::optional<TypeId> OperandType(Context& context, BinaryOp op, ExprId left, ExprId right,

@@ -8,6 +8,7 @@
 
 #include "frontend/check/emit.h"
 #include "frontend/check/flow.h"
+#include "frontend/check/large_literal.h"
 #include "frontend/check/stmt.h"
 #include "frontend/check/value.h"
 
@@ -17,12 +18,14 @@ namespace {
 // The labels of a switch that were seen; `default` is none.
 using SeenLabels = std::unordered_map<std::optional<std::int64_t>, Span>;
 
-// The value of a label; nullopt for `default`, and after an error, which was reported.
+// The value of a label, one that the type may have; nullopt for `default`, and after an error,
+// which was reported.
 std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt& stmt, Span span,
-                                           SeenLabels& seen) {
+                                           Scalar kind, SeenLabels& seen) {
   std::optional<std::int64_t> value;
   if (stmt.value) value = ConstantInteger(context, stmt.value);
   if (stmt.value && !value) return std::nullopt;
+  if (value && !IsWide(kind)) value = TruncatedTo(context, *value, kind, context[stmt.value].span);
   const auto [first, is_new] = seen.try_emplace(value, span);
   if (!is_new) {
     context.Report(span, diag::CaseTwice, stmt.value ? fmt::format("case {}", *value) : "default")
@@ -119,7 +122,8 @@ class Arms {
       arms_.emplace_back();
     }
     label_span_ = span;
-    if (const auto value = CheckCaseLabel(context_, label, span, seen_)) {
+    const Scalar kind = is_wide_ ? Scalar::kInt64 : context_[type_].scalar;
+    if (const auto value = CheckCaseLabel(context_, label, span, kind, seen_)) {
       const auto written = is_wide_ ? static_cast<std::uint32_t>(wide_labels_.size())
                                     : static_cast<std::uint32_t>(*value);
       if (is_wide_) wide_labels_.push_back(*value);

@@ -41,7 +41,8 @@ std::string TextOf(const Context& context, const ast::Literal& literal) {
     case LiteralKind::kInt64: return fmt::format("{}l", number);
     case LiteralKind::kUint64: return fmt::format("{}ul", literal.bits);
     case LiteralKind::kHalf: return real("h");
-    case LiteralKind::kFloat: return real("");
+    case LiteralKind::kFloat:
+    case LiteralKind::kTypedFloat: return real("");
     case LiteralKind::kDouble: return real("L");
     case LiteralKind::kString:
       return fmt::format("\"{}\"", context[Name{static_cast<std::uint32_t>(literal.bits)}]);

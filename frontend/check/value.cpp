@@ -52,15 +52,21 @@ ExprId Implicit(Context& context, ExprId value, TypeId to) {
   const Span span = context[value].span;
   if (from == to) return value;
   if (context.IsError(from, to)) return context.ErrorExpr(span);
-  if (!context.long_literals.empty() && context[to].scalar == Scalar::kDouble) {
-    if (const ExprId exact = DoubleOf(context, value)) return Implicit(context, exact, to);
+  if (HasUntyped(context)) {
+    const ExprId exact = ExactFor(context, value, to);
+    const ExprId settled = SettleInt(context, exact, context[to].scalar, false);
+    if (settled != value) return Implicit(context, settled, to);
   }
   if (RankImplicit(context.types, from, to)) {
     if (RefusesBits(context, from, to, span)) return context.ErrorExpr(span);
     if (NeedsCast(context, from, to)) {
       return context.Fail(span, diag::CastNeeded, context.TypeName(from), context.TypeName(to));
     }
-    return ConvertImplicit(context.program, value, to, context.diagnostics, &context);
+    const ExprId converted =
+        ConvertImplicit(context.program, value, to, context.diagnostics, &context);
+    if (!context.int_literals.empty() && to == context.types.Make(Scalar::kFloat))
+      NoteReal(context, converted, value);
+    return converted;
   }
   if (DerivesFrom(context, from, to)) {
     Exprs prologue, fields;
@@ -77,6 +83,8 @@ ExprId Implicit(Context& context, ExprId value, TypeId to) {
 }
 
 ExprId ConvertSilently(Context& context, ExprId value, TypeId to) {
+  if (HasUntyped(context))
+    value = SettleInt(context, ExactFor(context, value, to), context[to].scalar, true);
   if (context.TypeIdOf(value) == to) return value;
   return ConvertExplicit(context.program, value, to, context);
 }
@@ -102,6 +110,7 @@ std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id) {
   const ViewSwitch in(context, view);
   const ExprId value = CheckExpr(context, id);
   if (context.IsError(value)) return std::nullopt;
+  if (const auto number = NumberOf(context, value)) return number;
   if (const auto number = EvaluateInteger(context.program, value)) return number;
   // fxc truncates a float.
   if (const auto constant = EvaluateConstant(context.program, value);

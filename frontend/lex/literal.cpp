@@ -39,12 +39,11 @@ bool ReadIntegerSuffix(std::string_view text, Number& number) {
       return false;
     }
   }
-  const bool is_wide = longs == 2 || number.value > std::numeric_limits<std::uint32_t>::max();
-  if (is_wide) {
-    const bool needs_top_bit = number.value > std::numeric_limits<std::int64_t>::max();
+  const bool needs_top_bit = number.value > std::numeric_limits<std::int64_t>::max();
+  if (longs == 2 || needs_top_bit) {
     number.kind = is_unsigned || needs_top_bit ? LiteralKind::kUint64 : LiteralKind::kInt64;
   } else {
-    // Whether 3000000000 is an int is a question of the shader model.
+    // Whether 3000000000 and 5000000000 are ints is a question of the shader model.
     number.kind = is_unsigned ? LiteralKind::kUint : LiteralKind::kInt;
   }
   return true;
@@ -70,7 +69,7 @@ Number ReadInteger(std::string_view text, std::size_t digits_begin, std::size_t 
 bool ReadFloatSuffix(std::string_view text, Number& number) {
   number.kind = LiteralKind::kFloat;
   switch (ToLower(At(text, number.length))) {
-    case 'f': break;
+    case 'f': number.kind = LiteralKind::kTypedFloat; break;
     case 'h': number.kind = LiteralKind::kHalf; break;
     case 'l': number.kind = LiteralKind::kDouble; break;
     default: return !IsWordChar(At(text, number.length));
@@ -124,7 +123,8 @@ Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
                               ? std::numeric_limits<double>::infinity()
                               : 0x1.ffffffp127;
   if (value >= infinite) {
-    value = std::numeric_limits<double>::infinity();
+    // Whether 1e300 is a double is a question of the shader model.
+    if (number.kind != LiteralKind::kFloat) value = std::numeric_limits<double>::infinity();
     if (number.problem == NumberProblem::kNone) number.problem = NumberProblem::kInfinite;
   }
   number.value = std::bit_cast<std::uint64_t>(value);

@@ -15,7 +15,8 @@ enum class NumberProblem : std::uint8_t {
   kNotANumber,  // no digits, or letters that are not a suffix
   kBadOctal,    // 089
   kTooLarge,    // an integer beyond 64 bits
-  kInfinite,    // a floating-point number beyond the range of its type; its value is infinity
+  kInfinite,    // a floating-point number beyond the range of its type; its value is infinity, but
+                // that of a number without a suffix is the double
 };
 
 // A number read from the start of a text.
@@ -29,9 +30,9 @@ struct Number {
 
 // Reads the number at the start of `text`, which begins with a digit, or with `.` and a digit, and
 // has no line continuations in it. Decimal, octal (0..), hexadecimal, binary (0b..); suffixes u l
-// ul ll ull, f h l in either case. Without a suffix an integer that needs the 32nd bit is a uint
-// (fxc: 0xFFFFFFFF is 4294967295), a longer one an int64, a hexadecimal one below that is
-// kHexadecimal; a floating-point number is a float whose value keeps the precision of a double
+// ul ll ull, f h l in either case. Without `ll` an integer is one of 32 bits, though its value may
+// be longer; one beyond an int64 is a uint64. A hexadecimal one without a suffix is kHexadecimal. A
+// floating-point number without a suffix is a float whose value keeps the precision of a double
 // until it is used.
 //
 // A number ends where a swizzle starts (`1.0.yyy`), and at an operator that C's lexer makes part of

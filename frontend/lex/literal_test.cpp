@@ -37,7 +37,7 @@ TEST(ReadNumber, Integers) {
       {"0b101", LiteralKind::kInt, 5},
       {"0B11u", LiteralKind::kUint, 3},
       {"0b1ll", LiteralKind::kInt64, 1},
-      {"4294967296", LiteralKind::kInt64, 4294967296},
+      {"4294967296", LiteralKind::kInt, 4294967296},
       {"18446744073709551615", LiteralKind::kUint64, std::numeric_limits<std::uint64_t>::max()},
   };
   for (const Case& test : kCases) {
@@ -62,6 +62,7 @@ TEST(ReadNumber, Floats) {
   EXPECT_EQ(ReadNumber("1.0h").kind, LiteralKind::kHalf);
   EXPECT_EQ(ReadNumber("1.0L").kind, LiteralKind::kDouble);
   EXPECT_EQ(ReadNumber("1.0").kind, LiteralKind::kFloat);
+  EXPECT_EQ(ReadNumber("1f").kind, LiteralKind::kTypedFloat);
 }
 
 TEST(ReadNumber, LargestFloat) {
@@ -99,8 +100,11 @@ TEST(ReadNumber, Problems) {
   for (const char* text : {"3.4028235677973367e38", "3.4028235677973367e38f", "1e39", "1e39f",
                            "1e400", "3.5e38h", "1e400L"}) {
     EXPECT_EQ(ReadNumber(text).problem, NumberProblem::kInfinite) << text;
-    EXPECT_TRUE(std::isinf(Float(text))) << text;
+    EXPECT_TRUE(std::isinf(static_cast<float>(Float(text)))) << text;
   }
+  // A double may have a number without a suffix.
+  EXPECT_EQ(Float("1e39"), 1e39);
+  EXPECT_TRUE(std::isinf(Float("1e39f")));
   EXPECT_EQ(ReadNumber("1e39L").problem, NumberProblem::kNone);
 }
 

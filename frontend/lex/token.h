@@ -68,12 +68,13 @@ enum class LiteralKind : std::uint8_t {
   kUint64,
   kHalf,
   kFloat,
+  kTypedFloat,  // 1.0f, which is a float beside a double too
   kDouble,
   kString
 };
 
 constexpr bool IsFloatingPoint(LiteralKind kind) {
-  return kind == LiteralKind::kHalf || kind == LiteralKind::kFloat || kind == LiteralKind::kDouble;
+  return kind >= LiteralKind::kHalf && kind <= LiteralKind::kDouble;
 }
 
 // One token, in sixteen bytes. `value` is the value of an integer literal, the bits of a double for

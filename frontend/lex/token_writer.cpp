@@ -2,6 +2,9 @@
 #include "frontend/lex/token_writer.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
 
 namespace clipc {
 
@@ -48,7 +51,15 @@ void TokenWriter::AddNumber(Token token, std::string_view text) {
 
 std::size_t TokenWriter::AddOneNumber(Token token, std::string_view text) {
   Number number = ReadNumber(text);
-  const bool is_foreign = number.is_binary && !has_binary_;
+  if (number.problem == NumberProblem::kInfinite &&
+      !std::isinf(std::bit_cast<double>(number.value))) {
+    // From shader model 6 on such a literal may be a double.
+    if (is_model_6_)
+      number.problem = NumberProblem::kNone;
+    else
+      number.value = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  }
+  const bool is_foreign = number.is_binary && !is_model_6_;
   if (number.problem != NumberProblem::kNone || is_foreign) {
     if (number.problem == NumberProblem::kNotANumber) number.length = text.size();
     ReportNumber(token.span(), text.substr(0, number.length), number);

@@ -16,9 +16,9 @@ namespace clipc {
 // location and after_space; the writer fills in the rest.
 class TokenWriter {
  public:
-  // `has_binary`: whether 0b101 is a number.
-  TokenWriter(Tokens& tokens, Diagnostics& diagnostics, bool has_binary)
-      : tokens_(tokens), diagnostics_(diagnostics), has_binary_(has_binary) {}
+  // `is_model_6`: 0b101 is a number, and 1e300 is a double where one is wanted.
+  TokenWriter(Tokens& tokens, Diagnostics& diagnostics, bool is_model_6)
+      : tokens_(tokens), diagnostics_(diagnostics), is_model_6_(is_model_6) {}
 
   [[gnu::always_inline]] void AddPunctuator(Token token) { Add(token, After::kOther); }
   void AddPragma(Token token) {
@@ -54,7 +54,7 @@ class TokenWriter {
 
   Tokens& tokens_;
   Diagnostics& diagnostics_;
-  bool has_binary_;
+  bool is_model_6_;
   After after_ = After::kOther;
   Token string_;
   std::string string_text_;

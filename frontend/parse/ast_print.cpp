@@ -156,7 +156,7 @@ void Printer::PutPart(TypeId id) {
 
 void Printer::PutPart(const Literal& literal) {
   // The suffixes by LiteralKind.
-  constexpr std::string_view kSuffixes[] = {"", "", "", "u", "l", "ul", "h", "", "L", ""};
+  constexpr std::string_view kSuffixes[] = {"", "", "", "u", "l", "ul", "h", "", "", "L", ""};
   const std::string_view suffix = kSuffixes[static_cast<std::size_t>(literal.kind)];
   const auto out = std::back_inserter(out_);
   if (literal.kind == LiteralKind::kBool) {

@@ -1,8 +1,8 @@
-// An integer of more than 32 bits is 64 wide; a shift of one takes its count modulo 64.
+// An integer with `ull` is 64 wide; a shift of one takes its count modulo 64.
 // RUN: %clipc -T vs_6_0 --target=glsl450 --validate %s -o - | FileCheck %s
 // AUTOUPDATE
 float4 main(float4 p : POSITION, uint id : ID) : SV_Position {
-  uint64_t wide = 4294967296 * id;
+  uint64_t wide = 4294967296ull * id;
   uint64_t again = wide;
   again >>= 33;
   return p * float(wide >> 32) * float(again);
