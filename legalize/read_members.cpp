@@ -27,7 +27,7 @@ namespace {
 struct Reads {
   std::vector<ExprId> elements;  // of packed arrays
   std::vector<ExprId> members;   // whole ones
-  std::vector<ExprId> blocks;    // values of a ConstantBuffer<T>
+  std::vector<ExprId> blocks;    // values of a ConstantBuffer<T>, or of a row of an array of these
   std::vector<ExprId> arrays;    // of such values
   bool empty() const {
     return elements.empty() && members.empty() && blocks.empty() && arrays.empty();
@@ -76,10 +76,9 @@ class ReadFinder {
 
   void AddBlock(ExprId expr, Reads& found) const {
     const TypeId type = TypeIdOf(program_, expr);
-    if (program_.types[type].kind == TypeKind::kStruct) found.blocks.push_back(expr);
-    const bool is_array = program_.types[type].kind == TypeKind::kArray &&
-                          program_.types[program_.types.Innermost(type)].kind == TypeKind::kStruct;
-    if (is_array && As<VarRef>(program_, expr)) found.arrays.push_back(expr);
+    if (program_.types[program_.types.Innermost(type)].kind != TypeKind::kStruct) return;
+    const bool is_all = program_.types[type].kind == TypeKind::kArray && As<VarRef>(program_, expr);
+    (is_all ? found.arrays : found.blocks).push_back(expr);
   }
 
   bool IsArray(ExprId expr) const { return TypeOf(program_, expr).kind == TypeKind::kArray; }
@@ -208,8 +207,8 @@ class MemberReading {
     return b.ConstructOf(type, elements);
   }
 
-  // Makes the value of a ConstantBuffer<T>, which a path leads to, one of its fields. A function
-  // evaluates the indices once.
+  // Makes the value of a ConstantBuffer<T>, or of a row of an array of these, which a path leads
+  // to, one of its fields. A function evaluates the indices once.
   void BecomeValue(ExprId expr) {
     const TypeId type = program_.exprs[expr].type;
     const VarId block = RootOf(program_, expr);
@@ -242,16 +241,14 @@ class MemberReading {
     const bool is_marked = std::ranges::find(marks, true) != marks.end();
     const std::string name = program_.vars[block].name + (is_marked ? "_any_value" : "_value");
     return Add(name, parameters, type, [&](HelperBody& body) {
-      body.Return(FieldsOf(body.b, type, [&] {
-        ExprId path = body.b.Ref(block);
-        for (std::size_t i = 0; i < marks.size(); ++i) {
-          ExprId index = body[i];
-          if (marks[i])
-            index = body.b.IntrinsicOf(CommonIntrinsic::kNonUniform, body.b.TypeOf(index), {index});
-          path = body.b.At(path, index);
-        }
-        return path;
-      }));
+      ExprId path = body.b.Ref(block);
+      for (std::size_t i = 0; i < marks.size(); ++i) {
+        ExprId index = body[i];
+        if (marks[i])
+          index = body.b.IntrinsicOf(CommonIntrinsic::kNonUniform, body.b.TypeOf(index), {index});
+        path = body.b.At(path, index);
+      }
+      body.Return(ValueAt(body.b, path, type));
     });
   }
 

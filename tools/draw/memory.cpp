@@ -8,6 +8,7 @@
 
 #include "backend-glsl/names.h"
 #include "ir/packing.h"
+#include "tools/draw/textures.h"
 
 namespace clipc::draw {
 namespace {
@@ -174,17 +175,25 @@ void ForEachComponent(const TypeTable& types, TypeId type_id, bool row_major, st
   }
 }
 
+std::vector<std::string> BlockNames(const Program& program, const GlslInfo::UniformBlock& block) {
+  const Cbuffer& declared = program.cbuffers[block.cbuffer];
+  if (declared.kind != CbufferKind::kConstantBuffer) return {block.name};
+  std::vector<std::string> names = ElementIndices(program, declared.members.front().var);
+  names.resize(std::min<std::size_t>(names.size(), declared.count));  // none without a size
+  for (std::string& name : names) name.insert(0, block.name);
+  return names;
+}
+
 void GiveConstants(const Program& program, const GlslInfo& info, const std::vector<Bytes>& cbuffers,
                    Inputs& inputs) {
   for (const GlslInfo::UniformBlock& block : info.blocks) {
     const Cbuffer& declared = program.cbuffers[block.cbuffer];
     const Bytes& bytes = cbuffers[block.cbuffer.index];
     if (block.name.empty()) continue;
-    if (declared.count == 1) inputs.blocks.push_back({block.name, bytes});
-    for (std::uint32_t i = 0; declared.count > 1 && i < declared.count; ++i) {
-      const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(i) * declared.size;
-      inputs.blocks.push_back(
-          {block.name + "[" + std::to_string(i) + "]", {begin, begin + declared.size}});
+    auto begin = bytes.begin();
+    for (const std::string& name : BlockNames(program, block)) {
+      inputs.blocks.push_back({name, {begin, begin + declared.size}});
+      begin += declared.size;
     }
   }
   inputs.find_uniform = [&](const std::string& name) {

@@ -33,6 +33,10 @@ void ForEachComponent(const ir::TypeTable& types, ir::TypeId type, bool row_majo
                       const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit,
                       Packing packing = Packing::kConstants);
 
+// What OpenGL calls the block, or each block of an array: "parts_block[1][0]".
+std::vector<std::string> BlockNames(const ir::Program& program,
+                                    const GlslInfo::UniformBlock& block);
+
 // Adds the cbuffers, whose bytes are given by CbufferId, to `inputs` as the blocks and uniforms of
 // the written shader. The value of a plain uniform is found by its name: `light.color`,
 // `planes[1]`. `inputs` refers to the other arguments from then on.

@@ -65,8 +65,8 @@ RandomInputs MakeRandomInputs(const Program& program, const RandomOptions& optio
     Bytes& bytes = inputs.cbuffers.emplace_back(std::size_t{cbuffer.size} * cbuffer.count);
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program.vars[member.var];
-      const bool is_array_of_buffers = cbuffer.count > 1;
-      const TypeId type = is_array_of_buffers ? program.types[var.type].element : var.type;
+      const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
+      const TypeId type = is_constant_buffer ? program.types.Innermost(var.type) : var.type;
       for (std::uint32_t i = 0; i < cbuffer.count; ++i) {
         ForEachComponent(program.types, type, var.row_major, member.offset + i * cbuffer.size,
                          [&](Scalar kind, std::uint32_t byte) {

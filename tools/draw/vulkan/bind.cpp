@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ir/scalar.h"
+#include "tools/draw/memory.h"
 #include "tools/draw/surface.h"
 #include "tools/draw/textures.h"
 #include "tools/draw/vulkan/driver_bugs.h"
@@ -35,11 +36,10 @@ class Binder {
       call_.push_constants = Find(inputs_.blocks, block.name).bytes;
       return;
     }
-    const std::uint32_t count = program_.cbuffers[block.cbuffer].count;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::string name = count == 1 ? block.name : block.name + "[" + std::to_string(i) + "]";
-      Add(block, {name, i}, DescriptorKind::kUniforms).bytes = Find(inputs_.blocks, name).bytes;
-    }
+    const std::vector<std::string> names = BlockNames(program_, block);
+    for (std::uint32_t i = 0; i < names.size(); ++i)
+      Add(block, {names[i], i}, DescriptorKind::kUniforms).bytes =
+          Find(inputs_.blocks, names[i]).bytes;
   }
 
   void Bind(const GlslInfo::Object& object) {
