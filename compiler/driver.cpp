@@ -88,10 +88,7 @@ Result<> Driver::CheckUsage() {
   }
   if (Result<> done = CheckCommand(command_); !done) return done;
   FileSet named, sources;
-  for (const std::string& input : inputs) sources.Add(input);
-  for (const std::string& file : command_.response_files) sources.Add(file);
-  if (!command_.fragment.empty()) sources.Add(command_.fragment);
-  if (!command_.pixel_shader.path.empty()) sources.Add(command_.pixel_shader.path);
+  for (const std::string& file : FilesRead(command_)) sources.Add(file);
   const std::string& messages = command_.messages;
   if (sources.Has(messages))
     return Problem{
@@ -120,7 +117,7 @@ RunResult Driver::Run() {
   if (!ready) return {Fail(ready.problem(), command_.format)};
   ShowNotices();
   int exit_code = command_.notices.has_errors() ? kExitUsage : CompileAll();
-  std::vector<std::string> read = command_.inputs;
+  std::vector<std::string> read = FilesRead(command_);
   for (const auto& files : files_) read.insert(read.end(), files.begin(), files.end());
   exit_code = printer_.End(exit_code, read);
   return {exit_code, std::move(files_)};
@@ -202,7 +199,12 @@ int MergeShards(const CommandLine& command) {
   if (!index) return Fail(index.problem(), command.format);
   const std::string folder = command.inputs[0].substr(0, NameBegin(command.inputs[0]));
   OutputFiles files;
-  files.Add(command.index.empty() ? folder + "index.json" : command.index, std::move(*index));
+  const std::string path = command.index.empty() ? folder + "index.json" : command.index;
+  FileSet read;
+  for (const std::string& file : FilesRead(command)) read.Add(file);
+  if (read.Has(path))
+    return Fail(fmt::format("the output `{}` would overwrite its input", path), command.format);
+  files.Add(path, std::move(*index));
   const Result<> written = files.Commit();
   return written ? kExitOk : Fail(written.problem(), command.format);
 }

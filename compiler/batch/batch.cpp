@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -41,6 +42,9 @@ namespace {
 Problem SamePath(const std::string& path) {
   return {
       fmt::format("two outputs would go to `{}`; give them different names or extensions", path)};
+}
+Problem Overwrites(const std::string& path) {
+  return {fmt::format("the output `{}` would overwrite a file that is read", path)};
 }
 
 // The permutations of one group that were compiled, and the jobs that have their results.
@@ -80,7 +84,6 @@ class Batch {
   bool HasFolder() const { return !command_.effect || !command_.output.empty(); }
   bool HasIndex() const { return HasFolder() || !command_.index.empty(); }
   std::string IndexPath() const;
-  bool IsManifest(const std::string& path) const;
   std::string JournalPath() const;
   void Summarise();
 
@@ -108,6 +111,8 @@ class Batch {
   std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
   std::unordered_set<std::string> dependency_set_;
+  std::vector<std::string> named_;  // the files to read that the command and the manifest name
+  FileSet read_;                    // these
   std::unique_ptr<BatchJournal> journal_;                  // null: nothing can be resumed
   std::map<std::size_t, BatchJournal::Done> done_before_;  // by job
   BatchErrors errors_;
@@ -126,8 +131,7 @@ Result<> Batch::CheckUsage() const {
         "permutations write several files and an index of them; give an existing folder with "
         "-o"};
   }
-  if (HasIndex() && IsManifest(IndexPath()))
-    return Problem{fmt::format("the index `{}` would overwrite the manifest", IndexPath())};
+  if (HasIndex() && read_.Has(IndexPath())) return Overwrites(IndexPath());
   for (const ShaderGroup& group : batch_.groups) {
     const CommandLine& command = group.command;
     if (Result<> done = CheckCommand(command); !done) return done;
@@ -336,8 +340,7 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   for (std::size_t i = 0; i < pieces->size(); ++i) {
     const OutputPiece& piece = (*pieces)[i];
     if (!paths.insert(piece.path).second) return SamePath(piece.path);
-    if (IsManifest(piece.path))
-      return Problem{fmt::format("the output `{}` would overwrite the manifest", piece.path)};
+    if (read_.Has(piece.path)) return Overwrites(piece.path);
     const std::string file = piece.path.substr(NameBegin(piece.path));
     // Those of this job are not written yet.
     std::size_t same = 0;
@@ -381,13 +384,6 @@ void Batch::Resume() {
 
 // ---- the end
 
-bool Batch::IsManifest(const std::string& path) const {
-  const std::string& manifest = command_.batch;
-  FileSet files;
-  if (path.substr(NameBegin(path)) == manifest.substr(NameBegin(manifest))) files.Add(manifest);
-  return files.Has(path);
-}
-
 std::string Batch::IndexPath() const {
   if (!command_.index.empty()) return command_.index;
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
@@ -407,17 +403,16 @@ Result<> Batch::WriteIndex() {
   if (!end.messages.ok()) exit_code_ = std::max<int>(exit_code_, kExitErrors);
   if (HasIndex()) end.files.insert(end.files.begin(), {"index", IndexPath(), std::move(end.index)});
   OutputFiles files;
-  FileSet sources;
-  for (const std::string& source : dependencies_) sources.Add(source);
+  for (const std::string& source : dependencies_) read_.Add(source);
   for (OutputPiece& file : end.files) {
-    if (sources.Has(file.path))
-      return Problem{fmt::format("the output `{}` would overwrite an included file", file.path)};
+    if (read_.Has(file.path)) return Overwrites(file.path);
     files.Add(file.path, std::move(file.contents));
   }
   if (command_.write_dependencies && !end.files.empty()) {
     const std::string& path = end.files.front().path;
     const std::string rule =
         command_.dependency_file.empty() ? WithoutExtension(path) + ".d" : command_.dependency_file;
+    if (read_.Has(rule)) return Overwrites(rule);
     if (!command_.batch.empty()) dependencies_.insert(dependencies_.begin(), command_.batch);
     files.Add(rule, DependencyRule(
                         {command_.dependency_target.empty() ? path : command_.dependency_target},
@@ -459,6 +454,10 @@ Result<> Batch::Prepare() {
 
 int Batch::RunAll(BatchOfGroups batch) {
   batch_ = std::move(batch);
+  named_ = FilesRead(command_);
+  for (const ShaderGroup& group : batch_.groups)
+    std::ranges::copy(group.command.response_files, std::back_inserter(named_));
+  for (const std::string& file : named_) read_.Add(file);
   Result<> ready = CheckUsage();
   if (ready) ready = Prepare();
   if (ready) ready = Plan();
@@ -487,8 +486,9 @@ int Batch::RunAll(BatchOfGroups batch) {
 }
 
 RunResult Batch::Run(BatchOfGroups batch) {
-  const int code = printer_.End(RunAll(std::move(batch)), dependencies_);
-  return {code, {std::move(dependencies_)}};
+  const int code = RunAll(std::move(batch));
+  named_.insert(named_.end(), dependencies_.begin(), dependencies_.end());
+  return {printer_.End(code, named_), {std::move(dependencies_)}};
 }
 
 }  // namespace

@@ -89,6 +89,15 @@ Result<> CheckPair(const CommandLine& command) {
 
 }  // namespace
 
+std::vector<std::string> FilesRead(const CommandLine& command) {
+  std::vector<std::string> files = command.inputs;
+  files.insert(files.end(), command.response_files.begin(), command.response_files.end());
+  for (const std::string* file : {&command.fragment, &command.pixel_shader.path, &command.batch}) {
+    if (!file->empty()) files.push_back(*file);
+  }
+  return files;
+}
+
 Result<> CheckMiddle(const CommandLine& command) {
   for (std::size_t i = 0; i < command.middle.size(); ++i) {
     const std::string_view stage = InfoOf(kMiddleStages[i]).name;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "compiler/command/command_line.h"
@@ -13,6 +14,10 @@ namespace clipc {
 Result<> CheckCommand(const CommandLine& command);
 // The first mistake in what is said about the stages between a vertex and a pixel shader.
 Result<> CheckMiddle(const CommandLine& command);
+
+// The files that the command line names to be read: shaders, a manifest, response files. No output
+// takes the place of one.
+std::vector<std::string> FilesRead(const CommandLine& command);
 
 // Reports the options that have no effect on the compile of single shaders.
 void ReportIdle(const CommandLine& command, Diagnostics& notices);
