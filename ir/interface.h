@@ -94,6 +94,10 @@ struct Resource {
   VarId counter_of = {};
   // The type that the shader declares, where a pass made another kind of buffer of it; else none.
   TypeId declared_type = {};
+  // The array that the shader declares and the number of this element of it, counted through all
+  // dimensions, where a pass made resources of its elements; else none.
+  VarId element_of = {};
+  std::uint32_t element = 0;
 };
 
 // The meaning of an input or output to the pipeline.

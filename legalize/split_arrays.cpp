@@ -27,6 +27,8 @@ VarId AddElement(Program& program, VarId array, std::uint32_t element) {
   var.type = program.types.Innermost(var.type);
   Resource resource = ResourceOf(program, array);
   resource.var = program.vars.Add(std::move(var));
+  resource.element_of = array;
+  resource.element = element;
   resource.reg.number += element;
   if (resource.reg.descriptor) resource.reg.descriptor->binding += element;
   program.resources.push_back(resource);

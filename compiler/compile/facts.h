@@ -131,7 +131,11 @@ struct ResourceFact {
   struct Part {
     std::string name = {}, type = {};
     bool is_unbounded = false;
-    std::uint32_t elements = 0;  // of an array that has a size; 0: it is none
+    // The sizes of an array, that of the outermost dimension first; none if it has none.
+    std::vector<std::uint32_t> dimensions = {};
+    // The array that it is an element of to the shader, not to the target, and its number in it.
+    std::string element_of = {};
+    std::uint32_t element = 0;
     std::optional<RegisterFact> reg = {};
     std::string counter_of = {};  // the buffer whose counter it is
     friend bool operator==(const Part&, const Part&) = default;

@@ -249,6 +249,14 @@ class Describer {
     to.push_back(std::move(fact));
   }
 
+  std::vector<std::uint32_t> DimensionsOf(const ir::Type& type) const {
+    std::vector<std::uint32_t> dimensions;
+    for (const ir::Type* of = &type; of->kind == ir::TypeKind::kArray && of->count > 0;
+         of = &program_.types[of->element])
+      dimensions.push_back(of->count);
+    return dimensions;
+  }
+
   ResourceFact::Part Part(ir::VarId var, const ir::Resource* resource) const {
     const ir::Type& type = program_.types[program_.vars[var].type];
     ResourceFact::Part part{.name = program_.vars[var].name,
@@ -256,8 +264,10 @@ class Describer {
                                         ? program_.types.Name(resource->declared_type)
                                         : TypeName(var),
                             .is_unbounded = type.kind == ir::TypeKind::kArray && type.count == 0,
-                            .elements = type.kind == ir::TypeKind::kArray ? type.count : 0};
+                            .dimensions = DimensionsOf(type)};
     if (!resource) return part;
+    if (resource->element_of) part.element_of = program_.vars[resource->element_of].name;
+    part.element = resource->element;
     part.reg = FactOf(resource->reg);
     if (resource->counter_of) part.counter_of = program_.vars[resource->counter_of].name;
     return part;

@@ -269,8 +269,8 @@ class GlEffectMaker {
         if (stage.stage != "pixel" || !ir::IsSampler(resource.kind) || !part || !part->reg)
           continue;
         const std::uint32_t element = number - part->reg->number;
-        if (element >= std::max(1U, part->elements)) continue;
-        if (of_sampler) return part->elements == 0 ? part->name : "";
+        if (element >= CountOf(*part)) continue;
+        if (of_sampler) return part->dimensions.empty() ? part->name : "";
         const ast::EffectParameter said = Said(part->name);
         return TextureOf(element < said.elements.size() ? said.elements[element] : said.states);
       }
@@ -293,11 +293,14 @@ class GlEffectMaker {
       return;
     }
     const bool is_old = ir::IsSampler(kind);  // of Direct3D 9, which has its texture
-    const ast::EffectParameter said = Said(is_old || !sampler ? texture->name : sampler->name);
-    for (std::uint32_t i = 0; i < std::max(1U, texture->elements); ++i) {
-      const std::string element = texture->elements == 0 ? "" : fmt::format("[{}]", i);
+    const ResourceFact::Part& stated = is_old || !sampler ? *texture : *sampler;
+    const ast::EffectParameter said =
+        Said(stated.element_of.empty() ? stated.name : stated.element_of);
+    for (std::uint32_t i = 0; i < CountOf(*texture); ++i) {
+      const std::string element = texture->dimensions.empty() ? "" : fmt::format("[{}]", i);
+      const std::uint32_t block = stated.element_of.empty() ? i : stated.element;
       std::vector<ast::EffectState> states =
-          i < said.elements.size() ? said.elements[i] : said.states;
+          block < said.elements.size() ? said.elements[block] : said.states;
       std::string named = texture->name + element;
       if (is_old) {
         const std::size_t index = texture->reg ? texture->reg->number + i : stages.size();
@@ -309,8 +312,22 @@ class GlEffectMaker {
       const std::size_t sampling =
           NumberOf(ReadGlSampling(states, is_old, states_), made_.samplings);
       const std::size_t number = NumberOf(GlEffect::Texture{named, *target}, made_.textures);
-      made_.samplers.push_back({glsl + element, number, sampling});
+      made_.samplers.push_back({glsl + IndicesOf(i, texture->dimensions), number, sampling});
     }
+  }
+
+  // The number of objects of an array, in all dimensions; 1 of another one.
+  static std::uint32_t CountOf(const ResourceFact::Part& part) {
+    std::uint32_t count = 1;
+    for (const std::uint32_t size : part.dimensions) count *= size;
+    return count;
+  }
+  // "[1][0]": the indices of an element that is counted through all dimensions.
+  static std::string IndicesOf(std::uint32_t element, std::span<const std::uint32_t> dimensions) {
+    std::string indices;
+    for (std::size_t i = dimensions.size(); i-- > 0; element /= dimensions[i])
+      indices.insert(0, fmt::format("[{}]", element % dimensions[i]));
+    return indices;
   }
 
   ast::EffectParameter Said(std::string_view name) const {

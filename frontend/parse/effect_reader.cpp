@@ -37,6 +37,15 @@ std::optional<std::int64_t> IntegerOf(TokenSpan tokens, const Names& names) {
   return is_one ? std::optional(static_cast<std::int64_t>(value.number)) : std::nullopt;
 }
 
+// Whether the tokens begin with a block of states: { Filter = LINEAR; }, or {}, which is not a list
+// of values.
+bool BeginsStates(TokenSpan tokens) {
+  if (tokens.size() < 2 || tokens[0].kind != kLeftBrace) return false;
+  return tokens[1].kind == kRightBrace ||
+         (tokens.size() > 2 && tokens[1].kind == kIdentifier &&
+          (tokens[2].kind == kEqual || tokens[2].kind == kLeftBracket));
+}
+
 class EffectReader {
  public:
   EffectReader(const Names& names, TokenSpan tokens) : names_(names), tokens_(tokens) {}
@@ -89,15 +98,11 @@ class EffectReader {
   }
 
   // { sampler_state { Filter = LINEAR; }, sampler_state { ... } }, or the same without the words.
+  // The lists of several dimensions are one list.
   std::vector<std::vector<EffectState>> ReadElements() {
     std::vector<std::vector<EffectState>> elements;
-    Take();
     while (!AtEnd()) {
-      if (!At(kLeftBrace)) {
-        Take();
-        continue;
-      }
-      elements.push_back(ReadStates());
+      if (BeginsStates(tokens_.subspan(pos_))) elements.push_back(ReadStates());
       if (!AtEnd()) Take();
     }
     return elements;
@@ -348,16 +353,16 @@ bool IsShader(TokenSpan value, const Names& names) {
          ((word == "compile" || word == "asm") && value[1].kind != kEqual);
 }
 
-// Whether a value is a block of states: { Filter = LINEAR; }, or {}, which is not a list of values.
-bool IsStates(TokenSpan value) {
-  if (value.size() == 2 && value[0].kind == kLeftBrace) return true;
-  return value.size() > 2 && value[0].kind == kLeftBrace && value[1].kind == kIdentifier &&
-         (value[2].kind == kEqual || value[2].kind == kLeftBracket);
-}
-// Whether a value is an array of such blocks, each with or without the word sampler_state.
+// Whether a value is an array of blocks of states, each with or without the word sampler_state, in
+// as many lists as the array has dimensions.
 bool IsArrayOfStates(TokenSpan value) {
-  if (value.size() < 2 || value[0].kind != kLeftBrace) return false;
-  return IsStates(value.subspan(value[1].kind == kIdentifier ? 2 : 1));
+  bool is_list = false;
+  while (!BeginsStates(value)) {
+    if (value.size() < 2 || value[0].kind != kLeftBrace) return false;
+    is_list = true;
+    value = value.subspan(value[1].kind == kIdentifier ? 2 : 1);
+  }
+  return is_list;
 }
 
 // The type without the qualifiers that say nothing of it.
@@ -384,7 +389,7 @@ EffectParameter ReadParameter(const EffectVariable& variable, TokenSpan tokens,
     parameter.shaders = EffectReader(names, value).ReadShaders();
   } else {
     EffectReader reader(names, value);
-    parameter.is_block = IsStates(value);
+    parameter.is_block = BeginsStates(value);
     if (parameter.is_block) parameter.states = reader.ReadStates();
     if (IsArrayOfStates(value)) parameter.elements = reader.ReadElements();
     if (!parameter.is_block) parameter.value = TextOf(value, names);
