@@ -91,8 +91,8 @@ void Run(Context& context, const ir::PassOptions& passes) {
   const AttributeLists attributes = AttributesOf(context, entry);
   CheckEntry(context, entry, attributes, EntryBodies::kCheck);
   CheckUnusedClipPlanes(context, attributes);
-  if (!context.diagnostics.has_errors()) SettleStaticLocals(context);
   FinishGlobals(context);
+  if (!context.diagnostics.has_errors()) SettleStaticLocals(context);
   ReportInfinite(context);
   ResetStatics(context);
   resolve::Resolve(program,

@@ -87,8 +87,9 @@ void MarkChanged(const Program& program, ExprId value, std::vector<bool>& is_fun
 
 // Moves an initialiser of a variable outside of functions to the beginning of `main` if it calls a
 // function or takes several steps, since an initialiser there must not have effects, or if it reads
-// a variable whose initialiser was moved or that a moved one changes.
-void InitialiseInMain(Program& program) {
+// a variable whose initialiser was moved or that a moved one changes. Returns the statements that
+// these are now.
+std::vector<StmtId> InitialiseInMain(Program& program) {
   std::vector<bool> is_moved(program.vars.size()), is_seen(program.functions.size());
   std::vector<StmtId> body;
   for (const VarId global : program.globals) {
@@ -109,10 +110,12 @@ void InitialiseInMain(Program& program) {
     body.push_back(at.Eval(at.AssignTo(at.Ref(global), value)));
     program.vars[global].init = {};
   }
-  if (body.empty()) return;
+  if (body.empty()) return body;
   const std::span<const StmtId> old = MainBody(program);
-  body.insert(body.end(), old.begin(), old.end());
-  SetMainBody(program, body);
+  std::vector<StmtId> all = body;
+  all.insert(all.end(), old.begin(), old.end());
+  SetMainBody(program, all);
+  return body;
 }
 
 ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
@@ -381,7 +384,8 @@ void FinishGlobals(Context& context) {
     const auto counter = context.globals.counter_bindings.find(resource.var.index);
     if (counter != context.globals.counter_bindings.end()) added.counter_binding = counter->second;
   }
-  if (!context.diagnostics.has_errors()) InitialiseInMain(context.program);
+  if (!context.diagnostics.has_errors())
+    context.globals.first_values = InitialiseInMain(context.program);
 }
 
 }  // namespace clipc::check

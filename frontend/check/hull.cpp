@@ -184,17 +184,36 @@ EntrySignature ReadFunction(Context& context, const AttributeLists& attributes) 
   return signature;
 }
 
-// The function and all that it calls.
-std::vector<FunctionId> ReachedFrom(const Program& program, FunctionId first) {
-  std::vector<FunctionId> reached = {first};
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    ForEachExpr(program, program.functions[reached[i]].body, [&](ExprId id) {
-      const auto* call = As<Call>(program, id);
-      if (call && std::ranges::find(reached, call->function) == reached.end())
-        reached.push_back(call->function);
+// The functions that the statements call, and all that these call.
+std::vector<FunctionId> CalledIn(const Program& program, std::span<const StmtId> stmts) {
+  std::vector<FunctionId> reached;
+  const auto add = [&](ExprId id) {
+    const auto* call = As<Call>(program, id);
+    if (call && std::ranges::find(reached, call->function) == reached.end())
+      reached.push_back(call->function);
+  };
+  for (const StmtId stmt : stmts) ForEachExpr(program, stmt, add);
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    ForEachExpr(program, program.functions[reached[i]].body, add);
+  return reached;
+}
+
+// The statements, or the body of a function, and the bodies of all that it calls.
+std::vector<StmtId> AllOf(const Program& program, std::vector<StmtId> stmts) {
+  for (const FunctionId function : CalledIn(program, stmts))
+    stmts.push_back(program.functions[function].body);
+  return stmts;
+}
+
+// A mark for each VarId that the statements name.
+std::vector<bool> NamedIn(const Program& program, std::span<const StmtId> stmts) {
+  std::vector<bool> is_named(program.vars.size());
+  for (const StmtId stmt : stmts) {
+    ForEachExpr(program, stmt, [&](ExprId id) {
+      if (const auto* ref = As<VarRef>(program, id)) is_named[ref->var.index] = true;
     });
   }
-  return reached;
+  return is_named;
 }
 
 }  // namespace
@@ -211,8 +230,10 @@ void CheckHull(Context& context) {
   const Program& program = context.program;
   const FunctionId first = program.tessellation.patch_function;
   if (!first) return;
-  const std::vector<FunctionId> reached = ReachedFrom(program, first);
-  if (std::ranges::find(reached, program.entry) == reached.end()) return;
+  const StmtId body = program.functions[first].body;
+  const std::vector<FunctionId> called = CalledIn(program, {&body, 1});
+  const bool calls = std::ranges::find(called, program.entry) != called.end();
+  if (!calls && first != program.entry) return;
   context.Report(program.functions[first].span, diag::PatchFunctionCalls,
                  program.functions[first].name, program.functions[program.entry].name);
 }
@@ -221,25 +242,42 @@ void ResetStatics(Context& context) {
   Program& program = context.program;
   const StmtId block = PatchBlock(program);
   if (!block || context.diagnostics.has_errors()) return;
-  std::vector<StmtId> before;
-  for (const FunctionId function : ReachedFrom(program, program.entry))
-    before.push_back(program.functions[function].body);
-  const std::vector<bool> is_changed = AssignedIn(program, before);
-  std::vector<bool> is_named(program.vars.size());
-  for (const FunctionId function : ReachedFrom(program, program.tessellation.patch_function)) {
-    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
-      if (const auto* ref = As<VarRef>(program, id)) is_named[ref->var.index] = true;
-    });
+  const auto of = [&](FunctionId function) {
+    return AllOf(program, {program.functions[function].body});
+  };
+  std::vector<StmtId> before = of(program.entry);
+  std::vector<StmtId> after = of(program.tessellation.patch_function);
+  const auto is_reset = [&](const std::vector<bool>& is_changed,
+                            const std::vector<bool>& is_named) {
+    return [&](VarId id) {
+      return program.vars[id].storage == Storage::kStatic && is_changed[id.index] &&
+             is_named[id.index];
+    };
+  };
+  if (std::ranges::none_of(program.globals,
+                           is_reset(AssignedIn(program, before), NamedIn(program, after))))
+    return;
+  // First values that are computed are computed again, from those that are not.
+  const std::vector<StmtId>& first_values = context.globals.first_values;
+  for (const StmtId stmt : AllOf(program, first_values))
+    before.push_back(stmt), after.push_back(stmt);
+  std::vector<bool> is_changed = AssignedIn(program, before);
+  for (const StmtId stmt : first_values) {
+    const Assign* first = AsAssignment(program, stmt);
+    const auto* whole = first ? As<VarRef>(program, first->target) : nullptr;
+    if (whole) is_changed[whole->var.index] = false;
   }
+  const std::vector<bool> is_named = NamedIn(program, after);
   Builder builder(program);
   std::vector<StmtId> body;
   for (const VarId id : program.globals) {
+    if (!is_reset(is_changed, is_named)(id)) continue;
     const Var var = program.vars[id];
-    if (var.storage != Storage::kStatic || !is_changed[id.index] || !is_named[id.index]) continue;
     const ExprId value = var.init ? Clone(program, var.init) : builder.ZeroOf(var.type);
     body.push_back(builder.Eval(builder.AssignTo(builder.Ref(id), value)));
   }
-  if (body.empty()) return;
+  for (const StmtId stmt : first_values)
+    body.push_back(builder.Eval(Clone(program, As<Evaluate>(program, stmt)->expr)));
   const auto rest = program.stmt_lists[As<Block>(program, block)->body];
   body.insert(body.end(), rest.begin(), rest.end());
   program.stmts[block].node = Block{program.stmt_lists.Add(std::span<const StmtId>(body))};

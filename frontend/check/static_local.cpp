@@ -163,9 +163,8 @@ void SettleStaticLocals(Context& context) {
     const ExprId first = context.Get<Evaluate>(context[steps][0]).expr;
     context[late.var].storage = Storage::kLocal;
     program.stmts[late.stmt].node = Declare{late.var, context.Get<Assign>(first).value};
-    std::erase_if(context.globals.reached, [&](const Globals::Ordered& global) {
-      return global.var == late.var || global.var == late.flag;
-    });
+    std::erase_if(program.globals,
+                  [&](VarId global) { return global == late.var || global == late.flag; });
   }
 }
 

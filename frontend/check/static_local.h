@@ -18,8 +18,8 @@ namespace clipc::check {
 // Checks the declaration of a static variable, which only its function can name.
 void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var);
 
-// Makes local variables of those whose declaration control reaches once at most. Requires `main`
-// and a program without errors; Globals::reached is not in the program yet.
+// Makes local variables of those whose declaration control reaches once at most, from `main` as
+// FinishGlobals has made it. Requires a program without errors.
 void SettleStaticLocals(Context& context);
 
 }  // namespace clipc::check

@@ -65,6 +65,9 @@ struct Globals {
     bool may_repeat;  // whether the declaration is in a loop or switch
   };
   KeptVector<Late> late;
+  // The statements at the beginning of `main` that give static variables their first values, once
+  // these are in the program.
+  std::vector<StmtId> first_values;
 };
 
 }  // namespace clipc::check

@@ -20,6 +20,9 @@ static uint assigned = seed += 2;
 void Swap(inout uint a, uint b) { a ^= b; }
 uint Swapped() { Swap(seed, 9); return 1; }
 static float2 swapped = { Swapped(), 2 };
+// The variable of the function gets its value once, and its function is called twice.
+uint Kept() { static uint kept = seed; return kept++; }
+static uint kept[2] = { Kept(), Kept() };
 static Random random;
 static uint dropped = random.Next();
 static uint of_random = random.state;
@@ -32,7 +35,8 @@ static uint of_random = random.state;
 // CHECK-NEXT: after = seed ^ 1u;
 // CHECK-NEXT: assigned = seed += 2u;
 // CHECK-NEXT: swapped = vec2(float(Swapped()), 2.0);
+// CHECK-NEXT: kept = uint[2](Kept(), Kept());
 // CHECK-NEXT: dropped = Next(random);
 // CHECK-NEXT: of_random = random.state;
 // CHECK-NEXT: gl_Position
-float4 main(float4 p : P) : SV_Position { return float4(first % 100 + before % 10, third % 100, after % 100 + of_random, seed % 100); }
+float4 main(float4 p : P) : SV_Position { return float4(first % 100 + before % 10, third % 100, after % 100 + of_random, seed % 100 + (kept[1] - kept[0])); }
