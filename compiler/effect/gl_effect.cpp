@@ -2,6 +2,7 @@
 #include "compiler/effect/gl_effect.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -244,17 +245,19 @@ class GlEffectMaker {
 
   // Sampler[0] = <S>; Texture[1] = (T); of those that the pixel shader has and that say something
   // else than the sampler itself.
-  PassStages StagesOf(const ast::EffectPass& pass, const EffectCode& code) const {
+  PassStages StagesOf(const ast::EffectPass& pass, const EffectCode& code) {
     PassStages stages;
     for (const ast::EffectState& state : pass.states) {
       const bool is_sampler = EqualIgnoringCase(state.word, "Sampler");
       if (!state.has_index || state.is_wrong) continue;
       if (!is_sampler && !EqualIgnoringCase(state.word, "Texture")) continue;
       const std::optional<std::string> own = OwnName(code, state.index, is_sampler);
-      if (!own || *own == state.value.word) continue;
+      const std::string name = NameIn(state);
+      if (own && name.empty()) states_.NotConstant(state);
+      if (!own || *own == name) continue;
       if (stages.size() <= state.index) stages.resize(state.index + 1);
       PassStage& stage = stages[state.index];
-      (is_sampler ? stage.sampler : stage.texture) = state.value.word;
+      (is_sampler ? stage.sampler : stage.texture) = name;
     }
     return stages;
   }
@@ -305,7 +308,7 @@ class GlEffectMaker {
       if (is_old) {
         const std::size_t index = texture->reg ? texture->reg->number + i : stages.size();
         const PassStage by_pass = index < stages.size() ? stages[index] : PassStage();
-        if (!by_pass.sampler.empty()) states = Said(by_pass.sampler).states;
+        if (!by_pass.sampler.empty()) states = StatesOf(by_pass.sampler);
         const std::string own = by_pass.texture.empty() ? TextureOf(states) : by_pass.texture;
         if (!own.empty()) named = own;
       }
@@ -328,6 +331,25 @@ class GlEffectMaker {
     for (std::size_t i = dimensions.size(); i-- > 0; element /= dimensions[i])
       indices.insert(0, fmt::format("[{}]", element % dimensions[i]));
     return indices;
+  }
+
+  // The states of a sampler, or of an element of an array of samplers: S[1][0].
+  std::vector<ast::EffectState> StatesOf(const std::string& name) const {
+    const ast::EffectParameter said = Said(name.substr(0, name.find('[')));
+    const std::vector<std::uint32_t> indices = NumbersIn(name), sizes = NumbersIn(said.type);
+    std::size_t element = indices.empty() ? said.elements.size() : 0;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      element = element * (i < sizes.size() ? sizes[i] : 0) + indices[i];
+    return element < said.elements.size() ? said.elements[element] : said.states;
+  }
+  // The numbers in the square brackets of a text.
+  static std::vector<std::uint32_t> NumbersIn(std::string_view text) {
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t at = 0; (at = text.find('[', at)) != text.npos; ++at) {
+      std::uint32_t& number = numbers.emplace_back();
+      std::from_chars(text.data() + at + 1, text.data() + text.size(), number);
+    }
+    return numbers;
   }
 
   ast::EffectParameter Said(std::string_view name) const {

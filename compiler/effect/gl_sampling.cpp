@@ -2,6 +2,7 @@
 #include "compiler/effect/gl_sampling.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <string_view>
 
@@ -146,7 +147,11 @@ GlSampling ReadGlSampling(const std::vector<EffectState>& states, bool is_old,
                           StateReport& report) {
   SamplingReader reader(is_old);
   for (const EffectState& state : states) {
-    if (NamesTexture(state) || state.is_wrong) continue;
+    if (state.is_wrong) continue;
+    if (NamesTexture(state)) {
+      if (NameIn(state).empty()) report.NotConstant(state);
+      continue;
+    }
     const Answer answer = reader.Add(state);
     if (answer == Answer::kUnknownState) report.Unknown(state);
     if (answer == Answer::kNotConstant) report.NotConstant(state);
@@ -154,13 +159,21 @@ GlSampling ReadGlSampling(const std::vector<EffectState>& states, bool is_old,
   return std::move(reader).Finish();
 }
 
+std::string NameIn(const EffectState& state) {
+  std::string name = state.text;
+  std::erase_if(
+      name, [](char c) { return std::string_view("<>() \t").find(c) != std::string_view::npos; });
+  const bool is_name = std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '[' || c == ']';
+  });
+  return is_name ? name : "";
+}
+
 std::string TextureOf(const std::vector<EffectState>& states) {
   std::string name;
   for (const EffectState& state : states) {
-    if (NamesTexture(state)) name = state.text;
+    if (NamesTexture(state)) name = NameIn(state);
   }
-  std::erase_if(
-      name, [](char c) { return std::string_view("<>() \t").find(c) != std::string_view::npos; });
   return name;
 }
 

@@ -26,6 +26,8 @@ struct GlSampling {
 GlSampling ReadGlSampling(const std::vector<ast::EffectState>& states, bool is_old,
                           StateReport& report);
 
+// The name that a state gives: Map of `<Map>`, Maps[1] of `(Maps[1])`; empty for another value.
+std::string NameIn(const ast::EffectState& state);
 // The texture that the states name; empty: they name none.
 std::string TextureOf(const std::vector<ast::EffectState>& states);
 
