@@ -80,12 +80,19 @@ class StoreGuard {
     program_.stmts[id].node = If{is_alive, b.BlockOf({&store, 1}), {}};
   }
   // The value of an atomic operation that does not happen is undefined. It is zero here, and of the
-  // decrement of a counter one, since it is the index of an element once one is taken off.
+  // decrement of a counter one, since it is the index of an element once one is taken off. A store
+  // has no value; neither GLSL nor SPIR-V chooses between operands without one.
   void Guard(ExprId id) {
     const TypeId type = TypeIdOf(program_, id);
     Builder b(program_, program_.exprs[id].span);
     const ObjectCall call = std::get<ObjectCall>(program_.exprs[id].node);
     const ExprId atomic = b.Add(type, call);
+    if (type == program_.types.Void()) {
+      program_.exprs[id].type = program_.types.Make(Scalar::kBool);
+      const ExprId stored = b.CommaOf(atomic, b.Bool(true));
+      program_.exprs[id].node = Conditional{b.Ref(flag_), b.Bool(false), stored};
+      return;
+    }
     const auto* added = As<Literal>(program_, OperandOf(program_, call, OperandKind::kValue));
     const bool counts_down = call.op == ObjectOp::kAtomicAdd && added && added->bits == ~0u &&
                              IsCounter(OperandOf(program_, call, OperandKind::kObject));
