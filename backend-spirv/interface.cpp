@@ -81,10 +81,7 @@ void Writer::StartMain() {
   for (const IoVar& output : program_.outputs)
     if (IsOfPoint(output)) part_indices_[output.var.index].front() = point;
   for (const IoVar& output : program_.outputs) {
-    const bool is_depth = output.builtin == Builtin::kDepth ||
-                          output.builtin == Builtin::kDepthGreaterEqual ||
-                          output.builtin == Builtin::kDepthLessEqual;
-    if (!is_depth || !output.may_be_unwritten || output.is_unwritten) continue;
+    if (!IsDepth(output.builtin) || !output.may_be_unwritten || output.is_unwritten) continue;
     const Ref place = LoadBuiltin(Builtin::kPixelPosition);
     Store(PlaceOfVariable(output.var), Part(types_.Of(Scalar::kFloat), place, 2));
   }

@@ -124,6 +124,11 @@ inline constexpr BuiltinInfo kBuiltinInfos[] = {
 constexpr const BuiltinInfo& InfoOf(Builtin builtin) {
   return kBuiltinInfos[static_cast<std::size_t>(builtin)];
 }
+// Whether the output is the depth of the pixel.
+constexpr bool IsDepth(Builtin builtin) {
+  return builtin == Builtin::kDepth || builtin == Builtin::kDepthGreaterEqual ||
+         builtin == Builtin::kDepthLessEqual;
+}
 // Whether the input is what a function of HLSL gives, like WaveGetLaneIndex(): every function of
 // the program may read it, and not `main` alone.
 constexpr bool IsReadAnywhere(Builtin builtin) {

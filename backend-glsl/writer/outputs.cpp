@@ -57,7 +57,8 @@ void WriteTarget(WriterContext& context, const IoVar& output, const GlslInfo::Va
   } else {
     AppendPart(text, LocationText{info.location});
   }
-  Append(text, "out ", PrecisionText(context, output));
+  Append(text, PreciseText(context, context[output.var].precise), "out ",
+         PrecisionText(context, output));
   AppendDeclaration(context, text, context.ShapeAt(output.var), info.name);
   Append(text, ";", SemanticComment{output, info.name});
 }
@@ -104,7 +105,7 @@ void QualifyBuiltins(WriterContext& context, std::string& text) {
     }
     if (IsOfPoint(context.program, output)) continue;
     const bool is_position = output.builtin == Builtin::kPosition;
-    if (!is_position && output.builtin != Builtin::kPointSize) continue;
+    if (!is_position && output.builtin != Builtin::kPointSize && !IsDepth(output.builtin)) continue;
     const std::string_view name = BuiltinOutput(output.builtin, context.target);
     const std::string_view precise = PreciseText(context, context[output.var].precise);
     if (!precise.empty()) Append(text, precise, name, ";\n");

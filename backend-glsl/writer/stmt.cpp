@@ -293,9 +293,7 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
   if (OutputFunction(code.program) == code.program.main) kept = KeepOutputs(code);
   // A path that does not write the depth has that of the primitive: GLSL has none there at all.
   for (const IoVar& output : code.program.outputs)
-    if (output.may_be_unwritten && !output.is_unwritten &&
-        (output.builtin == Builtin::kDepth || output.builtin == Builtin::kDepthGreaterEqual ||
-         output.builtin == Builtin::kDepthLessEqual))
+    if (output.may_be_unwritten && !output.is_unwritten && IsDepth(output.builtin))
       code.Line(code.NameOf(output.var), " = gl_FragCoord.z;");
   if (code.has_order) code.Line("beginInvocationInterlockARB();");
   WriteStmts(code, MainBody(code.program));

@@ -78,12 +78,7 @@ LowerOptions OptionsOf(Job& job, std::size_t number, ir::VarId position_input, s
 // assign to it ("Early Fragment Tests" of GLSL ES 3.10), so that it is a local variable there.
 void LeaveOutDepth(ir::Program& program, const glsl::Target& target, Diagnostics& diagnostics) {
   if (!program.tests_early) return;
-  const auto is_depth = [](const ir::IoVar& output) {
-    return output.builtin == ir::Builtin::kDepth ||
-           output.builtin == ir::Builtin::kDepthGreaterEqual ||
-           output.builtin == ir::Builtin::kDepthLessEqual;
-  };
-  const auto depth = std::ranges::find_if(program.outputs, is_depth);
+  const auto depth = std::ranges::find_if(program.outputs, ir::IsDepth, &ir::IoVar::builtin);
   if (depth == program.outputs.end()) return;
   const ir::VarId var = depth->var;
   diagnostics.Report(program.vars[var].span, diag::DepthEarlyTests, depth->semantic);

@@ -57,10 +57,7 @@ SystemValue SemanticCheck::LookUp(const Carrier& leaf, Direction direction) {
 }
 
 bool SemanticCheck::MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
-  const bool is_depth = value.builtin == Builtin::kDepth ||
-                        value.builtin == Builtin::kDepthGreaterEqual ||
-                        value.builtin == Builtin::kDepthLessEqual;
-  if (is_depth) return IsFirstDepth(leaf);
+  if (IsDepth(value.builtin)) return IsFirstDepth(leaf);
   // The position has two names if Direct3D 9's name counts, and render targets have them.
   std::string name = value.builtin == Builtin::kPosition      ? "SV_POSITION"
                      : value.use == SystemValue::Use::kTarget ? "SV_TARGET"

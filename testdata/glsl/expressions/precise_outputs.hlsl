@@ -13,6 +13,9 @@
 // RUN: %clipc -T vs_5_0 -E global -spirv %s -o %t.spv && spirv-val %t.spv
 // RUN: %clipc -T vs_5_0 -E global --validate %s -o - | FileCheck %s --check-prefix=GLOBAL
 // RUN: %draw compare %s -T vs_5_0 -E global --lower none
+// RUN: %clipc -T ps_5_0 -E pixel --validate %s -o - | FileCheck %s --check-prefix=PIXEL
+// RUN: %clipc -T ps_5_0 -E target -Gis --target=essl310 --validate %s -o - | FileCheck %s --check-prefix=TARGET
+// RUN: %draw compare %s -T ps_5_0 -E pixel
 cbuffer C {
   float4x4 m;
   float4 plane;
@@ -81,3 +84,20 @@ void parameter(float4 p : POSITION, out precise float4 normal : NORMAL, out floa
 static precise float4 sum;
 float4 Add(float4 p) { return sum += p; }
 float4 global(float4 p : POSITION) : SV_Position { return Add(p) + Add(p.wzyx); }
+
+// PIXEL: layout(location = 0) precise out vec4 SV_Target0;
+// PIXEL: layout(depth_greater) out float gl_FragDepth;
+// PIXEL-NEXT: {{^}}precise gl_FragDepth;
+struct Pixel {
+  precise float4 color : SV_Target0;
+  precise float depth : SV_DepthGreaterEqual;
+};
+Pixel pixel(float4 p : POSITION) {
+  Pixel result;
+  result.color = p * plane + p.yzwx;
+  result.depth = saturate(p.x * plane.x + 0.25);
+  return result;
+}
+
+// TARGET: layout(location = 0) precise out vec4 SV_Target0;
+float4 target(float4 p : POSITION) : SV_Target { return p * plane + p.yzwx; }
