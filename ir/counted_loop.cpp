@@ -58,18 +58,14 @@ void FindStep(const Program& program, ExprId step, CountedLoop& parts) {
   }
 }
 
-// Whether a `break` or `continue` in the statement ends a loop, or an iteration of one, around it.
-bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
-  if (As<Break>(program, stmt)) return !in_switch;
-  if (As<Continue>(program, stmt)) return true;
-  if (As<For>(program, stmt) || As<While>(program, stmt) || As<DoWhile>(program, stmt))
-    return false;
-  bool leaves = false;
+void FindJumps(const Program& program, StmtId stmt, bool in_switch, LoopJumps& jumps) {
+  if (As<Break>(program, stmt) && !in_switch) jumps.breaks.push_back(stmt);
+  if (As<Continue>(program, stmt)) jumps.continues.push_back(stmt);
+  if (As<For>(program, stmt) || As<While>(program, stmt) || As<DoWhile>(program, stmt)) return;
   const bool is_switch = As<Switch>(program, stmt) != nullptr;
   ForEachPart(
       program, stmt, [](ExprId) {},
-      [&](StmtId part) { leaves = leaves || Leaves(program, part, in_switch || is_switch); });
-  return leaves;
+      [&](StmtId part) { FindJumps(program, part, in_switch || is_switch, jumps); });
 }
 
 }  // namespace
@@ -96,6 +92,10 @@ bool IsChangedInBody(const Program& program, const For& loop, VarId counter) {
   return AssignedIn(program, std::span(&loop.body, 1))[counter.index];
 }
 
-bool LeavesIteration(const Program& program, StmtId body) { return Leaves(program, body, false); }
+LoopJumps JumpsOf(const Program& program, StmtId body) {
+  LoopJumps jumps;
+  FindJumps(program, body, false, jumps);
+  return jumps;
+}
 
 }  // namespace clipc::ir

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <vector>
+
 #include "ir/program.h"
 
 namespace clipc::ir {
@@ -28,7 +30,11 @@ CountedLoop PartsOf(const Program& program, const For& loop);
 // Whether the body changes the variable.
 bool IsChangedInBody(const Program& program, const For& loop, VarId counter);
 
-// Whether a `break` or `continue` in the body ends the loop, or an iteration of it.
-bool LeavesIteration(const Program& program, StmtId body);
+// The `break` statements in the body that end the loop, and the `continue` statements that end an
+// iteration of it.
+struct LoopJumps {
+  std::vector<StmtId> breaks = {}, continues = {};
+};
+LoopJumps JumpsOf(const Program& program, StmtId body);
 
 }  // namespace clipc::ir

@@ -13,6 +13,7 @@
 
 #include "frontend/resolve/object_choices.h"
 #include "frontend/resolve/object_slots.h"
+#include "frontend/resolve/unrolled_loop.h"
 #include "frontend/typing/constant.h"
 #include "frontend/typing/object_call.h"
 #include "ir/access.h"
@@ -345,13 +346,11 @@ class OffsetFinder {
     return false;
   }
 
-  // Whether only the loop's condition ends it, and each iteration changes the counter only in its
-  // step.
+  // Whether each iteration changes the counter only in its step.
   bool IsPlain(const For& loop, const CountedLoop& parts) const {
     return loop.init.size == 1 && parts.start && parts.step &&
            program_.vars[parts.counter].storage == Storage::kLocal &&
-           IsPure(program_, loop.condition) && !LeavesIteration(program_, loop.body) &&
-           !IsChangedInBody(program_, loop, parts.counter);
+           IsPure(program_, loop.condition) && !IsChangedInBody(program_, loop, parts.counter);
   }
 
   // The counter's value after the step, as an expression in the counter.
@@ -401,19 +400,6 @@ class OffsetFinder {
     });
   }
 
-  // Appends a statement, or those of a block, which stay a block if they declare a variable.
-  void Append(StmtId stmt, std::vector<StmtId>& stmts) {
-    const auto* block = As<Block>(program_, stmt);
-    if (!block) return stmts.push_back(stmt);
-    std::vector<StmtId> inner;
-    const List<StmtId> list = block->body;
-    for (std::uint32_t i = 0; i < list.size; ++i) Append(program_.stmt_lists[list][i], inner);
-    const bool is_scope = std::ranges::any_of(
-        inner, [&](StmtId part) { return As<Declare>(program_, part) != nullptr; });
-    if (is_scope) inner = {Builder(program_, program_.stmts[stmt].span).BlockOf(inner)};
-    stmts.insert(stmts.end(), inner.begin(), inner.end());
-  }
-
   // Unrolls for (int i = 0; i < 2; ++i) body  =>  { body body }, each with the value of `i`.
   // Returns false if no offset depends on the counter or the counter's values are not known.
   bool Unroll(StmtId stmt, const For& loop) {
@@ -423,8 +409,8 @@ class OffsetFinder {
       return false;
     Builder at(program_, program_.stmts[stmt].span);
     // A counter that is declared before the loop may be read after it.
-    std::vector<StmtId> stmts;
-    if (!parts.is_declared) stmts.push_back(program_.stmt_lists[loop.init][0]);
+    UnrolledLoop unrolled(program_);
+    if (!parts.is_declared) unrolled.Add(program_.stmt_lists[loop.init][0]);
     const ExprId next = NextOf(at, parts);
     bool is_known = true;
     while (is_known) {
@@ -434,15 +420,16 @@ class OffsetFinder {
       if (!MayCopy(program_.stmts[stmt].span)) break;
       const StmtId body = CopyOf(loop.body);
       Insert(parts.counter, body);
+      const LoopJump jump = CutAtJump(program_, body);
       Read(body);
-      Append(body, stmts);
-      if (!parts.is_declared) stmts.push_back(at.Eval(Clone(program_, parts.step)));
+      if (!unrolled.AddIteration(body, jump)) break;
+      if (!parts.is_declared) unrolled.Add(at.Eval(Clone(program_, parts.step)));
       is_known = Know(parts.counter, next);
     }
     Forget(parts.counter);
     if (!is_known) return false;
-    const StmtId block = at.BlockOf(stmts);
-    program_.stmts[stmt].node = program_.stmts[block].node;
+    auto node = unrolled.Finish();
+    program_.stmts[stmt].node = std::move(node);
     return true;
   }
 

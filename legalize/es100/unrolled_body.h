@@ -78,7 +78,6 @@ class UnrolledBody {
   Answer Test(ir::ExprId condition, Stmts& list);
   bool FitsLimits(ir::StmtId stmt, std::size_t iterations);
   void WrapIteration(Stmts& iteration, std::size_t first_break);
-  ir::StmtId Once(const Stmts& body);
   ir::StmtId CopyOf(ir::StmtId stmt);
 
   // ---- where paths join

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -7,6 +8,7 @@
 #include "ir/builder.h"
 #include "ir/counted_loop.h"
 #include "ir/evaluate.h"
+#include "ir/loop_once.h"
 #include "ir/walk.h"
 #include "legalize/es100/loops.h"
 #include "legalize/es100/unrolled_body.h"
@@ -157,7 +159,7 @@ bool UnrolledBody::Unroll(StmtId stmt, Stmts& out, bool& goes_on) {
     return true;
   }
   Join(goes_on ? &list : nullptr, breaks);
-  out.push_back(Once(list));
+  out.push_back(LoopOnce(program_, list));
   goes_on = true;
   return true;
 }
@@ -248,42 +250,13 @@ bool UnrolledBody::FitsLimits(StmtId stmt, std::size_t iterations) {
   return false;
 }
 
-// for (int once = 0; once < 1; once++) { body }: `break` leaves it.
-StmtId UnrolledBody::Once(const Stmts& body) {
-  Builder b(program_, body.empty() ? Span{} : program_.stmts[body.front()].span);
-  const TypeId integer = program_.types.Make(Scalar::kInt);
-  const VarId once = b.Local("once", integer);
-  const StmtId head[] = {b.Stmt(Declare{once, b.Int(0)})};
-  return b.Stmt(For{program_.stmt_lists.Add(std::span<const StmtId>(head)),
-                    b.BinaryOf(BinaryOp::kLess, b.Ref(once), b.Int(1)),
-                    b.Add(integer, Unary{UnaryOp::kPostIncrement, b.Ref(once)}), b.BlockOf(body)});
-}
-
-// Puts an iteration into a loop of its own, which `continue` ends. A `break` of the outer loop ends
-// it too, and the outer one after it:
-//
-//   bool left = false;
-//   for (int once = 0; once < 1; once++) { .. { left = true; break; } .. continue; .. }
-//   if (left) break;
+// Puts an iteration into a loop of its own. The path to its end is not the only one.
 void UnrolledBody::WrapIteration(Stmts& iteration, std::size_t first_break) {
-  Builder b(program_, iteration.empty() ? Span{} : program_.stmts[iteration.front()].span);
-  std::vector<Exit>& breaks = loops_.back().breaks;
-  Stmts all;
-  if (breaks.size() == first_break) {
-    all = {Once(iteration)};
-  } else {
-    const VarId left = b.Local("left", program_.types.Make(Scalar::kBool));
-    for (std::size_t i = first_break; i < breaks.size(); ++i) {
-      const StmtId both[] = {b.Eval(b.AssignTo(b.Ref(left), b.Bool(true))), b.Stmt(Break{})};
-      program_.stmts[breaks[i].stmt].node =
-          Block{program_.stmt_lists.Add(std::span<const StmtId>(both))};
-      breaks[i].stmt = both[1];
-    }
-    const StmtId stop[] = {b.Stmt(Break{})};
-    all = {b.Stmt(Declare{left, b.Bool(false)}), Once(iteration),
-           b.Stmt(If{b.Ref(left), b.BlockOf(stop), {}})};
-  }
-  iteration = std::move(all);
+  const std::span<Exit> exits = std::span(loops_.back().breaks).subspan(first_break);
+  Stmts breaks;
+  for (const Exit& exit : exits) breaks.push_back(exit.stmt);
+  iteration = IterationOnce(program_, iteration, breaks);
+  for (std::size_t i = 0; i < exits.size(); ++i) exits[i].stmt = breaks[i];
 }
 
 }  // namespace clipc::legalize
