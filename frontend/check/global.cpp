@@ -87,8 +87,8 @@ void MarkChanged(const Program& program, ExprId value, std::vector<bool>& is_fun
 
 // Moves an initialiser of a variable outside of functions to the beginning of `main` if it calls a
 // function or takes several steps, since an initialiser there must not have effects, or if it reads
-// a variable whose initialiser was moved or that a moved one changes. Returns the statements that
-// these are now.
+// a texture, a buffer, or a variable whose initialiser was moved or that a moved one changes.
+// Returns the statements that these are now.
 std::vector<StmtId> InitialiseInMain(Program& program) {
   std::vector<bool> is_moved(program.vars.size()), is_seen(program.functions.size());
   std::vector<StmtId> body;
@@ -96,7 +96,7 @@ std::vector<StmtId> InitialiseInMain(Program& program) {
     ExprId value = program.vars[global].init;
     const auto is_late = [&](ExprId part) {
       const auto* ref = As<VarRef>(program, part);
-      return ref && is_moved[ref->var.index];
+      return As<ObjectCall>(program, part) || (ref && is_moved[ref->var.index]);
     };
     if (!value || (IsPure(program, value) && !AnyExpr(program, value, is_late))) continue;
     is_moved[global.index] = true;
