@@ -354,14 +354,31 @@ bool IsLiteral(const Program& program, ExprId expr) {
   return As<Literal>(program, expr) || IsLiteralList(program, expr);
 }
 
+// The same for a parameter `T values[N]`: an array does not become a pointer, as it would in C++.
+bool DeduceParameter(Context& context, const ast::VarDecl& parameter, TypeId type,
+                     List<ast::TemplateParameter> parameters, std::vector<std::uint64_t>& found) {
+  for (const ast::ExprId dimension : context[parameter.dimensions]) {
+    const Type given = context[type];
+    if (given.kind != TypeKind::kArray) return true;
+    type = given.element;
+    const auto* used = dimension ? context.GetIf<ast::NameExpr>(dimension) : nullptr;
+    for (std::uint32_t i = 0; used && i < parameters.size; ++i) {
+      if (context[parameters][i].name != used->name.name) continue;
+      if (found[i] == kUnknown) found[i] = given.count;
+      if (found[i] != given.count) return false;
+    }
+  }
+  return Deduce(context, parameter.type, type, parameters, found);
+}
+
 // Adds to `found` what follows from the arguments of a call. A literal becomes whatever type of
 // numbers the other arguments agree on. Returns false where arguments do not agree.
 bool DeduceFromArguments(Context& context, const ast::FunctionDecl& decl, ExprSpan arguments,
                          std::vector<std::uint64_t>& found) {
   const auto deduce = [&](std::uint32_t i, std::vector<std::uint64_t>& into) {
     const auto& parameter = context.Get<ast::VarDecl>(context[decl.parameters][i]);
-    return Deduce(context, parameter.type, context.TypeIdOf(arguments[i]), decl.template_parameters,
-                  into);
+    return DeduceParameter(context, parameter, context.TypeIdOf(arguments[i]),
+                           decl.template_parameters, into);
   };
   bool agrees = true;
   for (std::uint32_t i = 0; i < arguments.size(); ++i)
