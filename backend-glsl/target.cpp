@@ -144,6 +144,7 @@ constexpr FeatureRow kFeatures[] = {
      Subgroup("GL_KHR_shader_subgroup_quad", 310)},
     {Feature::kSubgroupPartitions, Subgroup("GL_NV_shader_subgroup_partitioned", 140),
      Subgroup("GL_NV_shader_subgroup_partitioned", 310)},
+    {Feature::kSubgroupInt64, {kNever, 400, "GL_EXT_shader_subgroup_extended_types_int64"}, {}},
     {Feature::kUnsigned, {130}, {300}},
     {Feature::kSwitch, {130}, {300}},
     {Feature::kFreeLoops, {110}, {300}},

@@ -96,6 +96,7 @@ enum class Feature : std::uint8_t {
   kSubgroupShuffles,
   kSubgroupQuads,
   kSubgroupPartitions,
+  kSubgroupInt64,  // the functions of subgroups for 64-bit integers
   // ---- types and expressions
   kUnsigned,            // uint, % << >> & | ^ ~, and int overloads of functions
   kSwitch,              // `switch`

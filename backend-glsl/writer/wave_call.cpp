@@ -78,6 +78,8 @@ Binding WriteWave(Code& code, const IntrinsicCall& node) {
   const auto arguments = code[node.arguments];
   const Row& row = RowOf(node.op);
   code.Require(row.feature);
+  const Scalar kind = TypeOf(code.program, arguments[0]).scalar;
+  if (IsInteger(kind) && IsWide(kind)) code.Require(Feature::kSubgroupInt64);
   std::string_view before = row.before, second_before = ", ", second_after = "";
   if (node.op == Intrinsic::kQuadReadLaneAt && !code.As<Literal>(arguments[1])) {
     // subgroupQuadBroadcast takes constants only.
