@@ -16,7 +16,7 @@ Emitter::Emitter(const ir::Program& program, const Options& options)
 }
 
 Ref Emitter::Emit(spv::Op op, Ref type, std::span<const std::uint32_t> operands) {
-  if (lines_.has_any()) lines_.Put(code_);
+  if (lines_.has_any() && lines_.MayPrecede(op)) lines_.Put(code_);
   const Ref result = last_ = module_.NewRef();
   code_.push_back(static_cast<std::uint32_t>(operands.size() + 3) << 16 | NumberOf(op));
   code_.push_back(type);

@@ -29,6 +29,8 @@ class Lines {
   void Want(Span span);
   const SourcePlace& wanted() const { return wanted_; }
   void Restore(const SourcePlace& place) { wanted_ = place; }
+  // Whether a line may be written before the instruction: OpLine alone may stand before an OpPhi.
+  bool MayPrecede(spv::Op op) const { return op != spv::Op::OpPhi || !HasSet(); }
   // Writes the line before an instruction whose line is another than that of the one before it.
   void Put(Words& code);
   // A line holds until the end of the block.
