@@ -4,6 +4,7 @@
 #include <climits>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -28,11 +29,29 @@ std::vector<std::string> Problems(std::string_view log) {
   return problems;
 }
 
+// The GLSL without `precise`, with all else in its place. glslang 12 ends the process where it
+// follows `precise` to a field of an array's element (propagateNoContraction.cpp), and no GLSL that
+// clipc writes is valid for the word alone. `precise name;` declares nothing new.
+std::string WithoutPrecise(std::string glsl) {
+  constexpr std::string_view kWord = "precise ";
+  for (std::size_t at = 0; (at = glsl.find(kWord, at)) != glsl.npos; ++at) {
+    const bool is_word =
+        at == 0 || std::string_view("\n (").find(glsl[at - 1]) != std::string::npos;
+    if (!is_word) continue;
+    const std::size_t end = glsl.find_first_of(" ;\n", at + kWord.size());
+    const bool is_statement = end != glsl.npos && glsl[end] == ';';
+    const std::size_t count = is_statement ? end + 1 - at : kWord.size();
+    glsl.replace(at, count, count, ' ');
+  }
+  return glsl;
+}
+
 }  // namespace
 
-std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
+std::vector<std::string> Validate(const std::string& written, const glsl::Target& target,
                                   Stage stage) {
   using namespace glslang;
+  const std::string glsl = WithoutPrecise(written);
   link::InitializeGlslang();
   const EShLanguage language = kLanguages[static_cast<std::size_t>(stage)];
   TShader shader(language);
