@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "compiler/command/c_names.h"
 #include "ir/packing.h"
 
 namespace clipc {
@@ -22,93 +23,6 @@ using ir::Scalar;
 using ir::TypeKind;
 
 constexpr std::uint32_t kRow = 16;
-
-// The keywords of C++20 and C23 that are not keywords of HLSL.
-constexpr std::string_view kKeywords[] = {
-    "_Alignas",
-    "_Alignof",
-    "_Atomic",
-    "_BitInt",
-    "_Bool",
-    "_Complex",
-    "_Decimal128",
-    "_Decimal32",
-    "_Decimal64",
-    "_Generic",
-    "_Imaginary",
-    "_Noreturn",
-    "_Static_assert",
-    "_Thread_local",
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "auto",
-    "bitand",
-    "bitor",
-    "catch",
-    "char",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "compl",
-    "concept",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "decltype",
-    "delete",
-    "dynamic_cast",
-    "enum",
-    "explicit",
-    "export",
-    "friend",
-    "goto",
-    "long",
-    "mutable",
-    "namespace",
-    "new",
-    "noexcept",
-    "not",
-    "not_eq",
-    "nullptr",
-    "operator",
-    "or",
-    "or_eq",
-    "private",
-    "protected",
-    "public",
-    "register",
-    "requires",
-    "reinterpret_cast",
-    "restrict",
-    "short",
-    "signed",
-    "sizeof",
-    "static_assert",
-    "static_cast",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "try",
-    "typeid",
-    "typename",
-    "typeof",
-    "union",
-    "unsigned",
-    "using",
-    "virtual",
-    "wchar_t",
-    "xor",
-    "xor_eq",
-};
 
 // Whether it is a name that Header::Pad gives: padding0_.
 bool IsPadding(std::string_view name) {
@@ -125,8 +39,7 @@ std::string Identifier(std::string_view name) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
     identifier += is_word ? c : '_';
   }
-  const bool is_taken =
-      std::ranges::find(kKeywords, identifier) != std::end(kKeywords) || IsPadding(identifier);
+  const bool is_taken = IsKeywordInC(identifier) || IsPadding(identifier);
   return is_taken ? identifier + "_" : identifier;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "compiler/command/c_names.h"
 #include "compiler/command/show_messages.h"
 #include "compiler/compile/message.h"
 #include "frontend/lex/source.h"
@@ -121,9 +122,9 @@ Result<> CheckCommand(const CommandLine& command) {
   if (Result<> done = CheckPair(command); !done) return done;
   if (!command.variable.empty() && command.header.empty())
     return Problem{"-Vn names what -Fh writes; give that option too"};
-  if (!IsIdentifier(command.variable))
-    return Problem{
-        fmt::format("`{}` is not a name in C; -Vn gives one to what -Fh writes", command.variable)};
+  if (!IsIdentifier(command.variable) || IsKeywordInC(command.variable))
+    return Problem{fmt::format("`{}` is not a name in C and C++; -Vn gives one to what -Fh writes",
+                               command.variable)};
   if (!command.struct_prefix.empty() && std::ranges::none_of(command.reflections, HoldsStructs))
     return Problem{"--struct-prefix is for the C structs of --reflect=FILE.h"};
   if (!IsIdentifier(command.struct_prefix))
