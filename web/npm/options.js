@@ -2,34 +2,27 @@
 // The options of a call, and of the query of a bundler, as words for the compiler.
 
 // The keys of CompileOptions.
-const KEYS = [
-  'path',
-  'profile',
-  'entry',
-  'target',
-  'lower',
-  'geometryEntry',
-  'pixelEntry',
-  'pixelShader',
-  'defines',
-  'options',
-  'readInclude',
-];
-const QUERY_KEYS = [
-  'profile',
-  'entry',
-  'target',
-  'lower',
-  'geometryEntry',
-  'pixelEntry',
-  'options',
-];
 // The stages between the first shader and the pixel shader, and the extension of their GLSL.
 export const MIDDLE = [
   { stage: 'hull', extension: '.tesc' },
   { stage: 'domain', extension: '.tese' },
   { stage: 'geometry', extension: '.geom' },
 ];
+const MIDDLE_KEYS = MIDDLE.map(({ stage }) => `${stage}Entry`);
+const KEYS = [
+  'path',
+  'profile',
+  'entry',
+  'target',
+  'lower',
+  ...MIDDLE_KEYS,
+  'pixelEntry',
+  'pixelShader',
+  'defines',
+  'options',
+  'readInclude',
+];
+const QUERY_KEYS = ['profile', 'entry', 'target', 'lower', ...MIDDLE_KEYS, 'pixelEntry', 'options'];
 // What vite adds to the query of a module: its time and version, and how it is imported.
 const OF_VITE = ['import', 't', 'v'];
 

@@ -29,6 +29,15 @@ assert.deepEqual(wordsOf({ geometryEntry: 'gs', pixelEntry: 'ps' }).words, [
   '--pixel-entry=ps',
   '--pixel-output=.frag',
 ]);
+const tessellated = wordsOf({ hullEntry: 'hs', domainEntry: 'ds' });
+assert.equal(tessellated.mistake, '');
+assert.deepEqual(tessellated.words, [
+  '--hull-entry=hs',
+  '--hull-output=.tesc',
+  '--domain-entry=ds',
+  '--domain-output=.tese',
+]);
+assert.equal(optionsOfQuery('hullEntry=hs&domainEntry=ds', {}).mistake, '');
 assert(!wordsOf({ options: ['--pixel-shader=a.frag', '--lower=discard'] }).isPair);
 
 // An unknown key, also of a call: no module is started for it.
