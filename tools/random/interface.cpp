@@ -234,10 +234,11 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
     ++number;
     if (type.shape.IsMatrix() || type.shape.IsScalar() || !context.Chance(20)) return;
     context.EndExpression();
-    std::string index = MakeIndex(context, type.shape.columns, 2).text;
+    const Expr made = MakeIndex(context, type.shape.columns, 2);
+    std::string index = made.text;
     if (clipc::InfoOf(context.stage).makes_patches) {
       // Mesa 22.3 writes another component of such an output where the index reads an array.
-      outputs.statements += "  int t_" + name + " = " + index + ";\n";
+      outputs.statements += "  int t_" + name + " = " + Argument(made) + ";\n";
       index = "t_" + name;
     }
     const bool is_compound = type.kind == Kind::kFloat && context.Chance(50);
