@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -69,6 +70,20 @@ std::string_view AfterDirectives(std::string_view text,
     if (depth == 0 && words[0] != "define") rest = After(text, token);
   }
   return rest;
+}
+
+// Whether a part of the text is inside of #if.
+bool IsConditional(const std::vector<std::string_view>& tokens, std::string_view part) {
+  int depth = 0;
+  for (const std::string_view token : tokens) {
+    if (token.data() >= part.data()) break;
+    const auto words =
+        token[0] == '#' ? TokensOf(token.substr(1)) : std::vector<std::string_view>();
+    if (words.empty()) continue;
+    if (words[0].starts_with("if")) ++depth;
+    if (words[0] == "endif") --depth;
+  }
+  return depth > 0;
 }
 
 // The text after the `{` of each `void main() {`.
@@ -141,18 +156,27 @@ Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, c
                         const GlslInfo& info) {
   const std::vector<std::string_view> tokens = TokensOf(fragment);
   if (!HasVersion(tokens, target)) {
-    return {{}, "it does not start with `" + target.VersionLine() + "`, as the vertex shader does"};
+    return {.error =
+                "it does not start with `" + target.VersionLine() + "`, as the vertex shader does"};
   }
   const std::vector<std::string_view> mains = AfterMains(fragment, tokens);
-  if (mains.empty()) return {{}, "it has no `void main() {`"};
-  if (mains.size() > 1) return {{}, "it has more than one `void main() {`"};
+  if (mains.empty()) return {.error = "it has no `void main() {`"};
+  if (mains.size() > 1) return {.error = "it has more than one `void main() {`"};
   const DiscardCode code = WriteDiscard(program, target, info, tokens);
-  if (code.function.empty()) return {std::string(fragment), {}};
+  if (code.function.empty()) return {.text = std::string(fragment)};
 
   const std::string_view rest = AfterDirectives(fragment, tokens), body = mains[0];
-  return {Concat(fragment.substr(0, fragment.size() - rest.size()), "\n\n", code.declarations,
-                 rest.substr(0, rest.size() - body.size()), "\n    ", code.function, "();", body),
-          {}};
+  std::string text =
+      Concat(fragment.substr(0, fragment.size() - rest.size()), "\n\n", code.declarations,
+             rest.substr(0, rest.size() - body.size()), "\n    ", code.function, "();");
+  if (IsConditional(tokens, body)) {
+    Append(text, "\n#define ", code.function, "_in_main\n", body, "\n#ifndef ", code.function,
+           "_in_main\n#error the main that tests the clip planes is not compiled\n#endif\n");
+  } else {
+    text += body;
+  }
+  const bool tests_early = std::ranges::find(tokens, "early_fragment_tests") != tokens.end();
+  return {.text = std::move(text), .tests_early = tests_early};
 }
 
 }  // namespace clipc::glsl

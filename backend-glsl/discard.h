@@ -25,12 +25,14 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
                          const std::vector<std::string_view>& taken = {});
 
 struct Insertion {
-  std::string text;   // the whole fragment shader; empty when there is a problem
-  std::string error;  // the reason why the code cannot be inserted, in words
+  std::string text = {};     // the whole fragment shader; empty when there is a problem
+  std::string error = {};    // the reason why the code cannot be inserted, in words
+  bool tests_early = false;  // it writes depth and stencil before it discards
 };
 
 // Puts the code into a GLSL fragment shader of the same version as the target's: the declarations
-// after its directives, the call first in `main`. Nothing else of the text changes.
+// after its directives, the call first in `main`. If the `main` of the text is inside of #if, an
+// #error at the end says so where the preprocessor removes it. Nothing else of the text changes.
 Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, const Target& target,
                         const GlslInfo& info);
 

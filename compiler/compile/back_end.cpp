@@ -89,6 +89,8 @@ std::string FragmentOf(Job& job, const Lowered& lowered, const glsl::GlslInfo& i
     if (!problems.empty()) insertion.error = problems.front();
   }
   if (!insertion.error.empty()) job.diagnostics.Report({}, diag::FragmentShader, insertion.error);
+  if (insertion.tests_early)
+    job.diagnostics.Report({}, diag::DiscardEarlyTests, "early_fragment_tests");
   return std::move(insertion.text);
 }
 

@@ -107,7 +107,7 @@ void CheckEmission(const ir::Program& lowered, Diagnostics& diagnostics) {
 void CheckDiscards(const ir::Program& pixel, Diagnostics& diagnostics) {
   if (!pixel.tests_early) return;
   const ir::Function& entry = pixel.functions[pixel.entry];
-  diagnostics.Report(entry.span, diag::DiscardEarlyTests, entry.name);
+  diagnostics.Report(entry.span, diag::DiscardEarlyTests, "earlydepthstencil");
 }
 
 ClipDistances ClipDistancesOf(const ir::Program& program) {
