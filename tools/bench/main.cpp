@@ -229,7 +229,7 @@ void BenchMany(const std::string& clipc, const std::string& folder) {
   for (const Kind& kind : {
            Kind{"constant buffers", "cbuffer B@ { float c@; };\n", "a += c@;\n"},
            Kind{"textures", "Texture2D t@;\n", "a += t@.Load(0).x;\n"},
-           Kind{"padded members", "float c@ : register(c@);\n", "a += c@;\n"},
+           Kind{"padded members", "cbuffer P@ { float c@ : packoffset(c1.y); };\n", "a += c@;\n"},
            Kind{"methods outside of structs",
                 "struct S@ { float f(float x); };\nfloat S@::f(float x) { return x; }\n",
                 "S@ s@; a = s@.f(a);\n"},
