@@ -36,7 +36,7 @@ if(Python3_Interpreter_FOUND)
     \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${doc}/docs/diagnostics\" ${program} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT compiler)
 endif()
 install(FILES ${clipc_SOURCE_DIR}/study/speed-accuracy.svg DESTINATION ${doc}/study COMPONENT compiler)
-install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/compute ${clipc_SOURCE_DIR}/examples/geometry ${clipc_SOURCE_DIR}/examples/tessellation
+install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/pixel ${clipc_SOURCE_DIR}/examples/compute ${clipc_SOURCE_DIR}/examples/geometry ${clipc_SOURCE_DIR}/examples/tessellation
   ${clipc_SOURCE_DIR}/examples/embed DESTINATION ${doc}/examples COMPONENT compiler)
 
 # The licences of what is linked in, where Debian's packages of it have them.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Holds the GLSL beside each shader of examples/gallery, compute, geometry and tessellation against the GLSL that clipc writes now.
+"""Holds the GLSL beside each shader of examples/gallery, pixel, compute, geometry and tessellation against the GLSL that clipc writes now.
 
 usage: check_gallery.py CLIPC [--write]
 
@@ -13,9 +13,16 @@ import subprocess
 import sys
 
 EXAMPLES = pathlib.Path(__file__).resolve().parent
-FOLDERS = ["gallery", "compute", "geometry", "tessellation"]
+FOLDERS = ["gallery", "pixel", "compute", "geometry", "tessellation"]
 # The suffix of the GLSL, by the stage of the profile.
-SUFFIXES = {"vs": ".vert", "cs": ".comp", "gs": ".geom", "hs": ".tesc", "ds": ".tese"}
+SUFFIXES = {
+    "vs": ".vert",
+    "ps": ".frag",
+    "cs": ".comp",
+    "gs": ".geom",
+    "hs": ".tesc",
+    "ds": ".tese",
+}
 
 
 def compiled(clipc, shader):
