@@ -50,14 +50,17 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     const bool is_placed = reg->is_explicit || (reg == globals_ && bound_by_option);
     return reg->descriptor || moved_.contains(reg) || (is_placed && is_free(*reg));
   };
-  for (const ir::Register* reg : all | std::views::filter(stays)) {
-    const ir::Descriptor at = Plain(*reg);
-    taken.emplace(at.set, at.binding);
-  }
+  // A sampler is not in the way of the texture with which the host combines it.
+  Taken taken_by_samplers;
+  const auto take = [&](const ir::Register& reg, const ir::Descriptor& at) {
+    const bool is_combined = target.bindings.combines_samplers && reg.letter == 's';
+    return (is_combined ? taken_by_samplers : taken).emplace(at.set, at.binding).second;
+  };
+  for (const ir::Register* reg : all | std::views::filter(stays)) take(*reg, Plain(*reg));
   for (const ir::Register* reg : all) {
     if (stays(reg)) continue;
     ir::Descriptor at = Plain(*reg);
-    while (!taken.emplace(at.set, at.binding).second) ++at.binding;
+    while (!take(*reg, at)) ++at.binding;
     moved_.emplace(reg, at);
   }
 }
