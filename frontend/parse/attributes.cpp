@@ -24,7 +24,6 @@ constexpr std::string_view kKnown[] = {
     "numthreads",
     "rootsignature",  // how a Direct3D 12 application binds: GLSL has layouts
     "shader",
-    "waveopsincludehelperlanes",
     "wavesensitive",
     "wavesize",
     // of ray tracing and work graphs
