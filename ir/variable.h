@@ -24,7 +24,7 @@ enum class Storage : std::uint8_t {
   kConstant,  // `static const`, or a const local with a constant value: init is constant
   kUniform,   // a member of a Cbuffer
   kResource,  // a texture, sampler or buffer object, or an array of them
-  kInput,     // of the whole shader: only `main` reads it, but for IsReadAnywhere
+  kInput,     // of the whole shader: only `main` reads it, but for IsReadAnywhere and interpolants
   kOutput,    // of the whole shader: only `main` touches it
 };
 

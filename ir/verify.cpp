@@ -35,7 +35,7 @@ class ProgramVerifier {
       if (form >= Form::kAddressed) CheckAddressed(program_.vars[resource.var]);
     }
     for (const IoVar& io : program_.inputs) {
-      if (IsReadAnywhere(io.builtin)) Show(io.var);
+      if (IsShown(io)) Show(io.var);
     }
     CheckGlobals();
     CheckClipPlanes();
@@ -143,9 +143,18 @@ class ProgramVerifier {
     return std::ranges::find(streams, id, &Stream::emit) != streams.end();
   }
 
+  // Whether every function may read the input.
+  bool IsShown(const IoVar& io) const {
+    const auto evaluates = [](const IntrinsicCall& call) {
+      return CategoryOf(call.op) == IntrinsicCategory::kInterpolants;
+    };
+    return IsReadAnywhere(io.builtin) ||
+           (io.builtin == Builtin::kNone && MayHaveExpr<IntrinsicCall>(program_, evaluates));
+  }
+
   void ShowInputs(Scope scope) {
     for (const IoVar& io : program_.inputs) {
-      if (!IsReadAnywhere(io.builtin)) exprs_.scope[io.var.index] = scope;
+      if (!IsShown(io)) exprs_.scope[io.var.index] = scope;
     }
   }
 

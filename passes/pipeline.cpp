@@ -14,6 +14,7 @@
 #include "passes/read_vertices.h"
 #include "passes/split_variables.h"
 #include "passes/spread_precise.h"
+#include "passes/trace_interpolants.h"
 
 namespace clipc::passes {
 namespace {
@@ -49,6 +50,9 @@ constexpr ir::Pass<Run> kPipeline[] = {
        if (!run.options.keeps_distances) DropIdleClipDistances(run.program);
      },
      ir::Form::kInlined},
+    // An entry function that keeps its call has an argument for each input only now, and does not
+    // read any more what this pass names.
+    {"trace-interpolants", [](Run& run) { TraceInterpolants(run.program); }, ir::Form::kInlined},
     // `main` need not read the inputs that an entry function that keeps its call does not read.
     {"drop-unread-arguments", [](Run& run) { DropUnreadArguments(run.program); },
      ir::Form::kInlined},
