@@ -73,7 +73,8 @@ class FieldsRead {
  public:
   explicit FieldsRead(const Program& program) : program_(program) {}
 
-  // The fields of `var` that the statement and the functions that it calls read; null: all.
+  // The fields of `var` that the statement and the functions that it calls read, also of copies;
+  // null: all.
   const std::set<std::uint32_t>* Of(StmtId body, VarId var, int depth = 0) {
     const auto [known, is_new] = known_.try_emplace(var.index);
     if (!is_new) return known->second ? &*known->second : nullptr;
@@ -84,6 +85,17 @@ class FieldsRead {
       const auto* ref = As<VarRef>(program_, id);
       return ref && ref->var == var;
     };
+    // Counts a read of all as one of the fields that are read of the variable that it is given to.
+    const auto pass_on = [&](StmtId to_body, VarId to) {
+      const auto* inner = Of(to_body, to, depth + 1);
+      if (!inner) return;
+      ++of_parts;
+      fields.insert(inner->begin(), inner->end());
+    };
+    ForEachStmt(program_, body, [&](StmtId id) {
+      const auto* declare = As<Declare>(program_, id);
+      if (declare && declare->init && is_var(declare->init)) pass_on(body, declare->var);
+    });
     ForEachExpr(program_, body, [&](ExprId id) {
       if (is_var(id)) ++all;
       if (const auto* field = As<FieldRef>(program_, id); field && is_var(field->base)) {
@@ -95,11 +107,7 @@ class FieldsRead {
         if (!is_var(program_.expr_lists[call->arguments][i])) continue;
         const Function& callee = program_.functions[call->function];
         const VarId parameter = callee.parameters[i];
-        if (program_.vars[parameter].storage != Storage::kIn) continue;
-        const auto* inner = Of(callee.body, parameter, depth + 1);
-        if (!inner) continue;
-        ++of_parts;
-        fields.insert(inner->begin(), inner->end());
+        if (program_.vars[parameter].storage != Storage::kOut) pass_on(callee.body, parameter);
       }
     });
     auto& result = known_[var.index];
@@ -115,8 +123,8 @@ class FieldsRead {
 };
 
 // Makes zero the inputs that no target has, `POSITION` of a pixel shader of Direct3D 9, where a
-// struct carries them to functions that do not read them. fxc, which inlines functions, takes such
-// a shader.
+// struct carries them to functions and copies that do not read them. fxc, which inlines functions,
+// takes such a shader.
 void DropUntranslated(Program& program) {
   const auto is_untranslated = [&](ExprId id) {
     const auto* ref = As<VarRef>(program, id);
