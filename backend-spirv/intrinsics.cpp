@@ -51,7 +51,6 @@ std::optional<ExtendedFunction> FunctionOf(ir::Intrinsic op) {
     case kSin: return {{GLSLstd450Sin}};
     case kSinh: return {{GLSLstd450Sinh}};
     case kSqrt: return {{GLSLstd450Sqrt}};
-    case kStep: return {{GLSLstd450Step}};
     case kTan: return {{GLSLstd450Tan}};
     case kTanh: return {{GLSLstd450Tanh}};
     case kTrunc: return {{GLSLstd450Trunc}};
@@ -281,6 +280,10 @@ Ref Writer::OfNumbers(ir::Intrinsic op, const Evaluated& of) {
     case kDeterminant:
       return of.shape.HasRows() ? Extended(GLSLstd450Determinant, of.type, {of.values[0]})
                                 : of.values[0];
+    case kStep: {  // 0 for NaN: HLSL's is (x >= edge) ? 1 : 0, and GLSL's x < edge ? 0 : 1
+      const Ref is_reached = Combine(BinaryOp::kGreaterEqual, of.shape, of.values[1], of.values[0]);
+      return Converted(is_reached, of.shape.With(Scalar::kBool), of.result.scalar);
+    }
     case kSmoothstep: {
       const Ref range = Combine(BinaryOp::kSub, of.shape, of.values[1], of.values[0]);
       const Ref from = Combine(BinaryOp::kSub, of.shape, of.values[2], of.values[0]);
