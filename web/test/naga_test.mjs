@@ -17,6 +17,7 @@ const REFUSED = {
   'control_flow.hlsl': /fall-through/,
   'skinning.hlsl': /Function .* is invalid/,
   'images.hlsl': /ImageBuffer/, // RWBuffer, which WGSL lacks
+  'static_reads.hlsl': /SampledBuffer/, // Buffer, likewise
   'matrices.hlsl': /UnsupportedMatrixStride/, // of two components in each register of 16 bytes
   'packing.hlsl': /not a multiple of the required alignment/, // from Vulkan 1.1 on, vectors lie at any component of a row
   'packing_rules.hlsl': /not a multiple of the required alignment/,
