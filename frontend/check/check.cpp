@@ -15,7 +15,7 @@
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
 #include "frontend/check/hull.h"
-#include "frontend/check/large_literal.h"
+#include "frontend/check/real_literal.h"
 #include "frontend/check/reserved.h"
 #include "frontend/check/self.h"
 #include "frontend/check/static_effects.h"

@@ -7,6 +7,7 @@
 #include "frontend/check/bit_field.h"
 #include "frontend/check/call.h"
 #include "frontend/check/large_literal.h"
+#include "frontend/check/real_literal.h"
 #include "frontend/check/value.h"
 #include "frontend/typing/conversion.h"
 #include "frontend/typing/reread.h"

@@ -80,9 +80,9 @@ struct Context final : TemporaryMaker {
   KeptMap<std::uint32_t, SymbolId> enum_symbols;
   // The bit-fields that are read, by the expression that each became: bit_field.h.
   KeptMap<std::uint32_t, BitAccess> bits;
-  // Expressions: large_literal.h.
+  // Expressions: large_literal.h and real_literal.h.
   std::unordered_map<std::uint32_t, std::int64_t> int_literals;
-  std::unordered_map<std::uint32_t, std::optional<double>> real_literals;
+  std::unordered_map<std::uint32_t, double> real_literals;
   struct InfiniteLiteral {
     ExprId literal;
     double number;  // which a float does not hold

@@ -19,6 +19,7 @@
 #include "frontend/check/loop.h"
 #include "frontend/check/member.h"
 #include "frontend/check/operator.h"
+#include "frontend/check/real_literal.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/large_literal.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
-#include <fmt/format.h>
-
+#include "frontend/check/real_literal.h"
 #include "ir/scalar.h"
 
 namespace clipc::check {
@@ -107,31 +103,6 @@ void Adapt(Context& context, ExprId& literal, ExprId other) {
                          : TruncateLiteral(context, *NumberOf(context, literal), kind, span);
 }
 
-// The number that an expression made of float literals without suffixes is; nullopt for all else.
-// `literals` gets these.
-std::optional<double> RealOf(const Context& context, ExprId value, std::vector<ExprId>& literals) {
-  const auto found = context.real_literals.find(value.index);
-  if (found != context.real_literals.end()) {
-    if (found->second) literals.push_back(value);
-    return found->second;
-  }
-  if (const auto* unary = context.GetIf<Unary>(value); unary && unary->op == UnaryOp::kNegate) {
-    const auto number = RealOf(context, unary->operand, literals);
-    return number ? std::optional(-*number) : std::nullopt;
-  }
-  const auto* binary = context.GetIf<Binary>(value);
-  const auto left = binary ? RealOf(context, binary->left, literals) : std::nullopt;
-  const auto right = left ? RealOf(context, binary->right, literals) : std::nullopt;
-  if (!right) return std::nullopt;
-  switch (binary->op) {
-    case BinaryOp::kAdd: return *left + *right;
-    case BinaryOp::kSub: return *left - *right;
-    case BinaryOp::kMul: return *left * *right;
-    case BinaryOp::kDiv: return *left / *right;
-    default: return std::nullopt;
-  }
-}
-
 }  // namespace
 
 ExprId IntLiteral(Context& context, std::int64_t number, Span span) {
@@ -218,44 +189,6 @@ ExprId AdaptShifted(Context& context, ExprId left, ExprId right) {
   if (!number || context.TypeOf(right).scalar != Scalar::kUint || NumberOf(context, right))
     return left;
   return TruncateLiteral(context, *number, Scalar::kUint, context[left].span);
-}
-
-ExprId RealLiteral(Context& context, double number, Span span) {
-  const ExprId value = context.At(span).LiteralOf(Scalar::kFloat, number);
-  NoteRealLiteral(context, value, number);
-  const bool is_infinite = std::isinf(FloatOf(context.Get<Literal>(value).bits));
-  if (is_infinite && !std::isinf(number)) context.infinite_literals.push_back({value, number});
-  return value;
-}
-
-void NoteRealLiteral(Context& context, ExprId value, double number) {
-  context.real_literals.emplace(value.index, number);
-}
-
-void NoteReal(Context& context, ExprId value, ExprId from) {
-  if (const auto number = NumberOf(context, from))
-    NoteRealLiteral(context, value, static_cast<double>(*number));
-}
-
-void NoteTyped(Context& context, ExprId value) {
-  context.int_literals.erase(value.index);
-  if (!context.real_literals.empty()) context.real_literals[value.index] = std::nullopt;
-}
-
-ExprId ExactFor(Context& context, ExprId value, TypeId to) {
-  if (context.real_literals.empty() || context[to].scalar != Scalar::kDouble) return value;
-  std::vector<ExprId> literals;
-  const auto number = RealOf(context, value, literals);
-  if (!number) return value;
-  std::erase_if(context.infinite_literals, [&](const Context::InfiniteLiteral& infinite) {
-    return std::ranges::find(literals, infinite.literal) != literals.end();
-  });
-  return context.At(context[value].span).LiteralOf(Scalar::kDouble, *number);
-}
-
-void ReportInfinite(Context& context) {
-  for (const auto& [literal, number] : context.infinite_literals)
-    context.Report(context[literal].span, diag::FloatLiteralRange, fmt::format("{}", number));
 }
 
 }  // namespace clipc::check

@@ -6,10 +6,11 @@
 
 #include "frontend/check/context.h"
 
-// Literals without a suffix from profile 6.0 on. To DXC one is a number of 64 bits without a type,
-// "literal int" or "literal float", which becomes what the other operand is: CombineBasicTypes in
-// its SemaHLSL.cpp. An integer of 2^31 and more is a uint here where it is used alone and fits one,
-// an int64 where it does not, and what is made of such literals is computed with 64 bits.
+// Integer literals without a suffix from profile 6.0 on. To DXC one is a number of 64 bits without a
+// type, "literal int", which becomes what the other operand is: CombineBasicTypes in its
+// SemaHLSL.cpp. An integer of 2^31 and more is a uint here where it is used alone and fits one, an
+// int64 where it does not, and what is made of such literals is computed with 64 bits.
+// real_literal.h has the floats.
 namespace clipc::check {
 
 // Whether there are such literals, which the functions here need not be asked of otherwise.
@@ -32,7 +33,7 @@ std::optional<std::int64_t> IntLiteralOf(const Context& context, BinaryOp op, Ex
 ExprId FoldLarge(Context& context, BinaryOp op, ExprId& left, ExprId& right, Span span);
 // Makes a literal that no int holds, beside a value, one of the value's type.
 void AdaptLarge(Context& context, ExprId& left, ExprId& right);
-// The same of the arguments of an intrinsic function, among them literals beside a double.
+// The same of the arguments of an intrinsic function, among them real literals beside a double.
 void AdaptArguments(Context& context, Exprs& arguments);
 // The number of its lower 32 bits that the type holds. If more than a sign is lost, that is
 // reported, as by Clang's -Wconstant-conversion.
@@ -45,19 +46,5 @@ ExprId SettleInt(Context& context, ExprId value, Scalar kind, bool is_cast);
 // The uint that a literal is which is shifted by a uint: "For case like 1<<x" in
 // CheckBinOpForHLSL of DXC's SemaHLSL.cpp. Other operands stay.
 ExprId AdaptShifted(Context& context, ExprId left, ExprId right);
-
-// The literal of a number without a suffix, which is a float unless it becomes a double.
-ExprId RealLiteral(Context& context, double number, Span span);
-// Notes that the float is that number, made of such literals alone; NoteReal if `from`, of which
-// it was made, is one.
-void NoteRealLiteral(Context& context, ExprId value, double number);
-void NoteReal(Context& context, ExprId value, ExprId from);
-// Notes that the value has its type for good: (float)0.1 is not a literal to DXC.
-void NoteTyped(Context& context, ExprId value);
-// The value, which becomes one of `to`: as a double if it is made of such literals alone and `to`
-// is of doubles.
-ExprId ExactFor(Context& context, ExprId value, TypeId to);
-// Reports the literals that a float does not hold and that did not become doubles.
-void ReportInfinite(Context& context);
 
 }  // namespace clipc::check

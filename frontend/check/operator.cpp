@@ -12,6 +12,7 @@
 #include "frontend/check/function.h"
 #include "frontend/check/large_literal.h"
 #include "frontend/check/overload.h"
+#include "frontend/check/real_literal.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/value.h"
 
@@ -119,6 +120,24 @@ std::optional<std::int32_t> BelowInt(const Context& context, BinaryOp op, ExprId
   return value < kLeast ? std::optional(kLeast) : std::nullopt;
 }
 
+// The literal that an operation of a literal without a suffix is, where it is not an int or a float
+// as well; none for other operations.
+ExprId FoldUntyped(Context& context, UnaryOp op, ExprId operand, Span span) {
+  const bool is_int = context.TypeOf(operand).scalar == Scalar::kInt;
+  const auto number = IntLiteralOf(context, op, operand);
+  if (number && op == UnaryOp::kNegate && !is_int) return IntLiteral(context, *number, span);
+  return FoldReal(context, op, operand, span);
+}
+
+// Notes the number of an operation of one or two operands, if these are literals without a suffix.
+template <typename Op, typename... Operands>
+void NoteNumber(Context& context, ExprId result, Op op, Operands... operands) {
+  if (const auto number = IntLiteralOf(context, op, operands...))
+    NoteIntLiteral(context, result, *number);
+  if (const auto number = RealOf(context, op, operands...))
+    NoteRealNumber(context, result, *number);
+}
+
 }  // namespace
 
 ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
@@ -132,10 +151,10 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
   }
   ExprId operand = CheckExpr(context, expr.operand);
   if (context.IsError(operand)) return operand;
-  const bool may_be_number = expr.op && !context.int_literals.empty();
-  const auto number = may_be_number ? IntLiteralOf(context, *expr.op, operand) : std::nullopt;
-  if (number && expr.op == UnaryOp::kNegate && context.TypeOf(operand).scalar != Scalar::kInt)
-    return IntLiteral(context, *number, span);
+  const bool is_untyped = expr.op && HasUntyped(context);
+  if (is_untyped) {
+    if (const ExprId folded = FoldUntyped(context, *expr.op, operand, span)) return folded;
+  }
   const TypeId type = context.TypeIdOf(operand);
   const std::string_view spelling = expr.op ? SpellingOf(*expr.op) : "+";
   if (!CheckNoEnumClass(context, spelling, operand, span)) return context.ErrorExpr(span);
@@ -153,7 +172,7 @@ ExprId CheckNode(Context& context, const ast::UnaryExpr& expr, Span span) {
   operand = Implicit(context, operand, context.types.WithScalar(type, wanted));
   if (!expr.op) return operand;
   const ExprId result = context.At(span).UnaryOf(*expr.op, operand);
-  if (number) NoteIntLiteral(context, result, *number);
+  if (is_untyped) NoteNumber(context, result, *expr.op, operand);
   return result;
 }
 
@@ -190,10 +209,9 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
     if (const auto call = CallOperator(context, SpellingOf(op), operands, op_span, span))
       return *call;
   }
-  std::optional<std::int64_t> number;
-  if (!context.int_literals.empty()) {
+  if (HasUntyped(context)) {
     if (const ExprId folded = FoldLarge(context, op, left, right, span)) return folded;
-    number = IntLiteralOf(context, op, left, right);
+    if (const ExprId folded = FoldReal(context, op, left, right, span)) return folded;
   }
   const auto type = OperandType(context, op, left, right, op_span);
   if (!type) return context.ErrorExpr(span);
@@ -201,7 +219,7 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
   const Side sides[] = {{left, *type}, {right, *type}};
   const auto combine = IsLogical(op) ? CombineLogical : IsShift(op) ? CombineShift : Combine;
   const ExprId combined = combine(context, op, sides[0], sides[1], span);
-  if (number) NoteIntLiteral(context, combined, *number);
+  if (HasUntyped(context)) NoteNumber(context, combined, op, left, right);
   return combined;
 }
 

@@ -6,6 +6,7 @@
 
 #include "frontend/check/expr.h"
 #include "frontend/check/large_literal.h"
+#include "frontend/check/real_literal.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
 #include "frontend/typing/constant.h"
