@@ -127,7 +127,7 @@ ExprId CallIntrinsic(Context& context, NamedCall& call) {
   if (writes || name.starts_with("Interlocked"))
     elements = TakeOutElements(context, name, call.arguments);
   ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
-  if (!elements.after.empty()) value = WithOutElements(context, std::move(elements), value);
+  value = WithOutElements(context, std::move(elements), value);
   return WithPrologue(context, steps, ExpandClamp(context, ExpandPower(context, value)));
 }
 
@@ -380,6 +380,21 @@ ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::uint
   return CheckInit(context, var.init, parameter.type);
 }
 
+// Evaluates the arguments that are bound before the steps from `first` on, which evaluate a later
+// one.
+void EvaluateEarlier(Context& context, const FunctionInfo& info, Exprs& bound, Exprs& before,
+                     std::size_t first) {
+  Exprs earlier;
+  const std::size_t selves = info.self ? 1 : 0;
+  for (std::size_t i = 0; i < bound.size(); ++i) {
+    const bool is_place =
+        i < selves || context[info.parameters][i - selves].storage != Storage::kIn;
+    bound[i] = EvaluateNow(context, bound[i], is_place, earlier);
+  }
+  before.insert(before.begin() + static_cast<std::ptrdiff_t>(first), earlier.begin(),
+                earlier.end());
+}
+
 ExprId FinishCall(Context& context, ExprId call, const CopySteps& copies) {
   const auto& [before, after] = copies;
   Exprs steps = before;
@@ -451,6 +466,7 @@ ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs argu
     context.functions.calls.push_back({context.view.body->function, function, name_span});
   Exprs bound;
   CopySteps copies;
+  bool acts = false;  // whether an argument so far has side effects
   if (info.self && info.changes_self) {
     const VarId root = RootOf(context.program, self);
     if (root && context[root].storage == Storage::kUniform)
@@ -460,11 +476,15 @@ ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs argu
   for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
     const Parameter parameter = context[info.parameters][i];
     const bool is_given = i < arguments.size();
+    const std::size_t first = copies.before.size();
+    acts = acts || (is_given && !IsPure(context.program, arguments[i]));
     if (is_given && !TakesArgument(context, info, parameter, arguments[i]))
       return context.ErrorExpr(span);
     const ExprId argument = is_given ? BindArgument(context, parameter, arguments[i], copies)
                                      : DefaultArgument(context, info, i);
     if (context.IsError(argument)) return context.ErrorExpr(span);
+    if (acts && copies.before.size() > first)
+      EvaluateEarlier(context, info, bound, copies.before, first);
     bound.push_back(argument);
   }
   const ExprId call = context.At(span).CallOf(function, bound);

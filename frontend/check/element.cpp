@@ -98,14 +98,6 @@ bool CanStore(Context& context, ExprId element, ExprId target) {
          StepsTo(context.program, WholeOf(context.program, target), element).has_value();
 }
 
-// Whether the value of the index is the same whatever the shader writes.
-bool IsConstantIndex(const Context& context, ExprId index) {
-  if (context.Is<Literal>(index)) return true;
-  const VarId root = RootOf(context.program, index);
-  return root && HasLiteralIndices(context.program, index) &&
-         (IsConstVar(context, root) || context[root].storage == Storage::kUniform);
-}
-
 }  // namespace
 
 ExprId ElementIn(const Context& context, ExprId expr) {
@@ -117,23 +109,21 @@ ExprId ElementIn(const Context& context, ExprId expr) {
   return is_element ? expr : ExprId{};
 }
 
-void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, Exprs& prologue) {
+void FixIndices(Context& context, ExprId path, bool may_change, Exprs& prologue) {
   const auto fixed = [&](ExprId index) {
-    const bool stays =
-        may_change ? IsConstantIndex(context, index) : IsPure(context.program, index);
+    const bool stays = may_change ? StaysTheSame(context, index) : IsPure(context.program, index);
     return stays ? index : Hoist(context, index, prologue);
   };
-  if (path == element) {
-    const auto load = context.Get<ObjectCall>(element);
-    const List<ExprId> place = OperandsOf(load, OperandKind::kPlace);
+  if (const auto* load = context.GetIf<ObjectCall>(path)) {
+    const List<ExprId> place = OperandsOf(*load, OperandKind::kPlace);
     const ExprId index = fixed(context[place][0]);
     context.program.expr_lists[place][0] = index;
-    return;
-  }
-  FixIndices(context, WholeOf(context.program, path), element, may_change, prologue);
-  if (const auto* found = context.GetIf<Index>(path)) {
-    const Index index = *found;
-    context[path].node = Index{index.base, fixed(index.index)};
+  } else if (const ExprId whole = WholeOf(context.program, path)) {
+    FixIndices(context, whole, may_change, prologue);
+    if (const auto* found = context.GetIf<Index>(path)) {
+      const Index index = *found;
+      context[path].node = Index{index.base, fixed(index.index)};
+    }
   }
 }
 
@@ -142,7 +132,7 @@ ExprId StoreToElement(Context& context, const ElementTarget& to, ExprId value, S
   if (!CanStore(context, element, target)) return {};
   Exprs steps;
   if (is_used || PiecesOf(context, target).size() > 1) {
-    FixIndices(context, target, element, !IsPure(context.program, value), steps);
+    FixIndices(context, target, !IsPure(context.program, value), steps);
     value = Repeatable(context, value, steps);
   }
   Exprs stores = StoresOf(context, element, target, value, span);
@@ -154,7 +144,7 @@ ExprId StoreToElement(Context& context, const ElementTarget& to, ExprId value, S
 Exprs ChangeElement(Context& context, ExprId element, ExprId target, bool may_change,
                     Exprs& prologue) {
   const Span span = context[element].span;
-  FixIndices(context, target, element, may_change, prologue);
+  FixIndices(context, target, may_change, prologue);
   const ExprId copy = Hoist(context, Clone(context.program, element), prologue);
   ExprId part = target;  // the smallest one around the target that can be stored
   while (!CanStore(context, element, part)) part = WholeOf(context.program, part);

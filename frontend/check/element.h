@@ -12,10 +12,10 @@ namespace clipc::check {
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
 ExprId ElementIn(const Context& context, ExprId expr);
-// Evaluates what chooses `path` in `element`, a read that ElementIn found, before what follows: the
-// path can then be cloned. What is evaluated later may change what the indices read if `may_change`
-// says so.
-void FixIndices(Context& context, ExprId path, ExprId element, bool may_change, Exprs& prologue);
+// Evaluates what chooses a path in a variable or in an element that ElementIn found, before what
+// follows: the path can then be cloned. What is evaluated later may change what the indices read if
+// `may_change` says so.
+void FixIndices(Context& context, ExprId path, bool may_change, Exprs& prologue);
 // An assignment to an element of an object or to a part of one. If it `is_used`, it is a part of an
 // expression, and has the value that was stored.
 struct ElementTarget {

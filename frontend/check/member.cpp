@@ -29,11 +29,11 @@ ExprId MatrixComponents(Context& context, MatrixSwizzle node, Span span) {
   }
   Exprs prologue;
   const Scalar kind = context.TypeOf(node.base).scalar;
-  if (const ExprId element = ElementIn(context, node.base))
-    FixIndices(context, node.base, element, false, prologue);
-  else
-    node.base = RootOf(context.program, node.base) ? Stabilize(context, node.base, prologue)
-                                                   : Hoist(context, node.base, prologue);
+  if (RootOf(context.program, node.base) || ElementIn(context, node.base)) {
+    FixIndices(context, node.base, false, prologue);
+  } else {
+    node.base = Hoist(context, node.base, prologue);
+  }
   return WithPrologue(context, prologue, at.Add(context.types.Vector(kind, node.count), node));
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frontend/check/element.h"
+#include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
 #include "frontend/typing/intrinsics.h"
 
@@ -21,20 +22,41 @@ bool WritesArgument(std::string_view name, std::size_t i, std::size_t count) {
 
 }  // namespace
 
+ExprId EvaluateNow(Context& context, ExprId argument, bool is_place, Exprs& before) {
+  if (is_place) {
+    FixIndices(context, argument, true, before);
+    return argument;
+  }
+  const bool stays = StaysTheSame(context, argument) || IsConstantExpr(context, argument) ||
+                     IsOrHoldsObject(context, context.TypeIdOf(argument));
+  return stays ? argument : Hoist(context, argument, before);
+}
+
 OutElements TakeOutElements(Context& context, std::string_view name, Exprs& arguments) {
   OutElements taken;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const ExprId element = ElementIn(context, arguments[i]);
-    if (!element || !WritesArgument(name, i, arguments.size())) continue;
-    const Exprs stores = ChangeElement(context, element, arguments[i], true, taken.before);
-    taken.after.insert(taken.after.end(), stores.begin(), stores.end());
+  const std::size_t count = arguments.size();
+  bool writes = false, acts = false;
+  for (std::size_t i = 0; i < count; ++i) writes = writes || WritesArgument(name, i, count);
+  if (!writes) return taken;
+  for (const ExprId argument : arguments) acts = acts || !IsPure(context.program, argument);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_written = WritesArgument(name, i, count);
+    const bool is_memory = i == 0 && name.starts_with("Interlocked");
+    const ExprId element = is_written ? ElementIn(context, arguments[i]) : ExprId{};
+    if (element) {
+      const Exprs stores = ChangeElement(context, element, arguments[i], true, taken.before);
+      taken.after.insert(taken.after.end(), stores.begin(), stores.end());
+    } else if (acts) {
+      arguments[i] = EvaluateNow(context, arguments[i], is_written || is_memory, taken.before);
+    }
   }
   return taken;
 }
 
 ExprId WithOutElements(Context& context, OutElements elements, ExprId call) {
   auto& [before, after] = elements;
-  if (after.empty() || context.IsError(call)) return call;
+  if (context.IsError(call)) return call;
+  if (after.empty()) return WithPrologue(context, before, call);
   const bool has_value = context.TypeOf(call).kind != TypeKind::kVoid && !context.Is<Assign>(call);
   ExprId value;
   if (has_value) {
