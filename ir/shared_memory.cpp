@@ -31,13 +31,15 @@ std::uint64_t SharedBytes(const Program& program) {
 
 std::set<VarId> ExchangedFloats(const Program& program) {
   std::set<VarId> shared;
-  const auto is_shared = [&](VarId var) { return program.vars[var].storage == Storage::kShared; };
-  if (std::ranges::none_of(program.globals, is_shared)) return shared;
+  const auto changes_float = [&](const IntrinsicCall& call) {
+    return CategoryOf(call.op) == IntrinsicCategory::kAtomic &&
+           IsFloat(TypeOf(program, program.expr_lists[call.arguments][0]).scalar);
+  };
+  if (!MayHaveExpr<IntrinsicCall>(program, changes_float)) return shared;
   ForEachLiveExpr(program, [&](ExprId expr) {
     const auto* call = As<IntrinsicCall>(program, expr);
-    if (!call || CategoryOf(call->op) != IntrinsicCategory::kAtomic) return;
-    const ExprId place = program.expr_lists[call->arguments][0];
-    if (IsFloat(TypeOf(program, place).scalar)) shared.insert(RootOf(program, place));
+    if (call && changes_float(*call))
+      shared.insert(RootOf(program, program.expr_lists[call->arguments][0]));
   });
   return shared;
 }

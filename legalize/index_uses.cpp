@@ -28,30 +28,16 @@ IndexUses::IndexUses(const Program& program)
       is_index_(program.exprs.size()),
       uses_(program.vars.size()),
       values_(program.vars.size()) {
-  ForEachLiveExpr(program, [&](ExprId expr) {
-    if (const auto* ref = As<VarRef>(program, expr)) ++uses_[ref->var.index];
-  });
-  FindValues();
+  const std::vector<ExprId> places = FindUses();
   for (const VarId var : program.vars.ids()) {
     if (uses_[var.index] == 0) waiting_.push_back(var);
   }
-  MarkPlaces();
+  for (const ExprId place : places) Mark(place);
   while (!waiting_.empty()) {
     const VarId var = waiting_.back();
     waiting_.pop_back();
     for (const ExprId value : values_[var.index]) Mark(value);
   }
-}
-
-void IndexUses::MarkPlaces() {
-  ForEachLiveExpr(program_, [&](ExprId expr) {
-    if (const auto* index = As<Index>(program_, expr)) {
-      Mark(index->index);
-    } else if (const auto* call = As<ObjectCall>(program_, expr); call && LoadsElement(call->op)) {
-      Mark(OperandOf(program_, *call, OperandKind::kPlace));
-      if (const ExprId level = OperandOf(program_, *call, OperandKind::kLevel)) Mark(level);
-    }
-  });
 }
 
 void IndexUses::Mark(ExprId expr) {
@@ -76,25 +62,38 @@ void IndexUses::Mark(ExprId expr) {
         program_.exprs[expr].node);
 }
 
-void IndexUses::FindValues() {
+std::vector<ExprId> IndexUses::FindUses() {
+  std::vector<ExprId> places;
   for (const FunctionId id : program_.functions.ids()) {
     ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) {
       const auto* declare = As<Declare>(program_, stmt);
       if (declare && declare->init) AddValue(declare->var, declare->init);
     });
   }
-  ForEachLiveExpr(program_, [&](ExprId expr) {
-    if (const auto* assign = As<Assign>(program_, expr)) {
-      const auto* target = As<VarRef>(program_, assign->target);
-      if (!target || assign->op) return;
-      --uses_[target->var.index];
-      AddValue(target->var, assign->value);
-    } else if (const auto* call = As<Call>(program_, expr)) {
-      const auto arguments = program_.expr_lists[call->arguments];
-      const auto& parameters = program_.functions[call->function].parameters;
-      for (std::size_t i = 0; i < arguments.size(); ++i) AddValue(parameters[i], arguments[i]);
-    }
-  });
+  const auto read = Overloaded{
+      [&](const VarRef& node) { ++uses_[node.var.index]; },
+      [&](const Index& node) { places.push_back(node.index); },
+      [&](const Assign& node) {
+        const auto* target = As<VarRef>(program_, node.target);
+        if (!target || node.op) return;
+        --uses_[target->var.index];  // where this is first, the target's own visit makes it 0 again
+        AddValue(target->var, node.value);
+      },
+      [&](const Call& node) {
+        const auto arguments = program_.expr_lists[node.arguments];
+        const auto& parameters = program_.functions[node.function].parameters;
+        for (std::size_t i = 0; i < arguments.size(); ++i) AddValue(parameters[i], arguments[i]);
+      },
+      [&](const ObjectCall& node) {
+        if (!LoadsElement(node.op)) return;
+        places.push_back(OperandOf(program_, node, OperandKind::kPlace));
+        if (const ExprId level = OperandOf(program_, node, OperandKind::kLevel))
+          places.push_back(level);
+      },
+      [](const auto&) {},
+  };
+  ForEachLiveExpr(program_, [&](ExprId expr) { Visit(read, program_.exprs[expr].node); });
+  return places;
 }
 
 void IndexUses::AddValue(VarId var, ExprId value) {

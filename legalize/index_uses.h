@@ -24,9 +24,9 @@ class IndexUses {
   }
 
  private:
-  void FindValues();
+  // Counts the uses of variables, and finds their values; returns the indices and places.
+  std::vector<ir::ExprId> FindUses();
   void AddValue(ir::VarId var, ir::ExprId value);
-  void MarkPlaces();
   void Mark(ir::ExprId expr);
   void Drop(ir::VarId var);
 

@@ -21,8 +21,9 @@ bool IsGlobalVariable(Storage storage) {
 }
 
 // Whether the expression writes something that is not its own: a variable, an object, or what a
-// function reaches.
-bool MayWrite(const Program& program, const Expr& expr, bool has_static) {
+// function reaches, where writes_outside(function) is true.
+template <typename WritesOutside>
+bool MayWrite(const Program& program, const Expr& expr, WritesOutside&& writes_outside) {
   const auto writes_argument = [&](FunctionId function) {
     return std::ranges::any_of(program.functions[function].parameters, [&](VarId parameter) {
       return program.vars[parameter].storage != Storage::kIn;
@@ -32,7 +33,9 @@ bool MayWrite(const Program& program, const Expr& expr, bool has_static) {
       Overloaded{
           [](const Assign&) { return true; },
           [](const Unary& node) { return ChangesOperand(node.op); },
-          [&](const Call& node) { return has_static || writes_argument(node.function); },
+          [&](const Call& node) {
+            return writes_outside(node.function) || writes_argument(node.function);
+          },
           [](const IntrinsicCall& node) { return WritesArguments(node.op); },
           [](const ObjectCall& node) { return WritesObject(node.op); },
           [](const auto&) { return false; },
@@ -41,7 +44,13 @@ bool MayWrite(const Program& program, const Expr& expr, bool has_static) {
 }
 
 // Whether an expression that may write is not that of a statement. Such a one may be an operand.
-bool MayHaveWritingOperand(const Program& program, bool has_static) {
+// Expressions that were replaced are asked too, since that is faster than a walk.
+bool MayHaveWritingOperand(const Program& program) {
+  const bool has_outer = program.vars.AnyOf([&](const Var& var) {
+    const Type& type = program.types[program.types.Innermost(var.type)];
+    return IsGlobalVariable(var.storage) ||
+           (var.storage == Storage::kResource && IsWritable(type.object));
+  });
   std::vector<bool> is_statement(program.exprs.size());
   const auto nothing = [](const auto&) {};
   program.stmts.AnyOf([&](const Stmt& stmt) {
@@ -51,34 +60,8 @@ bool MayHaveWritingOperand(const Program& program, bool has_static) {
   });
   std::size_t number = 0;
   return program.exprs.AnyOf([&](const Expr& expr) {
-    return !is_statement[number++] && MayWrite(program, expr, has_static);
+    return !is_statement[number++] && MayWrite(program, expr, [&](FunctionId) { return has_outer; });
   });
-}
-
-// Whether an operand may write what another one reads. In most programs each write is a statement
-// by itself, and there is nothing to lower. Expressions that were replaced are asked too, since
-// that is faster than a walk.
-bool HasWritingOperand(const Program& program) {
-  bool has_static = false;
-  for (const VarId var : program.vars.ids())
-    has_static |= IsGlobalVariable(program.vars[var].storage);
-  if (!MayHaveWritingOperand(program, has_static)) return false;
-  bool found = false;
-  const auto visit = [&](ExprId operand) {
-    found = found || (operand && MayWrite(program, program.exprs[operand], has_static));
-  };
-  for (const ExprId expr : program.exprs.ids()) {
-    // The nodes do not change, so they need not be copied as ForEachOperand does.
-    Visit(
-        [&](const auto& node) {
-          ForEachSlot(node, visit, [&](List<ExprId> list) {
-            for (const ExprId operand : program.expr_lists[list]) visit(operand);
-          });
-        },
-        program.exprs[expr].node);
-    if (found) return true;
-  }
-  return false;
 }
 
 // The variables outside a function that calls of it may write.
@@ -87,6 +70,8 @@ class OuterWrites {
   struct Set {
     std::vector<VarId> vars;
     bool is_all = false;  // more than kMost: all variables count as written
+
+    bool writes() const { return is_all || !vars.empty(); }
   };
 
   explicit OuterWrites(const Program& program)
@@ -130,19 +115,38 @@ class OuterWrites {
   std::vector<Set> sets_;  // by FunctionId
 };
 
+// Whether an operand may write what another one reads. In most programs each write is a statement
+// by itself, and there is nothing to lower.
+bool HasWritingOperand(const Program& program, const OuterWrites& outer_writes) {
+  bool found = false;
+  const auto visit = [&](ExprId operand) {
+    found = found || (operand && MayWrite(program, program.exprs[operand], [&](FunctionId id) {
+                        return outer_writes.Of(id).writes();
+                      }));
+  };
+  for (const ExprId expr : program.exprs.ids()) {
+    // The nodes do not change, so they need not be copied as ForEachOperand does.
+    Visit(
+        [&](const auto& node) {
+          ForEachSlot(node, visit, [&](List<ExprId> list) {
+            for (const ExprId operand : program.expr_lists[list]) visit(operand);
+          });
+        },
+        program.exprs[expr].node);
+    if (found) return true;
+  }
+  return false;
+}
+
 // Walks each expression in the order of evaluation with a stack of its reads that a driver may
 // still put off. A write of what such a read reads marks it; the marked ones are read into
 // variables. The walk is linear: a read is marked, or leaves the stack, once.
 class OperandOrder {
  public:
-  explicit OperandOrder(Program& program)
-      : program_(program), outer_writes_(program), last_(program.vars.size(), kNone) {}
+  OperandOrder(Program& program, const OuterWrites& outer_writes)
+      : program_(program), outer_writes_(outer_writes), last_(program.vars.size(), kNone) {}
 
-  // Requires that the callees of the function have been lowered.
-  void Lower(FunctionId function) {
-    outer_writes_.Find(function);
-    LowerBlock(program_.functions[function].body);
-  }
+  void Lower(FunctionId function) { LowerBlock(program_.functions[function].body); }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -461,7 +465,7 @@ class OperandOrder {
   }
 
   Program& program_;
-  OuterWrites outer_writes_;
+  const OuterWrites& outer_writes_;
   std::vector<std::size_t> last_;  // the topmost read of each variable, by VarId
   std::vector<Read> reads_;        // of the expression that is walked, in the order of evaluation
   std::size_t marked_below_ = 0;   // all reads below this one are marked
@@ -474,9 +478,15 @@ class OperandOrder {
 
 void LowerOperandOrder(Legalizer& legalizer) {
   Program& program = legalizer.program;
-  if (!HasWritingOperand(program)) return;
-  OperandOrder order(program);
-  for (const FunctionId id : CalleesFirst(program)) order.Lower(id);
+  if (!MayHaveWritingOperand(program)) return;
+  const KeptVector<FunctionId> functions = CalleesFirst(program);
+  OuterWrites outer_writes(program);
+  // Nothing calls the last one.
+  for (const FunctionId id : functions | std::views::take(functions.size() - 1))
+    outer_writes.Find(id);
+  if (!HasWritingOperand(program, outer_writes)) return;
+  OperandOrder order(program, outer_writes);
+  for (const FunctionId id : functions) order.Lower(id);
 }
 
 }  // namespace clipc::legalize

@@ -52,19 +52,17 @@ void Retype(Program& program, ExprId path) {
 
 std::set<VarId> BuffersOfExchangedFloats(const Program& program) {
   std::set<VarId> buffers;
-  const auto is_structured = [&](const Resource& resource) {
-    const TypeId type = program.vars[resource.var].type;
-    return IsStructured(program.types[program.types.Innermost(type)].object);
+  const auto changes_float = [&](const ObjectCall& call) {
+    if (!IsAtomic(call.op)) return false;
+    const ExprId value = OperandOf(program, call, OperandKind::kValue);
+    return value && BaseOf(TypeOf(program, value).scalar) == Scalar::kFloat &&
+           IsStructured(TypeOf(program, OperandOf(program, call, OperandKind::kObject)).object);
   };
-  if (std::ranges::none_of(program.resources, is_structured)) return buffers;
+  if (!MayHaveExpr<ObjectCall>(program, changes_float)) return buffers;
   ForEachLiveExpr(program, [&](ExprId expr) {
     const auto* call = As<ObjectCall>(program, expr);
-    if (!call || !IsAtomic(call->op)) return;
-    const ExprId object = OperandOf(program, *call, OperandKind::kObject);
-    if (IsStructured(TypeOf(program, object).object) &&
-        BaseOf(TypeOf(program, OperandOf(program, *call, OperandKind::kValue)).scalar) ==
-            Scalar::kFloat)
-      buffers.insert(RootOf(program, object));
+    if (call && changes_float(*call))
+      buffers.insert(RootOf(program, OperandOf(program, *call, OperandKind::kObject)));
   });
   return buffers;
 }

@@ -74,6 +74,10 @@ class OffsetFinder {
   // Marks the variables in the offsets and indices that are not literals.
   void FindParts() {
     const auto has_index = [&](const Index& index) { return !As<Literal>(program_, index.index); };
+    const auto has_object = [&](const Index& index) {
+      return index.base && has_index(index) &&
+             IsObjectType(program_.types, TypeIdOf(program_, index.base));
+    };
     const auto has_choice = [&](const Conditional& choice) {
       return IsObjectType(program_.types, program_.exprs[choice.when_true].type);
     };
@@ -86,7 +90,7 @@ class OffsetFinder {
       const bool may_choose = branches_choose_ || MayHaveExpr<Conditional>(program_, has_choice);
       if (!may_choose && !(choices_.HasVariables() && MayHaveExpr<Index>(program_, has_index)))
         return;
-    } else if (!MayHaveExpr<Index>(program_, has_index) &&
+    } else if (!MayHaveExpr<Index>(program_, has_object) &&
                !MayHaveExpr<ObjectCall>(program_, has_offset)) {
       return;
     }

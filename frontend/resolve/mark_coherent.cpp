@@ -9,15 +9,18 @@
 namespace clipc::resolve {
 
 void MarkCoherent(Program& program) {
-  if (!InfoOf(program.stage).runs_in_groups) return;
+  const auto orders_objects = [](const IntrinsicCall& call) {
+    return BarrierOf(call.op).orders_objects;
+  };
+  if (!InfoOf(program.stage).runs_in_groups || !MayHaveExpr<IntrinsicCall>(program, orders_objects))
+    return;
   struct Use {
     bool is_loaded = false, is_stored = false, is_atomic = false;
   };
   std::vector<Use> uses(program.vars.size());
   bool has_barrier = false;
   ForEachLiveExpr(program, [&](ExprId expr) {
-    if (const auto* call = As<IntrinsicCall>(program, expr))
-      has_barrier |= BarrierOf(call->op).orders_objects;
+    if (const auto* call = As<IntrinsicCall>(program, expr)) has_barrier |= orders_objects(*call);
     const auto* access = As<ObjectCall>(program, expr);
     if (!access) return;
     Use& use = uses[RootOf(program, OperandOf(program, *access, OperandKind::kObject)).index];

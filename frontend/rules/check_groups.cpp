@@ -36,9 +36,31 @@ bool Waits(const Program& program, ExprId expr) {
   return call && WaitsForGroup(call->op);
 }
 
-void CheckWaits(const Program& program, Diagnostics& diagnostics) {
+// Whether all threads of a group come to each wait together, as a short look tells: the group is one
+// thread, or each wait is a statement of the entry point's own block, which no `return` leaves.
+bool AllWaitTogether(const Program& program) {
   const auto [x, y, z] = program.group_size;
-  if (x * y * z == 1) return;  // there is nobody to wait for
+  if (x * y * z == 1) return true;
+  std::size_t waits = 0, own = 0;
+  bool returns = false;
+  program.exprs.AnyOf([&](const Expr& expr) {
+    const auto* call = std::get_if<IntrinsicCall>(&expr.node);
+    waits += call && WaitsForGroup(call->op);
+    return false;
+  });
+  if (waits == 0) return true;
+  const StmtId body = program.functions[program.entry].body;
+  ForEachStmt(program, body, [&](StmtId id) { returns |= As<Return>(program, id) != nullptr; });
+  const auto* block = As<Block>(program, body);
+  if (returns || !block) return false;
+  for (const StmtId id : program.stmt_lists[block->body]) {
+    const auto* evaluate = As<Evaluate>(program, id);
+    own += evaluate && Waits(program, evaluate->expr);
+  }
+  return own == waits;
+}
+
+void CheckWaits(const Program& program, Diagnostics& diagnostics) {
   const bool is_error = !program.profile.IsAtLeast(6, 0);
   for (const AskedNode& node :
        FollowFlow(program, {DiffersInGroup, GivesThreadsDifferent, Waits})) {
@@ -50,7 +72,6 @@ void CheckWaits(const Program& program, Diagnostics& diagnostics) {
     else
       diagnostics.Report(span, diag::WaitMayHang, name);
   }
-  CheckRaces(program, diagnostics);
 }
 
 // Whether the node writes the operand otherwise than by an assignment or an atomic operation.
@@ -135,7 +156,10 @@ void CheckGroups(const Program& program, Diagnostics& diagnostics) {
     diagnostics.Report(program.functions[program.entry].span, diag::SharedMemoryTooLarge, bytes,
                        program.profile.name, most);
   }
-  CheckWaits(program, diagnostics);
+  if (!AllWaitTogether(program)) {
+    CheckWaits(program, diagnostics);
+    CheckRaces(program, diagnostics);
+  }
   CheckSharedFloats(program, diagnostics);
   CheckDownlevel(program, diagnostics);
 }

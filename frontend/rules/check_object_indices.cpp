@@ -288,7 +288,12 @@ void CheckObjectIndices(const Program& program, Diagnostics& diagnostics) {
   for (const CbufferId id : program.cbuffers.ids())
     has_buffers |= program.cbuffers[id].kind == CbufferKind::kConstantBuffer;
   if (program.is_interface_only || (!program.calls_objects && !has_buffers)) return;
-  const auto may_vary = [&](const Index& index) { return !As<Literal>(program, index.index); };
+  const auto may_vary = [&](const Index& index) {
+    if (!index.base || As<Literal>(program, index.index)) return false;
+    const TypeId base = TypeIdOf(program, index.base);
+    const bool has_objects = program.types[program.types.Innermost(base)].kind == TypeKind::kObject;
+    return program.types[base].kind == TypeKind::kArray && (has_buffers || has_objects);
+  };
   if (!MayHaveExpr<Index>(program, may_vary)) return;
   std::vector<ExprId> elements;
   ForEachLiveExpr(program, [&](ExprId expr) {
