@@ -32,6 +32,8 @@ class Walker {
   void Functions() {
     const auto visit = [&](const Expr& expr) {
       if (const auto* ref = std::get_if<VarRef>(&expr.node)) Variable(ref->var);
+      if (const auto* call = std::get_if<ObjectCall>(&expr.node))
+        reached_.object_calls.push_back(*call);
       const auto* call = std::get_if<IntrinsicCall>(&expr.node);
       if (call && call->op == CommonIntrinsic::kAttributeAtVertex)
         reached_.per_vertex.push_back(RootOf(program_, program_.expr_lists[call->arguments][0]));

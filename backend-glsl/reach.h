@@ -15,6 +15,7 @@ struct Reached {
   KeptVector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration
   std::vector<bool> vars;                // by VarId: mentioned anywhere
   std::vector<bool> cbuffers;            // by CbufferId
+  KeptVector<ir::ObjectCall> object_calls;
   KeptVector<ir::VarId> per_vertex;  // the inputs of which a GetAttributeAtVertex reads a vertex
 
   bool Has(ir::VarId var) const { return vars[var.index]; }

@@ -271,18 +271,14 @@ std::string TextureType(const WriterContext& context, VarId texture, std::string
 std::vector<TextureUse> FindTextureUses(WriterContext& context) {
   std::vector<TextureUse> uses;
   if (context.program.resources.empty() || context.target.IsVulkan()) return uses;
-  for (const FunctionId function : context.reached.functions) {
-    ForEachExpr(context.program, context[function].body, [&](ExprId id) {
-      const auto* call = context.As<ObjectCall>(id);
-      if (!call) return;
-      const auto root = [&](OperandKind kind) {
-        const ExprId path = context.Operand(*call, kind);
-        return path ? RootOf(context.program, path) : VarId{};
-      };
-      TextureUse use{root(OperandKind::kObject), root(OperandKind::kSampler), {}};
-      const ObjectKind kind = ObjectTypeOf(context, use.texture).object;
-      if (!IsStorageBuffer(kind) && !IsImage(kind)) uses.push_back(std::move(use));
-    });
+  for (const ObjectCall& call : context.reached.object_calls) {
+    const auto root = [&](OperandKind kind) {
+      const ExprId path = context.Operand(call, kind);
+      return path ? RootOf(context.program, path) : VarId{};
+    };
+    TextureUse use{root(OperandKind::kObject), root(OperandKind::kSampler), {}};
+    const ObjectKind kind = ObjectTypeOf(context, use.texture).object;
+    if (!IsStorageBuffer(kind) && !IsImage(kind)) uses.push_back(std::move(use));
   }
   const auto key = [](const TextureUse& use) { return std::tie(use.texture, use.sampler); };
   std::ranges::sort(uses, {}, key);

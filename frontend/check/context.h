@@ -50,7 +50,7 @@ struct UseSpans {
   Span name, whole;
 };
 
-using Exprs = std::vector<ExprId>;
+using Exprs = KeptVector<ExprId>;
 using ExprSpan = std::span<const ExprId>;
 
 // The state that all subjects of the checker share. A subject is a header of free functions over

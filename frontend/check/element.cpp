@@ -78,7 +78,7 @@ Exprs StoresOf(Context& context, ExprId element, ExprId target, ExprId value, Sp
   if (!steps) return {};
   Exprs stores;
   for (const Piece& piece : pieces) {
-    Exprs part = *steps;
+    Exprs part(steps->begin(), steps->end());
     Builder at = context.At(span);
     if (context.Is<MatrixSwizzle>(target)) part.push_back(at.Uint(piece.row));
     part.push_back(at.Uint(piece.column));
