@@ -193,9 +193,11 @@ void LowerConversions(Legalizer& legalizer) {
   const Program& program = legalizer.program;
   if (!Saturates(program.profile)) return;
   const bool has_any = program.exprs.AnyOf([&](const Expr& expr) {
-    if (!std::holds_alternative<Convert>(expr.node)) return false;
+    const auto* convert = std::get_if<Convert>(&expr.node);
+    if (!convert || !convert->operand) return false;
     const Scalar to = BaseOf(program.types[expr.type].scalar);
-    return to == Scalar::kInt || to == Scalar::kUint;
+    return (to == Scalar::kInt || to == Scalar::kUint) &&
+           IsFloat(TypeOf(program, convert->operand).scalar);
   });
   if (has_any) ConversionLowering(legalizer).Run();
 }

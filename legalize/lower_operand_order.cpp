@@ -29,18 +29,17 @@ bool MayWrite(const Program& program, const Expr& expr, WritesOutside&& writes_o
       return program.vars[parameter].storage != Storage::kIn;
     });
   };
-  return clipc::Visit(
-      Overloaded{
-          [](const Assign&) { return true; },
-          [](const Unary& node) { return ChangesOperand(node.op); },
-          [&](const Call& node) {
-            return writes_outside(node.function) || writes_argument(node.function);
-          },
-          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
-          [](const ObjectCall& node) { return WritesObject(node.op); },
-          [](const auto&) { return false; },
-      },
-      expr.node);
+  return clipc::Visit(Overloaded{
+                          [](const Assign&) { return true; },
+                          [](const Unary& node) { return ChangesOperand(node.op); },
+                          [&](const Call& node) {
+                            return writes_outside(node.function) || writes_argument(node.function);
+                          },
+                          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
+                          [](const ObjectCall& node) { return WritesObject(node.op); },
+                          [](const auto&) { return false; },
+                      },
+                      expr.node);
 }
 
 // Whether an expression that may write is not that of a statement. Such a one may be an operand.
@@ -60,7 +59,8 @@ bool MayHaveWritingOperand(const Program& program) {
   });
   std::size_t number = 0;
   return program.exprs.AnyOf([&](const Expr& expr) {
-    return !is_statement[number++] && MayWrite(program, expr, [&](FunctionId) { return has_outer; });
+    return !is_statement[number++] &&
+           MayWrite(program, expr, [&](FunctionId) { return has_outer; });
   });
 }
 

@@ -8,10 +8,10 @@
 #include "frontend/check/body.h"
 #include "frontend/check/byte_access.h"
 #include "frontend/check/cast_target.h"
-#include "frontend/check/clamp.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/element.h"
 #include "frontend/check/enum_class.h"
+#include "frontend/check/expand_call.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/init.h"
@@ -20,7 +20,7 @@
 #include "frontend/check/operator.h"
 #include "frontend/check/out_element.h"
 #include "frontend/check/overload.h"
-#include "frontend/check/power.h"
+#include "frontend/check/real_literal.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/template.h"
@@ -128,7 +128,7 @@ ExprId CallIntrinsic(Context& context, NamedCall& call) {
     elements = TakeOutElements(context, name, call.arguments);
   ExprId value = CheckIntrinsicCall(IntrinsicOf(context, call));
   value = WithOutElements(context, std::move(elements), value);
-  return WithPrologue(context, steps, ExpandClamp(context, ExpandPower(context, value)));
+  return WithPrologue(context, steps, ExpandCall(context, value));
 }
 
 // The call of the shader's function `symbol`, or of the intrinsic of that name, if there is one.

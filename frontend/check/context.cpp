@@ -36,6 +36,13 @@ TemporaryMaker::Temporary Context::Make(ExprId value) {
   return {var, at.AssignTo(at.Ref(var), value)};
 }
 
+bool IsOrHoldsObject(const Context& context, TypeId id) {
+  const Type& type = context[context.types.Innermost(id)];
+  return type.kind == TypeKind::kObject || type.kind == TypeKind::kString ||
+         (type.kind == TypeKind::kStruct &&
+          context.structs.infos[type.structure.index].holds_objects);
+}
+
 void RecursionGuard::Report(Span where) {
   if (context_.depth > kMaxCheckDepth) context_.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
   const bool is_large = context_.program.exprs.size() > kMaxCheckedExpressions;

@@ -199,6 +199,9 @@ class ViewSwitch : NotCopied {
   View saved_;
 };
 
+// Whether a value of the type is an object or a string, or holds one.
+bool IsOrHoldsObject(const Context& context, TypeId id);
+
 // One level of the checker's own recursion. It is not ok if there are too many levels, or if the
 // program has become too large; it reports both.
 class RecursionGuard : NotCopied {

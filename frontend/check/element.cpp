@@ -109,6 +109,13 @@ ExprId ElementIn(const Context& context, ExprId expr) {
   return is_element ? expr : ExprId{};
 }
 
+bool StaysTheSame(const Context& context, ExprId value) {
+  if (context.Is<Literal>(value)) return true;
+  const VarId root = RootOf(context.program, value);
+  return root && HasLiteralIndices(context.program, value) &&
+         (IsConstVar(context, root) || context[root].storage == Storage::kUniform);
+}
+
 void FixIndices(Context& context, ExprId path, bool may_change, Exprs& prologue) {
   const auto fixed = [&](ExprId index) {
     const bool stays = may_change ? StaysTheSame(context, index) : IsPure(context.program, index);

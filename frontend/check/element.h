@@ -12,6 +12,9 @@ namespace clipc::check {
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
 ExprId ElementIn(const Context& context, ExprId expr);
+// Whether the value is the same whatever the shader writes: that of a literal, a constant or a
+// uniform.
+bool StaysTheSame(const Context& context, ExprId value);
 // Evaluates what chooses a path in a variable or in an element that ElementIn found, before what
 // follows: the path can then be cloned. What is evaluated later may change what the indices read if
 // `may_change` says so.

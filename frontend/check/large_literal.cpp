@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "frontend/check/real_literal.h"
 #include "ir/scalar.h"
 
 namespace clipc::check {
@@ -87,22 +86,6 @@ bool IsBeyondWord(std::int64_t number) {
   return number >= kWord || number < -kWord;
 }
 
-// Makes a literal that no int holds one of the other operand's type, where that decides.
-void Adapt(Context& context, ExprId& literal, ExprId other) {
-  if (!IsLarge(context, literal) || NumberOf(context, other)) return;
-  const Type& type = context.TypeOf(other);
-  if (!type.IsNumeric() || IsFloat(type.scalar)) return;
-  const Scalar kind = type.scalar == Scalar::kBool ? Scalar::kInt : type.scalar;
-  const Scalar own = context.TypeOf(literal).scalar;
-  const bool is_word = !IsBeyondWord(*NumberOf(context, literal));
-  if (is_word && (own == kind || (own == Scalar::kInt && kind == Scalar::kUint))) return;
-  const Span span = context[literal].span;
-  literal = IsWide(kind) ? context.At(span).Add(
-                               context.types.Make(kind),
-                               Literal{static_cast<std::uint64_t>(*NumberOf(context, literal))})
-                         : TruncateLiteral(context, *NumberOf(context, literal), kind, span);
-}
-
 }  // namespace
 
 ExprId IntLiteral(Context& context, std::int64_t number, Span span) {
@@ -145,22 +128,25 @@ ExprId FoldLarge(Context& context, BinaryOp op, ExprId& left, ExprId& right, Spa
   return {};
 }
 
+void Adapt(Context& context, ExprId& literal, ExprId other) {
+  if (!IsLarge(context, literal) || NumberOf(context, other)) return;
+  const Type& type = context.TypeOf(other);
+  if (!type.IsNumeric() || IsFloat(type.scalar)) return;
+  const Scalar kind = type.scalar == Scalar::kBool ? Scalar::kInt : type.scalar;
+  const Scalar own = context.TypeOf(literal).scalar;
+  const bool is_word = !IsBeyondWord(*NumberOf(context, literal));
+  if (is_word && (own == kind || (own == Scalar::kInt && kind == Scalar::kUint))) return;
+  const Span span = context[literal].span;
+  literal = IsWide(kind) ? context.At(span).Add(
+                               context.types.Make(kind),
+                               Literal{static_cast<std::uint64_t>(*NumberOf(context, literal))})
+                         : TruncateLiteral(context, *NumberOf(context, literal), kind, span);
+}
+
 void AdaptLarge(Context& context, ExprId& left, ExprId& right) {
   if (context.int_literals.empty()) return;
   Adapt(context, left, right);
   Adapt(context, right, left);
-}
-
-void AdaptArguments(Context& context, Exprs& arguments) {
-  for (ExprId& argument : arguments) {
-    for (const ExprId other : arguments) {
-      Adapt(context, argument, other);
-      if (IsFloat(context.TypeOf(other).scalar))
-        argument = SettleInt(context, argument, Scalar::kFloat, false);
-      if (context.TypeOf(other).scalar == Scalar::kDouble && context.TypeOf(argument).IsNumeric())
-        argument = ExactFor(context, argument, context.TypeIdOf(other));
-    }
-  }
 }
 
 std::int64_t TruncatedTo(Context& context, std::int64_t number, Scalar kind, Span span) {

@@ -31,10 +31,10 @@ std::optional<std::int64_t> IntLiteralOf(const Context& context, BinaryOp op, Ex
 // The value of an operation of such literals, one of which no int holds; none for other operations,
 // and those that ints give. A literal that no int holds, beside a value, is adapted.
 ExprId FoldLarge(Context& context, BinaryOp op, ExprId& left, ExprId& right, Span span);
-// Makes a literal that no int holds, beside a value, one of the value's type.
+// Makes a literal that no int holds, beside another operand that is a value, one of its type.
+void Adapt(Context& context, ExprId& literal, ExprId other);
+// The same of both operands.
 void AdaptLarge(Context& context, ExprId& left, ExprId& right);
-// The same of the arguments of an intrinsic function, among them real literals beside a double.
-void AdaptArguments(Context& context, Exprs& arguments);
 // The number of its lower 32 bits that the type holds. If more than a sign is lost, that is
 // reported, as by Clang's -Wconstant-conversion.
 std::int64_t TruncatedTo(Context& context, std::int64_t number, Scalar kind, Span span);

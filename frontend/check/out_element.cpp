@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "frontend/check/element.h"
-#include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
 #include "frontend/typing/intrinsics.h"
 

@@ -136,6 +136,18 @@ ExprId ExactFor(Context& context, ExprId value, TypeId to) {
   return context.At(context[value].span).LiteralOf(kind, *number);
 }
 
+void AdaptArguments(Context& context, Exprs& arguments) {
+  for (ExprId& argument : arguments) {
+    for (const ExprId other : arguments) {
+      Adapt(context, argument, other);
+      if (IsFloat(context.TypeOf(other).scalar))
+        argument = SettleInt(context, argument, Scalar::kFloat, false);
+      if (context.TypeOf(other).scalar == Scalar::kDouble && context.TypeOf(argument).IsNumeric())
+        argument = ExactFor(context, argument, context.TypeIdOf(other));
+    }
+  }
+}
+
 void ReportInfinite(Context& context) {
   for (const auto& [literal, number] : context.infinite_literals)
     context.Report(context[literal].span, diag::FloatLiteralRange, fmt::format("{}", number));

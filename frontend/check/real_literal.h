@@ -29,6 +29,9 @@ void NoteRealNumber(Context& context, ExprId value, double number);
 // The value, which becomes one of `to`: of the number itself if it is made of such literals alone,
 // and a float does not become the same.
 ExprId ExactFor(Context& context, ExprId value, TypeId to);
+// Makes literals of either kind, beside values among the arguments of an intrinsic function, what
+// the values are.
+void AdaptArguments(Context& context, Exprs& arguments);
 // Reports the literals that a float does not hold and that did not become anything else.
 void ReportInfinite(Context& context);
 

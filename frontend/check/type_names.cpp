@@ -205,13 +205,6 @@ bool IsWritableObjectName(std::string_view text) {
   });
 }
 
-bool IsOrHoldsObject(const Context& context, TypeId id) {
-  const Type& type = context[context.types.Innermost(id)];
-  return type.kind == TypeKind::kObject || type.kind == TypeKind::kString ||
-         (type.kind == TypeKind::kStruct &&
-          context.structs.infos[type.structure.index].holds_objects);
-}
-
 bool MayMisfit(const Context& context, const ast::Type& type) {
   if (type.struct_definition || !type.name.name || !type.name.scopes.empty()) return false;
   return type.has_arguments || IsConstantBufferName(context[type.name.name]);

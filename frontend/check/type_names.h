@@ -28,8 +28,6 @@ std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text);
 // Whether the name is that of an object that shaders write, RWBuffer and the like.
 bool IsWritableObjectName(std::string_view text);
-// Whether a value of the type is an object or a string, or holds one.
-bool IsOrHoldsObject(const Context& context, TypeId id);
 // Whether CheckTypeArgument may report something: a quick look at the text of the type.
 bool MayMisfit(const Context& context, const ast::Type& type);
 // Whether the type argument is one that the texture or buffer may have, or the type is something

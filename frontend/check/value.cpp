@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "frontend/check/assign.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/large_literal.h"
 #include "frontend/check/real_literal.h"
@@ -99,13 +98,6 @@ bool IsConstantExpr(const Context& context, ExprId expr) {
            context.Is<ObjectCall>(part) || context.Is<Comma>(part);
   });
   return !reads_more && IsPure(program, expr);
-}
-
-bool StaysTheSame(const Context& context, ExprId value) {
-  if (context.Is<Literal>(value)) return true;
-  const VarId root = RootOf(context.program, value);
-  return root && HasLiteralIndices(context.program, value) &&
-         (IsConstVar(context, root) || context[root].storage == Storage::kUniform);
 }
 
 std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id) {

@@ -21,9 +21,6 @@ ExprId ConvertSilently(Context& context, ExprId value, TypeId to);
 // Whether the expression is a constant for GLSL as well: it consists of literals and constants
 // under operators without side effects.
 bool IsConstantExpr(const Context& context, ExprId expr);
-// Whether the value is the same whatever the shader writes: that of a literal, a constant or a
-// uniform.
-bool StaysTheSame(const Context& context, ExprId value);
 // The value of an integer constant of the text; nullopt after an error, which was reported.
 std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id);
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "frontend/check/power.h"
+#include "frontend/check/expand_call.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "frontend/check/value.h"
 #include "frontend/typing/constant.h"
@@ -15,6 +17,21 @@
 
 namespace clipc::check {
 namespace {
+
+// The min(max(x, low), high) that a call is whose bounds are known and the wrong way round: GLSL
+// and SPIR-V leave it undefined, and HLSL does not ("clamp" among the intrinsic functions of
+// Microsoft's reference; TranslateClamp in DXC's HLOperationLower.cpp).
+ExprId ExpandClamp(Context& context, ExprId call) {
+  const std::vector<ExprId> arguments = OperandsOf(context.program, call);
+  const auto low = EvaluateConstant(context.program, arguments[1]);
+  const auto high = low ? EvaluateConstant(context.program, arguments[2]) : std::nullopt;
+  if (!high || std::ranges::equal(low->components, high->components, std::less_equal{}))
+    return call;
+  Builder at = context.At(context[call].span);
+  const TypeId type = context.TypeIdOf(call);
+  const ExprId least = at.IntrinsicOf(CommonIntrinsic::kMax, type, {arguments[0], arguments[1]});
+  return at.IntrinsicOf(CommonIntrinsic::kMin, type, {least, arguments[2]});
+}
 
 // The exponent, if it is known and the reference compiler multiplies: dxc for 2 alone, fxc where
 // that takes few multiplications (CanUseFxcMulOnlyPatternForPow in DXC's HLOperationLower.cpp,
@@ -37,12 +54,10 @@ std::optional<int> MultipliedExponent(const Context& context, ExprId exponent) {
   return needed <= most ? std::optional(power) : std::nullopt;
 }
 
-}  // namespace
-
+// The products that fxc and dxc make of a call of `pow` whose exponent is a known whole number:
+// pow(x, 2) of a negative x has a value in Direct3D so, and in GLSL and SPIR-V `pow` has none.
 ExprId ExpandPower(Context& context, ExprId call) {
-  const auto* node = context.GetIf<IntrinsicCall>(call);
-  if (!node || node->op != CommonIntrinsic::kPow) return call;
-  const auto arguments = context.program.expr_lists[node->arguments];
+  const std::vector<ExprId> arguments = OperandsOf(context.program, call);
   const ExprId x = arguments[0];
   const auto power = MultipliedExponent(context, arguments[1]);
   const TypeId type = context.TypeIdOf(call);
@@ -67,6 +82,14 @@ ExprId ExpandPower(Context& context, ExprId call) {
   else if (size > 1)
     product = at.IntrinsicOf(CommonIntrinsic::kWholePower, type, {x, number(size)});
   return *power < 0 ? at.BinaryOf(BinaryOp::kDiv, number(1), product) : product;
+}
+
+}  // namespace
+
+ExprId ExpandCall(Context& context, ExprId call) {
+  const auto* node = context.GetIf<IntrinsicCall>(call);
+  if (node && node->op == CommonIntrinsic::kClamp) return ExpandClamp(context, call);
+  return node && node->op == CommonIntrinsic::kPow ? ExpandPower(context, call) : call;
 }
 
 }  // namespace clipc::check
