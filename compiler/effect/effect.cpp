@@ -12,6 +12,7 @@
 #include "compiler/command/exit_code.h"
 #include "compiler/command/place_outputs.h"
 #include "compiler/command/show_messages.h"
+#include "compiler/command/usage.h"
 #include "compiler/compile/plan.h"
 #include "compiler/compile/suggest.h"
 #include "compiler/effect/check_states.h"
@@ -90,6 +91,7 @@ Result<> CheckEffectRequest(const CommandLine& command) {
         "--effect finds the pixel shaders in the effect; --pixel-shader and the like are for a "
         "file without techniques"};
   if (request.hlsl.wanted) return Problem{"--effect writes GLSL or SPIR-V, no HLSL"};
+  if (Result<> done = CheckVariable(command); !done) return done;
   const ShaderSource defaults;
   if (request.first().entry != defaults.entry || request.first().profile != defaults.profile)
     return Problem{

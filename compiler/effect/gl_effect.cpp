@@ -48,6 +48,7 @@ class GlEffectMaker {
   GlEffect Make() && {
     for (const EffectTechniqueFact& technique : effect_.techniques) {
       const std::size_t first = made_.passes.size();
+      is_of_direct3d_9_ = technique.kind == "technique";
       for (const EffectPassFact& pass : technique.passes) AddPass(pass);
       made_.techniques.push_back({technique.name,
                                   {first, made_.passes.size() - first},
@@ -135,7 +136,13 @@ class GlEffectMaker {
   }
 
   GlRange AddStates(const ast::EffectPass& pass) {
-    const std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, states_);
+    std::vector<GlState> states = ReadGlStates(effect_, pass, flips_, states_);
+    // In Direct3D 10 the format of the render target says alone whether colors are converted.
+    constexpr GlState kByFormat = {GlStateKind::kSrgbWrite, 1};
+    if (!is_of_direct3d_9_) {
+      const auto place = std::ranges::lower_bound(states, kByFormat.kind, {}, &GlState::kind);
+      if (place == states.end() || place->kind != kByFormat.kind) states.insert(place, kByFormat);
+    }
     const std::size_t first = made_.states.size();
     made_.states.insert(made_.states.end(), states.begin(), states.end());
     return {first, states.size()};
@@ -312,11 +319,24 @@ class GlEffectMaker {
         const std::string own = by_pass.texture.empty() ? TextureOf(states) : by_pass.texture;
         if (!own.empty()) named = own;
       }
-      const std::size_t sampling =
-          NumberOf(ReadGlSampling(states, is_old, states_), made_.samplings);
+      GlSampling read = ReadGlSampling(states, is_old, states_);
+      if (!FiltersTexels(resource)) read.min_filter = read.mag_filter = kGlNearest;
+      const std::size_t sampling = NumberOf(read, made_.samplings);
       const std::size_t number = NumberOf(GlEffect::Texture{named, *target}, made_.textures);
       made_.samplers.push_back({glsl + IndicesOf(i, texture->dimensions), number, sampling});
     }
+  }
+
+  // Whether the texture is read through a sampler that filters. OpenGL reads black where a sampler
+  // object asks for more of a texture than it has: for levels, or to filter integers ("Texture
+  // Completeness" of its specification).
+  static bool FiltersTexels(const ResourceFact& resource) {
+    const std::string& type = resource.texture->type;  // Texture2D<uint4>
+    const std::string_view texel = std::string_view(type).substr(type.find('<') + 1);
+    constexpr const char* kIntegers[] = {"int", "uint", "min16int", "min16uint", "min12int"};
+    const bool is_integer =
+        std::ranges::any_of(kIntegers, [&](const char* word) { return texel.starts_with(word); });
+    return !is_integer && (resource.sampler || ir::IsSampler(resource.kind));
   }
 
   // The number of objects of an array, in all dimensions; 1 of another one.
@@ -359,6 +379,7 @@ class GlEffectMaker {
 
   const EffectFacts& effect_;
   const bool flips_;
+  bool is_of_direct3d_9_ = false;  // the technique whose passes are added
   Diagnostics& diagnostics_;
   StateReport states_;
   GlEffect made_;

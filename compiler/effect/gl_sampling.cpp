@@ -58,8 +58,8 @@ class SamplingReader {
   GlSampling Finish() && {
     const std::uint32_t is_linear = IsLinear(min_) ? 1 : 0;
     const std::uint32_t levels = mip_ == Filter::kNone ? 0 : mip_ == Filter::kPoint ? 0x100 : 0x102;
-    made_.min_filter = 0x2600 + levels + is_linear;
-    made_.mag_filter = IsLinear(mag_) ? 0x2601 : 0x2600;
+    made_.min_filter = kGlNearest + levels + is_linear;
+    made_.mag_filter = kGlNearest + (IsLinear(mag_) ? 1 : 0);
     if (min_ == Filter::kAnisotropic || mag_ == Filter::kAnisotropic)
       made_.max_anisotropy = anisotropy_;
     return made_;

@@ -21,6 +21,8 @@ struct GlSampling {
   friend bool operator==(const GlSampling&, const GlSampling&) = default;
 };
 
+constexpr std::uint32_t kGlNearest = 0x2600;
+
 // What the states of a sampler mean. Those that are not given have the defaults of Direct3D 9, if
 // the sampler `is_old`, or of Direct3D 10. Reports what OpenGL does not have.
 GlSampling ReadGlSampling(const std::vector<ast::EffectState>& states, bool is_old,

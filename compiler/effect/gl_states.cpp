@@ -44,7 +44,7 @@ struct ObjectCall {
 const ObjectCall* FindCall(std::string_view name) {
   static const ObjectCall kCalls[] = {
       {"SETBLENDSTATE", StatePlace::kBlendState, {{kBlendSeparateAlpha, 1}}},
-      {"SETRASTERIZERSTATE", StatePlace::kRasterizerState, {{kMultisample, 0}}},
+      {"SETRASTERIZERSTATE", StatePlace::kRasterizerState, {}},
       {"SETDEPTHSTENCILSTATE",
        StatePlace::kDepthStencilState,
        {{kDepthFunc, 0x201},
