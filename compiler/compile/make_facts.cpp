@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -104,7 +106,20 @@ class Describer {
   }
 
  private:
-  std::string TypeName(ir::VarId var) const { return program_.types.Name(program_.vars[var].type); }
+  std::string TypeName(ir::VarId var) const { return TypeName(program_.vars[var].type); }
+  // The name of a type, in which a struct has the name that `structs` has.
+  std::string TypeName(ir::TypeId id) const {
+    const ir::TypeTable& types = program_.types;
+    std::string text = types.Name(id);
+    const ir::Type* type = &types[types.Innermost(id)];
+    const bool is_object = type->kind == ir::TypeKind::kObject && type->element;
+    if (is_object) type = &types[type->element];
+    const auto named = structs_.find(type->structure);
+    if (named != structs_.end() && !named->second.name.empty())
+      text.replace(is_object ? text.find('<') + 1 : 0, types[type->structure].name.size(),
+                   named->second.name);
+    return text;
+  }
 
   VariableFact Variable(const IoVar& io, const GlslInfo::Variable& written) const {
     const bool is_builtin = io.builtin != ir::Builtin::kNone;
@@ -161,7 +176,8 @@ class Describer {
     shape.scalar = element.scalar;
     shape.rows = element.rows;
     shape.columns = element.columns;
-    if (element.kind == ir::TypeKind::kStruct) shape.structure = structs_.at(element.structure);
+    if (element.kind == ir::TypeKind::kStruct)
+      shape.structure = structs_.at(element.structure).number;
     return shape;
   }
 
@@ -170,7 +186,7 @@ class Describer {
     type = types.Innermost(type);
     const ir::Field& field = types.StructOf(type).fields[index];
     FieldFact fact{.name = field.name,
-                   .type = types.Name(field.type),
+                   .type = TypeName(field.type),
                    .shape = Shape(field.type, field.row_major),
                    .offset = ir::FieldOffset(types, types[type].structure, index),
                    .row_major = field.row_major};
@@ -183,7 +199,7 @@ class Describer {
     const ir::Var& var = program_.vars[member.var];
     MemberFact& fact = facts.emplace_back();
     fact.name = var.name;
-    fact.type = program_.types.Name(var.type);
+    fact.type = TypeName(var.type);
     fact.shape = Shape(var.type, var.row_major);
     fact.offset = member.offset;
     fact.size = member.size;
@@ -239,13 +255,17 @@ class Describer {
     type = types.Innermost(type);
     const ir::StructId id = types[type].structure;
     if (types[type].kind != ir::TypeKind::kStruct || structs_.contains(id)) return;
-    StructFact fact{.name = types[id].name, .size = ir::PackedExtent(types, type, false).size};
+    StructFact fact{.size = ir::PackedExtent(types, type, false).size};
     const auto count = static_cast<std::uint32_t>(types.StructOf(type).fields.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       AddStructs(types.StructOf(type).fields[i].type, to);
       fact.fields.push_back(Field(type, i));
     }
-    structs_.emplace(id, to.size());
+    // Instances of a template and structs of several namespaces have one name.
+    fact.name = types[id].name;
+    for (int number = 2; !fact.name.empty() && !taken_.insert(fact.name).second; ++number)
+      fact.name = types[id].name + "_" + std::to_string(number);
+    structs_.emplace(id, NamedStruct{to.size(), fact.name});
     to.push_back(std::move(fact));
   }
 
@@ -261,7 +281,7 @@ class Describer {
     const ir::Type& type = program_.types[program_.vars[var].type];
     ResourceFact::Part part{.name = program_.vars[var].name,
                             .type = resource && resource->declared_type
-                                        ? program_.types.Name(resource->declared_type)
+                                        ? TypeName(resource->declared_type)
                                         : TypeName(var),
                             .is_unbounded = type.kind == ir::TypeKind::kArray && type.count == 0,
                             .dimensions = DimensionsOf(type)};
@@ -329,7 +349,12 @@ class Describer {
   const Lowered& lowered_;
   const Program& program_;
   const GlslInfo& info_;
-  std::map<ir::StructId, std::size_t> structs_;  // in the facts
+  struct NamedStruct {
+    std::size_t number;  // in the facts
+    std::string name;    // there
+  };
+  std::map<ir::StructId, NamedStruct> structs_;
+  std::set<std::string> taken_;  // names of structs
 };
 
 PlaneFacts Planes(const DescribedStage& stage, const PositionMatrices& position) {
