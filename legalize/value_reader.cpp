@@ -104,10 +104,9 @@ ExprId ValueReader::Wide(HelperBody& body, Scalar kind, const WordPlace& place) 
   const ExprId low = Words(body, place, 1), high = Words(body, place.Plus(kWordBytes), 1);
   if (kind == Scalar::kDouble)
     return body.b.IntrinsicOf(CommonIntrinsic::kAsDouble, program_.types.Make(kind), {low, high});
-  const TypeId whole = program_.types.Make(Scalar::kUint64);
-  const ExprId upper =
-      body.b.BinaryOf(BinaryOp::kShiftLeft, body.b.ConvertTo(Scalar::kUint64, high),
-                      body.b.Add(whole, Literal{32}));
+  // Mesa's GLSL takes no shift by 64 bits.
+  const ExprId upper = body.b.BinaryOf(
+      BinaryOp::kShiftLeft, body.b.ConvertTo(Scalar::kUint64, high), body.b.Uint(32));
   return body.b.ConvertTo(
       kind, body.b.BinaryOf(BinaryOp::kBitOr, body.b.ConvertTo(Scalar::kUint64, low), upper));
 }

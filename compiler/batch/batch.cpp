@@ -414,9 +414,7 @@ Result<> Batch::WriteIndex() {
         command_.dependency_file.empty() ? WithoutExtension(path) + ".d" : command_.dependency_file;
     if (read_.Has(rule)) return Overwrites(rule);
     if (!command_.batch.empty()) dependencies_.insert(dependencies_.begin(), command_.batch);
-    files.Add(rule, DependencyRule(
-                        {command_.dependency_target.empty() ? path : command_.dependency_target},
-                        dependencies_));
+    files.Add(rule, DependencyRule(RuleTargets(command_, end.files, entries_), dependencies_));
   }
   return files.Commit();
 }

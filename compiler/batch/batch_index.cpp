@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -190,6 +191,22 @@ Result<std::string> MergeIndexes(const std::vector<std::string>& paths) {
     }
   }
   return std::move(text).Finish();
+}
+
+std::vector<std::string> RuleTargets(const CommandLine& command, std::span<const OutputPiece> ends,
+                                     const std::vector<BatchEntry>& entries) {
+  if (!command.dependency_target.empty()) return {command.dependency_target};
+  const std::string& first = ends.front().path;
+  if (!command.effect) return {first};
+  std::vector<std::string> targets;
+  for (const OutputPiece& file : ends) targets.push_back(file.path);
+  std::set<std::string> written;
+  for (const BatchEntry& entry : entries) {
+    for (const auto& [kind, name] : entry.files) {
+      if (written.insert(name).second) targets.push_back(first.substr(0, NameBegin(first)) + name);
+    }
+  }
+  return targets;
 }
 
 }  // namespace clipc

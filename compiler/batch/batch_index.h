@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +12,8 @@
 
 #include "base/result.h"
 #include "compiler/batch/permutations.h"
+#include "compiler/command/collect_outputs.h"
+#include "compiler/command/command_line.h"
 #include "compiler/compile/message.h"
 
 namespace clipc {
@@ -50,5 +53,10 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries, ShardOfIndex sha
 // The index of a batch, of the indexes at `paths` of all its parts: what one run that compiles all
 // of them writes.
 Result<std::string> MergeIndexes(const std::vector<std::string>& paths);
+
+// The targets of the make rule: that of -MT, the index of a manifest, or all files of an effect, of
+// which `ends` are those that are written last.
+std::vector<std::string> RuleTargets(const CommandLine& command, std::span<const OutputPiece> ends,
+                                     const std::vector<BatchEntry>& entries);
 
 }  // namespace clipc

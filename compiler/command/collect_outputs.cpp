@@ -175,8 +175,14 @@ Result<std::vector<OutputPiece>> CollectOutputs(const CommandLine& command,
   }
   if ((is_glsl || is_hlsl || request.outputs.preprocess) && result.ok() &&
       !paths.dependencies.empty()) {
-    pieces.push_back({"dependencies", paths.dependencies,
-                      DependencyRule(paths.dependency_targets, result.dependencies)});
+    std::vector<std::string> targets = paths.dependency_targets;
+    if (request.planes.variants && command.dependency_target.empty() && !pieces.empty()) {
+      targets.clear();
+      for (const OutputPiece& piece : pieces)
+        if (piece.path != "-") targets.push_back(piece.path);
+    }
+    pieces.push_back(
+        {"dependencies", paths.dependencies, DependencyRule(targets, result.dependencies)});
   }
   return pieces;
 }

@@ -112,6 +112,15 @@ Result<> CheckMiddle(const CommandLine& command) {
   return {};
 }
 
+Result<> CheckVariable(const CommandLine& command) {
+  if (!command.variable.empty() && command.header.empty())
+    return Problem{"-Vn names what -Fh writes; give that option too"};
+  if (!IsIdentifier(command.variable) || IsKeywordInC(command.variable))
+    return Problem{fmt::format("`{}` is not a name in C and C++; -Vn gives one to what -Fh writes",
+                               command.variable)};
+  return {};
+}
+
 Result<> CheckCommand(const CommandLine& command) {
   const ProgramRequest& request = command.request;
   if (Result<> done = CheckHlsl(command); !done) return done;
@@ -120,11 +129,7 @@ Result<> CheckCommand(const CommandLine& command) {
       return Problem{fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", table)};
   }
   if (Result<> done = CheckPair(command); !done) return done;
-  if (!command.variable.empty() && command.header.empty())
-    return Problem{"-Vn names what -Fh writes; give that option too"};
-  if (!IsIdentifier(command.variable) || IsKeywordInC(command.variable))
-    return Problem{fmt::format("`{}` is not a name in C and C++; -Vn gives one to what -Fh writes",
-                               command.variable)};
+  if (Result<> done = CheckVariable(command); !done) return done;
   if (!command.struct_prefix.empty() && std::ranges::none_of(command.reflections, HoldsStructs))
     return Problem{"--struct-prefix is for the C structs of --reflect=FILE.h"};
   if (!IsIdentifier(command.struct_prefix))

@@ -12,6 +12,8 @@ namespace clipc {
 
 // The first mistake in the options, whatever the inputs are.
 Result<> CheckCommand(const CommandLine& command);
+// That of -Vn.
+Result<> CheckVariable(const CommandLine& command);
 // The first mistake in what is said about the stages between a vertex and a pixel shader.
 Result<> CheckMiddle(const CommandLine& command);
 

@@ -90,9 +90,9 @@ std::string Uri(std::string_view path) {
 
 Json SarifRegion(const Place& place) {
   return {{"startLine", place.line},
-          {"startColumn", place.column},
+          {"startColumn", std::max(place.character, 1U)},
           {"endLine", place.end_line},
-          {"endColumn", place.end_column}};
+          {"endColumn", std::max(place.end_character, 1U)}};
 }
 
 Json SarifLocation(const Place& place) {
@@ -146,6 +146,7 @@ Message ToMessage(const Diagnostic& diagnostic, const Source& source) {
     if (fix.insert) {
       place.end_line = place.line;
       place.end_column = place.column;
+      place.end_character = place.character;
     }
     message.fixes.push_back({std::move(place), fix.text});
   }
@@ -180,7 +181,9 @@ std::string RenderSarif(const std::vector<Message>& messages) {
     results.push_back(SarifResult(message, rule->second));
   }
   const Json driver = {{"name", "clipc"}, {"version", CLIPC_VERSION}, {"rules", std::move(rules)}};
-  const Json run = {{"tool", {{"driver", driver}}}, {"results", std::move(results)}};
+  const Json run = {{"tool", {{"driver", driver}}},
+                    {"columnKind", "unicodeCodePoints"},
+                    {"results", std::move(results)}};
   return Dump({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                {"version", "2.1.0"},
                {"runs", Json::array({run})}});

@@ -243,13 +243,29 @@ void Draw(const ClangText& text, clang::TextDiagnostic& printer, llvm::raw_ostre
 
 Span SpanAt(const SourceLocation& where) { return ToSpan(where, where); }
 
+// The column in Unicode code points, which is not greater than that in bytes.
+static std::uint32_t CharacterOf(const clang::SourceManager& sources, SourceLocation at,
+                                 std::uint32_t column) {
+  const auto [file, offset] = sources.getDecomposedLoc(at);
+  const llvm::StringRef before =
+      sources.getBufferData(file).substr(offset - std::min(offset, column - 1), column - 1);
+  const auto rest = std::ranges::count_if(before, [](char c) { return (c & 0xC0) == 0x80; });
+  return column - static_cast<std::uint32_t>(rest);
+}
+
 Place Resolve(const ClangText& text, Span span) {
   if (!span) return {};
   const CharSourceRange range = FileRange(text, span);
   const clang::PresumedLoc begin = text.sources.getPresumedLoc(range.getBegin());
   const clang::PresumedLoc end = text.sources.getPresumedLoc(range.getEnd());
   if (begin.isInvalid() || end.isInvalid()) return {};
-  return {begin.getFilename(), begin.getLine(), begin.getColumn(), end.getLine(), end.getColumn()};
+  return {begin.getFilename(),
+          begin.getLine(),
+          begin.getColumn(),
+          end.getLine(),
+          end.getColumn(),
+          CharacterOf(text.sources, range.getBegin(), begin.getColumn()),
+          CharacterOf(text.sources, range.getEnd(), end.getColumn())};
 }
 
 std::vector<std::uint32_t> PlaceInText(const ClangText& text, Span span) {

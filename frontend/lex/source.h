@@ -101,6 +101,9 @@ struct Place {
   std::uint32_t column = 0;
   std::uint32_t end_line = 0;
   std::uint32_t end_column = 0;
+  // The columns in Unicode code points; those above are in bytes.
+  std::uint32_t character = 0;
+  std::uint32_t end_character = 0;
 };
 
 // A line of text, without white space at its ends. Letters after the first kLongest are cut off.

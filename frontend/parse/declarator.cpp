@@ -86,6 +86,8 @@ void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
   if (panic_) return;
   if (var.packoffset && scope != Scope::kBuffer)
     diagnostics_.Report(var.packoffset->span, diag::PackOffsetMisplaced);
+  if (var.bit_width && scope != Scope::kStruct)
+    diagnostics_.Report(file_.exprs[var.bit_width].span, diag::BitFieldMisplaced);
   const Name type = file_.types[var.type].name.name;
   const bool object = type && InfoOf(type).word == Word::kObjectType;
   if (AtStateBlock() && (scope != Scope::kLocal || object || AtStates())) {
