@@ -57,10 +57,13 @@ std::string RegisterText(const ir::Register& reg) {
   return reg.letter + std::to_string(reg.number);
 }
 
-void Bind(const WriterContext& context, GlslInfo::Binding& place,
-          const ir::BlockDeclaration& declared) {
+void Bind(WriterContext& context, GlslInfo::Binding& place, const ir::BlockDeclaration& declared) {
   if (context.target.IsVulkan()) place.set = declared.set;
-  if (context.target.IsVulkan() || context.Has(Feature::kBindings))
+  // A linker compares the bindings, which SPIRV-Cross writes in GLSL 3.30 too.
+  const bool is_extended =
+      declared.binding && !context.target.IsEs() && !context.Has(Feature::kBindings);
+  if (is_extended) context.Require("GL_ARB_shading_language_420pack");
+  if (context.target.IsVulkan() || context.Has(Feature::kBindings) || is_extended)
     place.binding = declared.binding;
 }
 
