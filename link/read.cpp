@@ -59,7 +59,10 @@ std::string Problem(const Interface& interface) {
                          kMaxLocation);
     for (std::uint32_t i = 0; input.location && i < elements; ++i) {
       if (!taken.insert(*input.location + i).second)
-        return fmt::format("{}: location {} is taken", input.where, *input.location + i);
+        return fmt::format(
+            "{}: location {} has another input; give each a location of its own, without "
+            "`component`",
+            input.where, *input.location + i);
     }
   }
   const auto is_numbered = [](const Input& input) { return input.location.has_value(); };
