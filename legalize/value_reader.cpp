@@ -105,8 +105,8 @@ ExprId ValueReader::Wide(HelperBody& body, Scalar kind, const WordPlace& place) 
   if (kind == Scalar::kDouble)
     return body.b.IntrinsicOf(CommonIntrinsic::kAsDouble, program_.types.Make(kind), {low, high});
   // Mesa's GLSL takes no shift by 64 bits.
-  const ExprId upper = body.b.BinaryOf(
-      BinaryOp::kShiftLeft, body.b.ConvertTo(Scalar::kUint64, high), body.b.Uint(32));
+  const ExprId upper = body.b.BinaryOf(BinaryOp::kShiftLeft,
+                                       body.b.ConvertTo(Scalar::kUint64, high), body.b.Uint(32));
   return body.b.ConvertTo(
       kind, body.b.BinaryOf(BinaryOp::kBitOr, body.b.ConvertTo(Scalar::kUint64, low), upper));
 }

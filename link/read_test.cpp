@@ -293,7 +293,8 @@ TEST(Problem, FindsInputsInOnePlace) {
   EXPECT_EQ(Problem(interface), "some inputs have a location and some have none");
   interface.inputs[0].type.columns = 4;
   interface.inputs[1].location = 4;
-  EXPECT_EQ(Problem(interface), "a.spv: `x`: location 4 has another input; give each a location of its own, without "
+  EXPECT_EQ(Problem(interface),
+            "a.spv: `x`: location 4 has another input; give each a location of its own, without "
             "`component`");
   interface.inputs[1].location = 5;
   EXPECT_EQ(Problem(interface), "");

@@ -19,18 +19,19 @@ struct Edit {
   std::string text;
 };
 
+bool IsOfWord(char c) {
+  return (c >= '0' && c <= '9') || (ToLower(c) >= 'a' && ToLower(c) <= 'z') || c == '_';
+}
+
 // The code with other words for some of its words; the text of strings stays.
 std::string WithWords(std::string_view code,
                       std::initializer_list<std::pair<std::string_view, std::string_view>> words) {
-  const auto is_letter = [](char c) {
-    return (c >= '0' && c <= '9') || (ToLower(c) >= 'a' && ToLower(c) <= 'z') || c == '_';
-  };
   std::string result;
   while (!code.empty()) {
-    const bool is_word = is_letter(code[0]);
+    const bool is_word = IsOfWord(code[0]);
     std::size_t size = 1;
     if (is_word)
-      size = static_cast<std::size_t>(std::ranges::find_if_not(code, is_letter) - code.begin());
+      size = static_cast<std::size_t>(std::ranges::find_if_not(code, IsOfWord) - code.begin());
     else if (code[0] == '"')
       size = std::min(code.find('"', 1), code.size() - 1) + 1;
     const std::string_view part = code.substr(0, size);
@@ -39,6 +40,28 @@ std::string WithWords(std::string_view code,
     code.remove_prefix(size);
   }
   return result;
+}
+
+// The names that directives in the text define or undefine as macros.
+std::vector<std::string> MacrosIn(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t";
+  const auto skip = [](std::string_view& line, std::size_t count) {
+    line.remove_prefix(count);
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  };
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    skip(line, 0);
+    if (!line.starts_with('#')) continue;
+    skip(line, 1);
+    const std::size_t word = line.starts_with("define") ? 6 : line.starts_with("undef") ? 5 : 0;
+    if (word == 0) continue;
+    skip(line, word);
+    names.emplace_back(line.begin(), std::ranges::find_if_not(line, IsOfWord));
+  }
+  return names;
 }
 
 class Rewriter {
@@ -182,6 +205,7 @@ class Rewriter {
     const std::size_t most = std::min<std::size_t>(entry.planes, options_.variants.value_or(0));
     for (std::size_t count = 0; options_.variants && count <= most; ++count)
       added += "\n" + wrapper(entry, fmt::format("{}_{}", name, count), inner, count);
+    CheckMacros(entry.point, end, added);
     const bool ends_line = end < text_.size() && (text_[end] == '\n' || text_[end] == '\r');
     if (options_.source_lines) {
       added += LineDirective(end);
@@ -189,6 +213,19 @@ class Rewriter {
       added.pop_back();
     }
     edits_.push_back({{end, end}, std::move(added)});
+  }
+
+  // Reports a macro of the function's own body that is a word of the wrapper after it.
+  void CheckMacros(const EntryPoint& point, std::size_t end, const std::string& wrapper) {
+    const auto definition = source_->InMainText(point.definition);
+    if (!definition) return;
+    const std::string_view body =
+        std::string_view(text_).substr(definition->begin, end - definition->begin);
+    for (const std::string& name : MacrosIn(body)) {
+      if (WithWords(wrapper, {{name, ""}}) == wrapper) continue;
+      diagnostics_->Report(point.definition, diag::RewriteMacro, point.name, name);
+      return;
+    }
   }
 
   // The line that says which line of the user's file follows.

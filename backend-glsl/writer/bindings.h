@@ -38,8 +38,7 @@ void Bind(const WriterContext& context, GlslInfo::Binding& place, const ir::Regi
           Bindings& taken, const GlslInfo::Binding* written = nullptr);
 
 // Binds a block where another stage declares it; nowhere if that stage gives no place.
-void Bind(WriterContext& context, GlslInfo::Binding& place,
-          const ir::BlockDeclaration& declared);
+void Bind(WriterContext& context, GlslInfo::Binding& place, const ir::BlockDeclaration& declared);
 
 // The qualifiers "set = 0, binding = 2" of a place; empty if it has neither.
 std::string PlaceText(const GlslInfo::Binding& place);

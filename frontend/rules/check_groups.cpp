@@ -36,8 +36,8 @@ bool Waits(const Program& program, ExprId expr) {
   return call && WaitsForGroup(call->op);
 }
 
-// Whether all threads of a group come to each wait together, as a short look tells: the group is one
-// thread, or each wait is a statement of the entry point's own block, which no `return` leaves.
+// Whether all threads of a group come to each wait together, as a short look tells: the group is
+// one thread, or each wait is a statement of the entry point's own block, which no `return` leaves.
 bool AllWaitTogether(const Program& program) {
   const auto [x, y, z] = program.group_size;
   if (x * y * z == 1) return true;
