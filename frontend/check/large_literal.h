@@ -6,8 +6,8 @@
 
 #include "frontend/check/context.h"
 
-// Integer literals without a suffix from profile 6.0 on. To DXC one is a number of 64 bits without a
-// type, "literal int", which becomes what the other operand is: CombineBasicTypes in its
+// Integer literals without a suffix from profile 6.0 on. To DXC one is a number of 64 bits without
+// a type, "literal int", which becomes what the other operand is: CombineBasicTypes in its
 // SemaHLSL.cpp. An integer of 2^31 and more is a uint here where it is used alone and fits one, an
 // int64 where it does not, and what is made of such literals is computed with 64 bits.
 // real_literal.h has the floats.
