@@ -47,8 +47,8 @@ inline std::optional<std::uint32_t> Flag(const ast::EffectValue& value) {
 inline std::optional<std::uint32_t> NoFlag(const ast::EffectValue& value) {
   return Chosen(value, 0, 1);
 }
-// Triangles have all samples either way: MultisampleEnable of D3D11_RASTERIZER_DESC chooses how lines
-// are drawn.
+// Triangles have all samples either way: MultisampleEnable of D3D11_RASTERIZER_DESC chooses how
+// lines are drawn.
 inline std::optional<std::uint32_t> OfLines(const ast::EffectValue& value) {
   return Chosen(value, 1, 1);
 }
