@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <ranges>
 #include <string>
 #include <vector>
@@ -15,56 +16,8 @@ using namespace ir;
 
 namespace {
 
-// Whether functions may change variables of the storage that are not theirs.
-bool IsGlobalVariable(Storage storage) {
-  return storage == Storage::kStatic || storage == Storage::kShared;
-}
-
-// Whether the expression writes something that is not its own: a variable, an object, or what a
-// function reaches, where writes_outside(function) is true.
-template <typename WritesOutside>
-bool MayWrite(const Program& program, const Expr& expr, WritesOutside&& writes_outside) {
-  const auto writes_argument = [&](FunctionId function) {
-    return std::ranges::any_of(program.functions[function].parameters, [&](VarId parameter) {
-      return program.vars[parameter].storage != Storage::kIn;
-    });
-  };
-  return clipc::Visit(Overloaded{
-                          [](const Assign&) { return true; },
-                          [](const Unary& node) { return ChangesOperand(node.op); },
-                          [&](const Call& node) {
-                            return writes_outside(node.function) || writes_argument(node.function);
-                          },
-                          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
-                          [](const ObjectCall& node) { return WritesObject(node.op); },
-                          [](const auto&) { return false; },
-                      },
-                      expr.node);
-}
-
-// Whether an expression that may write is not that of a statement. Such a one may be an operand.
-// Expressions that were replaced are asked too, since that is faster than a walk.
-bool MayHaveWritingOperand(const Program& program) {
-  const bool has_outer = program.vars.AnyOf([&](const Var& var) {
-    const Type& type = program.types[program.types.Innermost(var.type)];
-    return IsGlobalVariable(var.storage) ||
-           (var.storage == Storage::kResource && IsWritable(type.object));
-  });
-  std::vector<bool> is_statement(program.exprs.size());
-  const auto nothing = [](const auto&) {};
-  program.stmts.AnyOf([&](const Stmt& stmt) {
-    ForEachPartSlot(
-        stmt, [&](ExprId expr) { is_statement[expr.index] = true; }, nothing, nothing, nothing);
-    return false;
-  });
-  std::size_t number = 0;
-  return program.exprs.AnyOf([&](const Expr& expr) {
-    return !is_statement[number++] &&
-           MayWrite(program, expr, [&](FunctionId) { return has_outer; });
-  });
-}
-
-// The variables outside a function that calls of it may write.
+// The variables outside a function that calls of it may write. What a function writes does not change
+// while operands are lowered.
 class OuterWrites {
  public:
   struct Set {
@@ -75,12 +28,27 @@ class OuterWrites {
   };
 
   explicit OuterWrites(const Program& program)
-      : program_(program), sets_(program.functions.size()) {}
+      : program_(program), sets_(program.functions.size()) {
+    beyond_.is_all = true;
+  }
 
-  const Set& Of(FunctionId function) const { return sets_[function.index]; }
+  const Set& Of(FunctionId function) {
+    std::unique_ptr<Set>& set = sets_[function.index];
+    if (!set && depth_ == kMostCalls) return beyond_;
+    if (!set) {
+      ++depth_;
+      Set found = Find(function);
+      --depth_;
+      set = std::make_unique<Set>(std::move(found));
+    }
+    return *set;
+  }
 
-  // Requires that the callees of the function have been found.
-  void Find(FunctionId function) {
+ private:
+  static constexpr std::size_t kMost = 32;
+  static constexpr int kMostCalls = 64;  // inside each other; a function below may write anything
+
+  Set Find(FunctionId function) {
     Set found;
     ForEachExpr(program_, program_.functions[function].body, [&](ExprId expr) {
       ForEachWrite(program_, expr, [&](ExprId target) { Add(found, RootOf(program_, target)); });
@@ -96,33 +64,70 @@ class OuterWrites {
         for (const VarId var : inner.vars) Add(found, var);
       }
     });
-    sets_[function.index] = std::move(found);
+    return found;
   }
-
- private:
-  static constexpr std::size_t kMost = 32;
 
   void Add(Set& set, VarId var) {
     if (set.is_all || !var) return;
     const Storage storage = program_.vars[var].storage;
-    if (!IsGlobalVariable(storage) && storage != Storage::kResource) return;
+    if (storage != Storage::kStatic && storage != Storage::kShared && storage != Storage::kResource)
+      return;
     if (std::ranges::find(set.vars, var) != set.vars.end()) return;
     set.vars.push_back(var);
     set.is_all = set.vars.size() > kMost;
   }
 
   const Program& program_;
-  std::vector<Set> sets_;  // by FunctionId
+  std::vector<std::unique_ptr<Set>> sets_;  // by FunctionId, once asked for
+  Set beyond_;
+  int depth_ = 0;
 };
+
+// Whether the expression writes something that is not its own: a variable, an object, or what a
+// function reaches.
+bool MayWrite(const Program& program, const Expr& expr, OuterWrites& outer_writes) {
+  const auto writes_argument = [&](FunctionId function) {
+    return std::ranges::any_of(program.functions[function].parameters, [&](VarId parameter) {
+      return program.vars[parameter].storage != Storage::kIn;
+    });
+  };
+  return clipc::Visit(
+      Overloaded{
+          [](const Assign&) { return true; },
+          [](const Unary& node) { return ChangesOperand(node.op); },
+          [&](const Call& node) {
+            return writes_argument(node.function) || outer_writes.Of(node.function).writes();
+          },
+          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
+          [](const ObjectCall& node) { return WritesObject(node.op); },
+          [](const auto&) { return false; },
+      },
+      expr.node);
+}
+
+// Whether an expression that may write is not that of a statement. Such a one may be an operand.
+// Expressions that were replaced are asked too, since that is faster than a walk.
+bool MayHaveWritingOperand(const Program& program, OuterWrites& outer_writes) {
+  std::vector<bool> is_statement(program.exprs.size());
+  const auto nothing = [](const auto&) {};
+  program.stmts.AnyOf([&](const Stmt& stmt) {
+    ForEachPartSlot(
+        stmt, [&](ExprId expr) { is_statement[expr.index] = true; }, nothing, nothing, nothing);
+    return false;
+  });
+  std::size_t number = 0;
+  return program.exprs.AnyOf([&](const Expr& expr) {
+    return !is_statement[number++] && MayWrite(program, expr, outer_writes);
+  });
+}
 
 // Whether an operand may write what another one reads. In most programs each write is a statement
 // by itself, and there is nothing to lower.
-bool HasWritingOperand(const Program& program, const OuterWrites& outer_writes) {
+bool HasWritingOperand(const Program& program, OuterWrites& outer_writes) {
+  if (!MayHaveWritingOperand(program, outer_writes)) return false;
   bool found = false;
   const auto visit = [&](ExprId operand) {
-    found = found || (operand && MayWrite(program, program.exprs[operand], [&](FunctionId id) {
-                        return outer_writes.Of(id).writes();
-                      }));
+    found = found || (operand && MayWrite(program, program.exprs[operand], outer_writes));
   };
   for (const ExprId expr : program.exprs.ids()) {
     // The nodes do not change, so they need not be copied as ForEachOperand does.
@@ -143,7 +148,7 @@ bool HasWritingOperand(const Program& program, const OuterWrites& outer_writes) 
 // variables. The walk is linear: a read is marked, or leaves the stack, once.
 class OperandOrder {
  public:
-  OperandOrder(Program& program, const OuterWrites& outer_writes)
+  OperandOrder(Program& program, OuterWrites& outer_writes)
       : program_(program), outer_writes_(outer_writes), last_(program.vars.size(), kNone) {}
 
   void Lower(FunctionId function) { LowerBlock(program_.functions[function].body); }
@@ -465,7 +470,7 @@ class OperandOrder {
   }
 
   Program& program_;
-  const OuterWrites& outer_writes_;
+  OuterWrites& outer_writes_;
   std::vector<std::size_t> last_;  // the topmost read of each variable, by VarId
   std::vector<Read> reads_;        // of the expression that is walked, in the order of evaluation
   std::size_t marked_below_ = 0;   // all reads below this one are marked
@@ -478,15 +483,10 @@ class OperandOrder {
 
 void LowerOperandOrder(Legalizer& legalizer) {
   Program& program = legalizer.program;
-  if (!MayHaveWritingOperand(program)) return;
-  const KeptVector<FunctionId> functions = CalleesFirst(program);
   OuterWrites outer_writes(program);
-  // Nothing calls the last one.
-  for (const FunctionId id : functions | std::views::take(functions.size() - 1))
-    outer_writes.Find(id);
   if (!HasWritingOperand(program, outer_writes)) return;
   OperandOrder order(program, outer_writes);
-  for (const FunctionId id : functions) order.Lower(id);
+  for (const FunctionId id : CalleesFirst(program)) order.Lower(id);
 }
 
 }  // namespace clipc::legalize

@@ -50,7 +50,7 @@ class GlEffectMaker {
       const std::size_t first = made_.passes.size();
       is_of_direct3d_9_ = technique.kind == "technique";
       for (const EffectPassFact& pass : technique.passes) AddPass(pass);
-      made_.techniques.push_back({technique.name,
+      made_.techniques.push_back({NameOf(technique),
                                   {first, made_.passes.size() - first},
                                   AddAnnotations(technique.annotations)});
     }
@@ -62,6 +62,15 @@ class GlEffectMaker {
   }
 
  private:
+  // The name of a technique, after that of its group where another one has it too: "G2|T", as
+  // ID3DX11Effect::GetTechniqueByName has it.
+  std::string NameOf(const EffectTechniqueFact& technique) const {
+    const auto same =
+        std::ranges::count(effect_.techniques, technique.name, &EffectTechniqueFact::name);
+    return same > 1 && !technique.group.empty() ? technique.group + "|" + technique.name
+                                                : technique.name;
+  }
+
   GlRange AddAnnotations(const std::vector<ast::Annotation>& annotations) {
     const std::size_t first = made_.annotations.size();
     made_.annotations.insert(made_.annotations.end(), annotations.begin(), annotations.end());
