@@ -91,18 +91,18 @@ bool MayWrite(const Program& program, const Expr& expr, OuterWrites& outer_write
       return program.vars[parameter].storage != Storage::kIn;
     });
   };
-  return clipc::Visit(
-      Overloaded{
-          [](const Assign&) { return true; },
-          [](const Unary& node) { return ChangesOperand(node.op); },
-          [&](const Call& node) {
-            return writes_argument(node.function) || outer_writes.Of(node.function).writes();
-          },
-          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
-          [](const ObjectCall& node) { return WritesObject(node.op); },
-          [](const auto&) { return false; },
-      },
-      expr.node);
+  return clipc::Visit(Overloaded{
+                          [](const Assign&) { return true; },
+                          [](const Unary& node) { return ChangesOperand(node.op); },
+                          [&](const Call& node) {
+                            return writes_argument(node.function) ||
+                                   outer_writes.Of(node.function).writes();
+                          },
+                          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
+                          [](const ObjectCall& node) { return WritesObject(node.op); },
+                          [](const auto&) { return false; },
+                      },
+                      expr.node);
 }
 
 // Whether an expression that may write is not that of a statement. Such a one may be an operand.

@@ -25,6 +25,7 @@
 #include "compiler/batch/batch_journal.h"
 #include "compiler/batch/macro_memo.h"
 #include "compiler/batch/manifest.h"
+#include "compiler/batch/shared_files.h"
 #include "compiler/command/collect_outputs.h"
 #include "compiler/command/depfile.h"
 #include "compiler/command/exit_code.h"
@@ -75,7 +76,6 @@ class Batch {
   CompileResult Work(std::size_t at, Compiler& compiler);
   bool Finish(std::size_t at, CompileResult result);
   Result<> WriteFiles(std::size_t at, CompileResult& result);
-  std::string Share(const std::string& file, const std::string& contents);
   std::string PathOf(const std::string& file) const;
   void Resume();
   bool HasFiles(BatchJournal::Done& done);
@@ -105,8 +105,7 @@ class Batch {
   std::mutex mutex_;  // guards memories_
   std::vector<GroupMemory> memories_;
 
-  // The names of the written files, by the hash of their extension and their contents.
-  std::unordered_multimap<std::size_t, std::string> files_by_hash_;
+  SharedFiles shared_{PathOf("")};
   std::unordered_map<std::string, std::size_t> written_;  // the paths, with a hash of the contents
   std::map<std::size_t, std::vector<std::string>> read_by_;  // the files that a compiled job read
   std::vector<std::string> dependencies_;
@@ -310,21 +309,6 @@ std::string Batch::PathOf(const std::string& file) const {
   return command_.output + (EndsWithSlash(command_.output) ? "" : "/") + file;
 }
 
-// Returns the written file that has the extension and the contents of `file`; `file` itself, which
-// is remembered, if there is none.
-std::string Batch::Share(const std::string& file, const std::string& contents) {
-  const std::string_view extension = ExtensionIn(file);
-  const std::hash<std::string_view> hash;
-  const std::size_t key = hash(contents) ^ hash(extension) << 1;
-  const auto [begin, end] = files_by_hash_.equal_range(key);
-  for (auto known = begin; known != end; ++known) {
-    const Result<std::string> text = ReadText(PathOf(known->second));
-    if (text && *text == contents && ExtensionIn(known->second) == extension) return known->second;
-  }
-  files_by_hash_.emplace(key, file);
-  return file;
-}
-
 // Writes the files of a job. Contents that an earlier file has are not written again.
 Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (!HasFolder()) return {};
@@ -340,17 +324,18 @@ Result<> Batch::WriteFiles(std::size_t at, CompileResult& result) {
   for (std::size_t i = 0; i < pieces->size(); ++i) {
     const OutputPiece& piece = (*pieces)[i];
     if (!paths.insert(piece.path).second) return SamePath(piece.path);
-    if (read_.Has(piece.path)) return Overwrites(piece.path);
     const std::string file = piece.path.substr(NameBegin(piece.path));
     // Those of this job are not written yet.
     std::size_t same = 0;
     while (same < i && ((*pieces)[same].contents != piece.contents ||
                         ExtensionIn((*pieces)[same].path) != ExtensionIn(file)))
       ++same;
-    const std::string name = same < i ? entry.files[same].second : Share(file, piece.contents);
+    const std::string name =
+        same < i ? entry.files[same].second : shared_.Share(file, piece.contents);
     entry.files.emplace_back(piece.kind, name);
     if (command_.shards != 1) entry.digests.push_back(Sha256(piece.contents));
     if (name != file) continue;
+    if (read_.Has(piece.path)) return Overwrites(piece.path);
     const std::size_t hash = std::hash<std::string>()(piece.contents);
     if (written_.try_emplace(piece.path, hash).first->second != hash) return SamePath(piece.path);
     files.Add(piece.path, piece.contents);
@@ -369,7 +354,8 @@ bool Batch::HasFiles(BatchJournal::Done& done) {
     if (command_.shards != 1) done.digests.push_back(Sha256(*text));
     contents.push_back(std::move(*text));
   }
-  for (std::size_t i = 0; i < contents.size(); ++i) Share(done.files[i].second, contents[i]);
+  for (std::size_t i = 0; i < contents.size(); ++i)
+    shared_.Share(done.files[i].second, contents[i]);
   return true;
 }
 
