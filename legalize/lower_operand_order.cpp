@@ -16,8 +16,8 @@ using namespace ir;
 
 namespace {
 
-// The variables outside a function that calls of it may write. What a function writes does not change
-// while operands are lowered.
+// The variables outside a function that calls of it may write. What a function writes does not
+// change while operands are lowered.
 class OuterWrites {
  public:
   struct Set {

@@ -15,8 +15,8 @@ class SharedFiles {
   // `folder` is put before the names of files.
   explicit SharedFiles(std::string folder) : folder_(std::move(folder)) {}
 
-  // Returns the written file that has the extension and the contents of `file`; `file` itself, which
-  // is remembered, if there is none.
+  // Returns the written file that has the extension and the contents of `file`; `file` itself,
+  // which is remembered, if there is none.
   std::string Share(const std::string& file, const std::string& contents);
 
  private:

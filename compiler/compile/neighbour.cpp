@@ -79,7 +79,14 @@ link::ReadResult Read(const ProgramRequest& request, std::vector<std::string>& d
     bytes = std::move(*text);
   }
   const link::Language language = link::LanguageOf(bytes);
-  if (language == link::Language::kSpirv) return link::ReadSpirv(bytes, given.path, given.entry);
+  if (language == link::Language::kSpirv) {
+    link::ReadResult result = link::ReadSpirv(bytes, given.path, given.entry);
+    // The GLSL that becomes of it has the bindings that its target has.
+    if (!target.IsVulkan() && !target.Has(glsl::Feature::kBindings)) {
+      for (link::UniformBlock& block : result.interface.blocks) block.binding.reset();
+    }
+    return result;
+  }
   if (language == link::Language::kHlsl) return ReadHlsl(request, std::move(bytes), dependencies);
   const link::Dialect expected = target.IsVulkan() ? link::Dialect::kVulkan
                                  : target.IsEs()   ? link::Dialect::kEs
