@@ -44,10 +44,9 @@ std::string WithWords(std::string_view code,
 
 // The names that directives in the text define or undefine as macros.
 std::vector<std::string> MacrosIn(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
   const auto skip = [](std::string_view& line, std::size_t count) {
     line.remove_prefix(count);
-    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   };
   std::vector<std::string> names;
   while (!text.empty()) {
