@@ -13,6 +13,7 @@
 #include <clang/Lex/Lexer.h>
 #include <clang/Lex/LiteralSupport.h>
 #include <clang/Lex/Preprocessor.h>
+#include <llvm/ADT/STLExtras.h>
 #include <llvm/ADT/StringMap.h>
 #include <llvm/Support/Unicode.h>
 
@@ -201,7 +202,7 @@ class FirstUse : public clang::IdentifierInfoLookup {
       : preprocessor_(preprocessor), diagnostics_(diagnostics) {}
 
   clang::IdentifierInfo* get(llvm::StringRef name) override {
-    const bool is_wanted = name == "pragma" || (name.starts_with("_") && name != "__CLIPC__");
+    const bool is_wanted = name == "pragma" || IsOfClang(name);
     if (!preprocessor_ || !is_wanted || std::exchange(is_done_, true)) return nullptr;
     __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(preprocessor_);
     preprocessor_->getIdentifierInfo("__has_embed")->setHasMacroDefinition(false);
@@ -210,6 +211,18 @@ class FirstUse : public clang::IdentifierInfoLookup {
   }
 
  private:
+  // Whether Clang may have a macro or an operator of that name. The guards of includes begin with
+  // `_` as well, and cost nothing so.
+  static bool IsOfClang(llvm::StringRef name) {
+    constexpr llvm::StringLiteral kWords[] = {
+        "_Pragma",       "__pragma",          "__identifier",  "__building_module",
+        "__LINE__",      "__FILE__",          "__DATE__",      "__TIME__",
+        "__BASE_FILE__", "__INCLUDE_LEVEL__", "__TIMESTAMP__", "__FLT_EVAL_METHOD__",
+        "__FILE_NAME__", "__COUNTER__",       "__MODULE__"};
+    return name.starts_with("_") && (name.starts_with("__has_") || name.starts_with("__is_") ||
+                                     llvm::is_contained(kWords, name));
+  }
+
   clang::Preprocessor* const& preprocessor_;
   Diagnostics& diagnostics_;
   bool is_done_ = false;
