@@ -10,6 +10,7 @@
 #include "base/overloaded.h"
 #include "base/shortest_text.h"
 #include "clip-table/vocabulary.h"
+#include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 

@@ -19,6 +19,7 @@
 #include "compiler/compile/dump_tokens.h"
 #include "compiler/compile/job.h"
 #include "compiler/compile/known_texts.h"
+#include "compiler/compile/lower_program.h"
 #include "compiler/compile/rewrite_hlsl.h"
 #include "compiler/compile/stages.h"
 #include "frontend/parse/ast_print.h"

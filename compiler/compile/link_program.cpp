@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "compiler/compile/neighbour.h"
+#include "ir/access.h"
 #include "ir/intrinsic.h"
 #include "ir/walk.h"
 #include "link/match.h"

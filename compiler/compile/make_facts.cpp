@@ -18,6 +18,7 @@ namespace {
 
 using glsl::GlslInfo;
 using ir::IoVar;
+using ir::IoVars;
 using ir::Program;
 
 constexpr Named<ir::CbufferKind> kCbufferKinds[] = {

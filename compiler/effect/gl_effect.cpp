@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/spelling.h"
 #include "compiler/command/command_line.h"
 
 namespace clipc {

@@ -34,17 +34,6 @@
 namespace clipc::check {
 namespace {
 
-// The function of the name that can be called, even if it is declared later; none if there is no
-// such function.
-SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
-  View view = context.view;
-  view.order = ~0u;
-  view.local_floor = ~0u;
-  const ViewSwitch in(context, view);
-  const SymbolId symbol = Find(context, name);
-  return symbol && context[symbol].kind == SymbolKind::kFunction ? symbol : SymbolId{};
-}
-
 // The definition of a function template of which `id` may be the declaration: the template of the
 // same parameters, as they are written, that has a body.
 SymbolId DefinitionOf(Context& context, SymbolId id) {

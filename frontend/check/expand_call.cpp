@@ -50,7 +50,7 @@ std::optional<int> MultipliedExponent(const Context& context, ExprId exponent) {
   const auto size = static_cast<std::uint32_t>(std::abs(power));
   const int count = static_cast<int>(context.TypeOf(exponent).Components());
   const int most = power < 0 ? count + 1 : 2 * count + 1;
-  const int needed = std::bit_width(size) - 1 + std::popcount(size) - 1;
+  const int needed = static_cast<int>(std::bit_width(size)) - 1 + std::popcount(size) - 1;
   return needed <= most ? std::optional(power) : std::nullopt;
 }
 

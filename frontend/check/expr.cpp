@@ -26,6 +26,7 @@
 #include "frontend/check/type.h"
 #include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
+#include "frontend/typing/constant.h"
 #include "frontend/typing/intrinsics.h"
 
 namespace clipc::check {

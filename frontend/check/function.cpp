@@ -187,6 +187,15 @@ const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, 
   return context.functions.overloads.emplace(key, std::move(overloads)).first->second;
 }
 
+SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
+  View view = context.view;
+  view.order = ~0u;
+  view.local_floor = ~0u;
+  const ViewSwitch in(context, view);
+  const SymbolId symbol = Find(context, name);
+  return symbol && context[symbol].kind == SymbolKind::kFunction ? symbol : SymbolId{};
+}
+
 void DeclarePrototype(Context& context, const ast::FunctionDecl& decl) {
   const SymbolId symbol = FindFunction(context, {decl.name, {}, false});
   if (!symbol) return;

@@ -21,6 +21,9 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
 // All functions that have the name and scope of `first`, declared so far or later, except
 // templates. A prototype and its definition are one function.
 const KeptVector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self);
+// The function of the name that can be called, even if it is declared later; none if there is no
+// such function.
+SymbolId FindFunction(Context& context, const ast::QualifiedName& name);
 // A prototype inside a function: the functions of this name and number of parameters may be called
 // after it, although they are declared later.
 void DeclarePrototype(Context& context, const ast::FunctionDecl& decl);

@@ -11,6 +11,7 @@
 
 #include "base/spelling.h"
 #include "frontend/check/body.h"
+#include "frontend/check/entry.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"

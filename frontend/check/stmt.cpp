@@ -9,6 +9,7 @@
 #include "frontend/check/emit.h"
 #include "frontend/check/enum_class.h"
 #include "frontend/check/expr.h"
+#include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/init.h"
 #include "frontend/check/loop.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frontend/check/bit_field.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/large_literal.h"
 #include "frontend/check/real_literal.h"

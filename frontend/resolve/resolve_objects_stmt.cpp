@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/resolve/object_resolver.h"
+#include "ir/access.h"
 #include "ir/walk.h"
 
 namespace clipc::resolve {

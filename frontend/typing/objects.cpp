@@ -6,6 +6,7 @@
 
 #include "base/spelling.h"
 #include "frontend/typing/method_check.h"
+#include "ir/access.h"
 
 namespace clipc::typing {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "frontend/typing/object_call.h"
 #include "frontend/typing/objects.h"
+#include "ir/access.h"
 #include "ir/packing.h"
 
 // GetDimensions of textures and buffers: assignments to the arguments, chained with commas.
