@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <type_traits>
@@ -38,20 +39,25 @@ void ForEachSlot(Node& node, Own&& own, Listed&& list) {
   }(node);
 }
 
+// The operands of a node in the order of evaluation: those that it holds itself, or a list.
+struct Slots {
+  std::array<ExprId, 3> own;
+  std::uint32_t own_count = 0;
+  List<ExprId> list;
+};
+Slots SlotsOf(const Expr& expr);
+
 // Calls visit(ExprId) for the direct operands of `expr` in the order of evaluation. `visit` may
-// change the node: a copy of it is walked. MapOperands replaces operands.
+// change the node: a copy of its operands is walked. MapOperands replaces operands.
 template <typename OnOperand>
 void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
-  Visit(
-      [&](const auto& found) {
-        const auto node = found;
-        ForEachSlot(
-            node, [&](ExprId operand) { visit(operand); },
-            [&](List<ExprId> list) {
-              for (std::uint32_t i = 0; i < list.size; ++i) visit(program.expr_lists[list][i]);
-            });
-      },
-      program.exprs[expr].node);
+  const auto& node = program.exprs[expr].node;
+  // Half of all expressions. One function tells the others apart for all walks, so that these stay
+  // small.
+  if (std::holds_alternative<Literal>(node) || std::holds_alternative<VarRef>(node)) return;
+  const Slots slots = SlotsOf(program.exprs[expr]);
+  for (std::uint32_t i = 0; i < slots.own_count; ++i) visit(slots.own[i]);
+  for (std::uint32_t i = 0; i < slots.list.size; ++i) visit(program.expr_lists[slots.list][i]);
 }
 
 // Replaces each direct operand of `expr` by map(operand), in the order of evaluation. `map` may
