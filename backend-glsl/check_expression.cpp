@@ -44,15 +44,15 @@ void TargetReport::Type(TypeId id, Span span) {
   }
 }
 
-bool ExpressionCheck::MayReport() const {
+bool ExpressionCheck::MayReportAll() const {
   const auto lacks = [&](Scalar kind) {
     const Requirement* requirement = RequirementOf(kind);
     return requirement && !target_.Has(requirement->feature);
   };
-  return program_.calls_objects || program_.calls_nonuniform || !has_unsigned_ ||
-         clipc::InfoOf(program_.stage).draws_pixels || !target_.Has(Feature::kDynamicBlockIndex) ||
-         !target_.Has(Feature::kBitCasts) || lacks(Scalar::kDouble) || lacks(Scalar::kInt64) ||
-         lacks(Scalar::kUint64);
+  return !has_unsigned_ || !target_.Has(Feature::kDynamicBlockIndex) ||
+         (!target_.Has(Feature::kFreeIndices) && clipc::InfoOf(program_.stage).draws_pixels) ||
+         (target_.IsVulkan() && target_.bindings.splits_arrays) || lacks(Scalar::kDouble) ||
+         lacks(Scalar::kInt64) || lacks(Scalar::kUint64);
 }
 
 void ExpressionCheck::Expression(ExprId id) {

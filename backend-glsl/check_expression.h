@@ -86,8 +86,8 @@ class ExpressionCheck : protected TargetReport {
                   Diagnostics& diagnostics)
       : TargetReport(program, target, diagnostics), has_blocks_(has_blocks) {}
 
-  // Whether Expression may report anything.
-  bool MayReport() const;
+  // Whether Expression may report other expressions than those of Reached::asked.
+  bool MayReportAll() const;
   void Expression(ExprId id);
 
   const bool has_blocks_;

@@ -88,6 +88,9 @@ class TargetCheck : ExpressionCheck {
       }
     }
     for (FunctionId id : reached_.functions) Function(program_.functions[id]);
+    if (!looks_at_all_) {
+      for (const ExprId expr : reached_.asked) Expression(expr);
+    }
   }
 
  private:
@@ -399,8 +402,7 @@ class TargetCheck : ExpressionCheck {
     ForEachPart(
         program_, id,
         [&](ExprId expr) {
-          if (looks_at_expressions_)
-            ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); });
+          if (looks_at_all_) ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); });
         },
         [&](StmtId part) { Statement(part); });
   }
@@ -409,7 +411,7 @@ class TargetCheck : ExpressionCheck {
   const std::span<const legalize::LongLoop> long_loops_;
   const Reached reached_;
   const std::vector<ir::ObjectUse> images_;
-  const bool looks_at_expressions_ = MayReport();
+  const bool looks_at_all_ = MayReportAll();
 };
 
 }  // namespace

@@ -13,6 +13,19 @@ using namespace ir;
 
 namespace {
 
+// Whether some target has no such function of GLSL, in any number of its versions.
+bool MayBeLacking(Intrinsic op) {
+  switch (CategoryOf(op)) {
+    case IntrinsicCategory::kWave:
+    case IntrinsicCategory::kQuad:
+    case IntrinsicCategory::kInterpolants:
+    case IntrinsicCategory::kMemory: return true;
+    default:
+      return op == CommonIntrinsic::kNonUniform || op == CommonIntrinsic::kCheckAccessFullyMapped ||
+             InfoOf(op).gate != TargetGate::kNone;
+  }
+}
+
 class Walker {
  public:
   explicit Walker(const Program& program) : program_(program) {
@@ -30,13 +43,11 @@ class Walker {
 
  private:
   void Functions() {
-    const auto visit = [&](const Expr& expr) {
-      if (const auto* ref = std::get_if<VarRef>(&expr.node)) Variable(ref->var);
-      if (const auto* call = std::get_if<ObjectCall>(&expr.node))
-        reached_.object_calls.push_back(*call);
+    const auto visit = [&](ExprId id, const Expr& expr) {
+      if (const auto* ref = std::get_if<VarRef>(&expr.node)) return Variable(ref->var);
       const auto* call = std::get_if<IntrinsicCall>(&expr.node);
-      if (call && call->op == CommonIntrinsic::kAttributeAtVertex)
-        reached_.per_vertex.push_back(RootOf(program_, program_.expr_lists[call->arguments][0]));
+      if (std::holds_alternative<ObjectCall>(expr.node) || (call && MayBeLacking(call->op)))
+        reached_.asked.push_back(id);
     };
     const auto enters = [&](FunctionId id) {
       return !program_.functions[id].is_helper || program_.functions[id].is_accessor;

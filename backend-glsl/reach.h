@@ -15,8 +15,8 @@ struct Reached {
   KeptVector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration
   std::vector<bool> vars;                // by VarId: mentioned anywhere
   std::vector<bool> cbuffers;            // by CbufferId
-  KeptVector<ir::ObjectCall> object_calls;
-  KeptVector<ir::VarId> per_vertex;  // the inputs of which a GetAttributeAtVertex reads a vertex
+  // The operations on objects, and calls of intrinsic functions that not every target has.
+  KeptVector<ir::ExprId> asked;
 
   bool Has(ir::VarId var) const { return vars[var.index]; }
   bool Has(ir::CbufferId cbuffer) const { return cbuffers[cbuffer.index]; }

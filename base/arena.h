@@ -66,6 +66,21 @@ class Arena {
     return false;
   }
 
+  // Calls visit(id, value) for all values, without the cost of finding each by its id. `visit` adds
+  // none.
+  template <typename Visit>
+  void ForEach(Visit&& visit) {
+    std::uint32_t index = 0;
+    for (T* const block : blocks_) {
+      T* const end = block + std::min<std::size_t>(size_ - index, kBlock);
+      for (T* value = block; value != end; ++value) visit(Id<T>{index++}, *value);
+    }
+  }
+  template <typename Visit>
+  void ForEach(Visit&& visit) const {
+    const_cast<Arena*>(this)->ForEach([&](Id<T> id, const T& value) { visit(id, value); });
+  }
+
   // The ids from 0 to size() - 1, as a range: `for (Id<T> id : arena.ids())`.
   struct IdRange {
     struct Iterator {

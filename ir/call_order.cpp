@@ -5,11 +5,9 @@ namespace clipc::ir {
 
 KeptVector<FunctionId> CalleesFirst(const Program& program) {
   std::size_t calls = 0;
-  program.exprs.AnyOf([&](const Expr& expr) {
-    if (std::holds_alternative<Call>(expr.node)) ++calls;
-    return false;
-  });
-  return CalleesFirst(program, [](const Expr&) {}, [](FunctionId) { return true; }, calls);
+  program.exprs.ForEach(
+      [&](ExprId, const Expr& expr) { calls += std::holds_alternative<Call>(expr.node); });
+  return CalleesFirst(program, [](ExprId, const Expr&) {}, [](FunctionId) { return true; }, calls);
 }
 
 }  // namespace clipc::ir

@@ -17,8 +17,8 @@ namespace clipc::ir {
 KeptVector<FunctionId> CalleesFirst(const Program& program);
 
 // The same for the functions that enters(FunctionId) is true for, `main` among them, and calls
-// visit(const Expr&) for every expression of each before those of its callees. With the number of
-// `calls` that the program has, only as many bodies are walked as it takes to find them.
+// visit(ExprId, const Expr&) for every expression of each before those of its callees. With the
+// number of `calls` that the program has, only as many bodies are walked as it takes to find them.
 template <typename OnExpr, typename Enters>
 KeptVector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit, Enters&& enters,
                                     std::size_t calls = SIZE_MAX) {
@@ -32,7 +32,7 @@ KeptVector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit, Ente
     if (calls == 0) return begun;
     ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
       const Expr& expr = program.exprs[id];
-      visit(expr);
+      visit(id, expr);
       const auto* call = std::get_if<Call>(&expr.node);
       if (!call) return;
       --calls;

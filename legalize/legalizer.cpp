@@ -112,8 +112,9 @@ std::string_view NameOf(BinaryOp op) { return kNames[static_cast<int>(op)]; }
 
 Legalizer::Legalizer(Program& program, const Needs& needs)
     : program(program), needs(needs), first_new_(program.exprs.size()), divisors_(program) {
-  for (const ExprId expr : program.exprs.ids())
-    if (MayChange(program, needs, program.exprs[expr])) operations_.push_back(expr);
+  program.exprs.ForEach([&](ExprId id, const Expr& expr) {
+    if (MayChange(program, needs, expr)) operations_.push_back(id);
+  });
 }
 
 bool Legalizer::NamesLeastInteger() {

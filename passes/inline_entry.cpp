@@ -132,11 +132,11 @@ class Inliner {
 
   // Only the function and `main` name what is renamed.
   void Rename() {
-    for (const ExprId id : program_.exprs.ids()) {
-      auto* ref = std::get_if<VarRef>(&program_.exprs[id].node);
-      if (!ref) continue;
+    program_.exprs.ForEach([&](ExprId, Expr& expr) {
+      auto* ref = std::get_if<VarRef>(&expr.node);
+      if (!ref) return;
       while (const VarId name = renamed_[ref->var.index]) ref->var = name;
-    }
+    });
   }
 
   // Removes all of the function but its name.

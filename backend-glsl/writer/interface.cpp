@@ -187,8 +187,11 @@ bool IsDeclared(const WriterContext& context, const IoVar& input) {
 
 // Whether the shader reads the input at the primitive's vertices, so that it is an array of them.
 bool IsPerVertex(const WriterContext& context, VarId input) {
-  const auto& inputs = context.reached.per_vertex;
-  return std::ranges::find(inputs, input) != inputs.end();
+  return std::ranges::any_of(context.reached.asked, [&](ExprId expr) {
+    const auto* call = As<IntrinsicCall>(context.program, expr);
+    return call && call->op == CommonIntrinsic::kAttributeAtVertex &&
+           RootOf(context.program, context.program.expr_lists[call->arguments][0]) == input;
+  });
 }
 
 // Declares an input that is an output of the stage before, in the same words.

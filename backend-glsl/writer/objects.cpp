@@ -271,9 +271,11 @@ std::string TextureType(const WriterContext& context, VarId texture, std::string
 std::vector<TextureUse> FindTextureUses(WriterContext& context) {
   std::vector<TextureUse> uses;
   if (context.program.resources.empty() || context.target.IsVulkan()) return uses;
-  for (const ObjectCall& call : context.reached.object_calls) {
+  for (const ExprId expr : context.reached.asked) {
+    const auto* call = As<ObjectCall>(context.program, expr);
+    if (!call) continue;
     const auto root = [&](OperandKind kind) {
-      const ExprId path = context.Operand(call, kind);
+      const ExprId path = context.Operand(*call, kind);
       return path ? RootOf(context.program, path) : VarId{};
     };
     TextureUse use{root(OperandKind::kObject), root(OperandKind::kSampler), {}};

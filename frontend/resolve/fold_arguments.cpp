@@ -300,15 +300,17 @@ bool NamesObject(const Program& program, ExprId expr) {
 bool ChoosesObject(const Program& program) {
   if (!program.calls_objects) return false;
   if (BranchesChoose(program)) return true;
-  for (const ExprId id : program.exprs.ids()) {
-    if (ChoosesElement(program, id)) return true;
-    const auto* choice = As<Conditional>(program, id);
-    if (choice &&
-        (TypeOf(program, id).kind == TypeKind::kObject || NamesObject(program, choice->when_true) ||
-         NamesObject(program, choice->when_false)))
-      return true;
-  }
-  return false;
+  bool chooses = false;
+  program.exprs.ForEach([&](ExprId id, const Expr& expr) {
+    if (const auto* choice = std::get_if<Conditional>(&expr.node)) {
+      chooses = chooses || program.types[expr.type].kind == TypeKind::kObject ||
+                NamesObject(program, choice->when_true) || NamesObject(program, choice->when_false);
+    } else if (std::holds_alternative<Index>(expr.node) ||
+               std::holds_alternative<FieldRef>(expr.node)) {
+      chooses = chooses || ChoosesElement(program, id);
+    }
+  });
+  return chooses;
 }
 
 }  // namespace

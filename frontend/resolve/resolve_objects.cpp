@@ -81,12 +81,11 @@ bool ObjectResolver::IsNeeded() {
   for (FunctionId id : program_.functions.ids()) {
     if (Holds(program_.functions[id].return_type)) return true;
   }
-  for (ExprId id : program_.exprs.ids()) {
-    const auto* comma = As<Comma>(program_, id);
+  return program_.exprs.AnyOf([&](const Expr& expr) {
+    const auto* comma = std::get_if<Comma>(&expr.node);
     if (comma && IsObject(program_.exprs[comma->first].type)) return true;
-    if ((comma || As<Conditional>(program_, id)) && IsObject(program_.exprs[id].type)) return true;
-  }
-  return false;
+    return (comma || std::holds_alternative<Conditional>(expr.node)) && IsObject(expr.type);
+  });
 }
 
 void ObjectResolver::NumberFields() {

@@ -22,14 +22,13 @@ class Settler {
 
   // Reads the uses of samplers, in the calls that are marked by ExprId; in all if `live` is empty.
   void Read(const std::vector<bool>& live) {
-    for (const ExprId id : program_.exprs.ids()) {
-      const auto* call = As<ObjectCall>(program_, id);
-      if (!live.empty() && !live[id.index]) continue;
+    program_.exprs.ForEach([&](ExprId id, const Expr& expr) {
+      const auto* call = std::get_if<ObjectCall>(&expr.node);
+      if (!call || (!live.empty() && !live[id.index])) return;
       for (const OperandKind kind : {OperandKind::kObject, OperandKind::kSampler}) {
-        const ExprId path = call ? OperandOf(program_, *call, kind) : ExprId{};
-        if (path) Note(path, id);
+        if (const ExprId path = OperandOf(program_, *call, kind)) Note(path, id);
       }
-    }
+    });
     for (const VarId var : order_) FindConflict(var);
   }
 

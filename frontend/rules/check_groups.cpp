@@ -43,10 +43,9 @@ bool AllWaitTogether(const Program& program) {
   if (x * y * z == 1) return true;
   std::size_t waits = 0, own = 0;
   bool returns = false;
-  program.exprs.AnyOf([&](const Expr& expr) {
+  program.exprs.ForEach([&](ExprId, const Expr& expr) {
     const auto* call = std::get_if<IntrinsicCall>(&expr.node);
     waits += call && WaitsForGroup(call->op);
-    return false;
   });
   if (waits == 0) return true;
   const StmtId body = program.functions[program.entry].body;
