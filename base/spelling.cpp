@@ -19,8 +19,8 @@ std::string ToUpper(std::string_view text) {
   return upper;
 }
 
-bool EqualIgnoringCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+bool EqualLettersIgnoringCase(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
                     [](char x, char y) { return ToLower(x) == ToLower(y); });
 }
 

@@ -15,7 +15,10 @@ constexpr char ToLower(char c) {
 }
 std::string ToLower(std::string_view text);
 std::string ToUpper(std::string_view text);
-bool EqualIgnoringCase(std::string_view a, std::string_view b);
+bool EqualLettersIgnoringCase(std::string_view a, std::string_view b);  // of the same length
+inline bool EqualIgnoringCase(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && EqualLettersIgnoringCase(a, b);
+}
 
 // "1 element", "2 elements".
 std::string WithCount(std::uint64_t count, std::string_view what);

@@ -334,8 +334,25 @@ Range FloatRanges::Of(ExprId expr) {
 // Whether the variable is one that declarations tell of.
 bool FloatRanges::IsKnown(VarId var) {
   if (program_.vars[var].storage != Storage::kLocal) return false;
+  if (!has_locals_ && !MayTell(var)) return false;
   if (!has_locals_) FindLocals();
   return var.index < locals_.size();
+}
+
+// Whether the value that the variable is declared with may have bounds, as a short look tells. What
+// a function or an object gives has none.
+bool FloatRanges::MayTell(VarId var) {
+  if (may_tell_.empty()) {
+    may_tell_.resize(program_.vars.size());
+    program_.stmts.ForEach([&](StmtId, const Stmt& stmt) {
+      const auto* declare = std::get_if<Declare>(&stmt.node);
+      ExprId init = declare ? declare->init : ExprId{};
+      while (const auto* part = init ? As<Swizzle>(program_, init) : nullptr) init = part->base;
+      if (init && !As<Call>(program_, init) && !As<ObjectCall>(program_, init))
+        may_tell_[declare->var.index] = true;
+    });
+  }
+  return var.index >= may_tell_.size() || may_tell_[var.index];
 }
 
 // Declarations are found in the order of the text, so that the variables in their values are known.

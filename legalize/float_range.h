@@ -30,11 +30,13 @@ class FloatRanges {
 
  private:
   bool IsKnown(ir::VarId var);
+  bool MayTell(ir::VarId var);
   void FindLocals();
   ir::ExprId ValueOf(const ir::FieldRef& node);
   void FindCounter(const ir::For& loop, const std::vector<std::uint32_t>& writes);
 
   const ir::Program& program_;
+  std::vector<bool> may_tell_;                     // by VarId, once asked for
   bool has_locals_ = false;                        // found for the first that is asked for
   std::vector<std::optional<FloatRange>> locals_;  // by VarId
   std::vector<ir::ExprId> values_;                 // of structs, by VarId

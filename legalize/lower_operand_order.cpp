@@ -1,87 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <ranges>
 #include <string>
 #include <vector>
 
+#include "base/kept_blocks.h"
 #include "ir/call_order.h"
 #include "ir/walk.h"
 #include "legalize/legalize.h"
+#include "legalize/outer_writes.h"
 
 namespace clipc::legalize {
 
 using namespace ir;
 
 namespace {
-
-// The variables outside a function that calls of it may write. What a function writes does not
-// change while operands are lowered.
-class OuterWrites {
- public:
-  struct Set {
-    std::vector<VarId> vars;
-    bool is_all = false;  // more than kMost: all variables count as written
-
-    bool writes() const { return is_all || !vars.empty(); }
-  };
-
-  explicit OuterWrites(const Program& program)
-      : program_(program), sets_(program.functions.size()) {
-    beyond_.is_all = true;
-  }
-
-  const Set& Of(FunctionId function) {
-    std::unique_ptr<Set>& set = sets_[function.index];
-    if (!set && depth_ == kMostCalls) return beyond_;
-    if (!set) {
-      ++depth_;
-      Set found = Find(function);
-      --depth_;
-      set = std::make_unique<Set>(std::move(found));
-    }
-    return *set;
-  }
-
- private:
-  static constexpr std::size_t kMost = 32;
-  static constexpr int kMostCalls = 64;  // inside each other; a function below may write anything
-
-  Set Find(FunctionId function) {
-    Set found;
-    ForEachExpr(program_, program_.functions[function].body, [&](ExprId expr) {
-      ForEachWrite(program_, expr, [&](ExprId target) { Add(found, RootOf(program_, target)); });
-      const auto* object = As<ObjectCall>(program_, expr);
-      if (object && WritesObject(object->op))
-        Add(found, RootOf(program_, OperandOf(program_, *object, OperandKind::kObject)));
-      // Where the group waits, its other threads have written.
-      const auto* asked = As<IntrinsicCall>(program_, expr);
-      found.is_all |= asked && WaitsForGroup(asked->op);
-      if (const auto* call = As<Call>(program_, expr)) {
-        const Set& inner = Of(call->function);
-        found.is_all |= inner.is_all;
-        for (const VarId var : inner.vars) Add(found, var);
-      }
-    });
-    return found;
-  }
-
-  void Add(Set& set, VarId var) {
-    if (set.is_all || !var) return;
-    const Storage storage = program_.vars[var].storage;
-    if (storage != Storage::kStatic && storage != Storage::kShared && storage != Storage::kResource)
-      return;
-    if (std::ranges::find(set.vars, var) != set.vars.end()) return;
-    set.vars.push_back(var);
-    set.is_all = set.vars.size() > kMost;
-  }
-
-  const Program& program_;
-  std::vector<std::unique_ptr<Set>> sets_;  // by FunctionId, once asked for
-  Set beyond_;
-  int depth_ = 0;
-};
 
 // Whether the expression writes something that is not its own: a variable, an object, or what a
 // function reaches.
@@ -105,20 +39,32 @@ bool MayWrite(const Program& program, const Expr& expr, OuterWrites& outer_write
                       expr.node);
 }
 
-// Whether an expression that may write is not that of a statement. Such a one may be an operand.
-// Expressions that were replaced are asked too, since that is faster than a walk.
+// Whether the expression is a variable or a part of one without an index.
+bool IsPlainPath(const Program& program, ExprId path) {
+  while (path && !As<VarRef>(program, path))
+    path = As<Index>(program, path) ? ExprId{} : WholeOf(program, path);
+  return static_cast<bool>(path);
+}
+
+// Whether an expression that may write is not that of a statement, nor what a statement assigns to
+// a variable, which it does last. Such a one may be an operand. Expressions that were replaced are
+// asked too, since that is faster than a walk.
 bool MayHaveWritingOperand(const Program& program, OuterWrites& outer_writes) {
   std::vector<bool> is_statement(program.exprs.size());
   const auto nothing = [](const auto&) {};
-  program.stmts.AnyOf([&](const Stmt& stmt) {
-    ForEachPartSlot(
-        stmt, [&](ExprId expr) { is_statement[expr.index] = true; }, nothing, nothing, nothing);
-    return false;
+  const auto on_expr = [&](ExprId expr) {
+    is_statement[expr.index] = true;
+    const auto* assign = As<Assign>(program, expr);
+    if (assign && !assign->op && assign->value && IsPlainPath(program, assign->target))
+      is_statement[assign->value.index] = true;
+  };
+  program.stmts.ForEach(
+      [&](StmtId, const Stmt& stmt) { ForEachPartSlot(stmt, on_expr, nothing, nothing, nothing); });
+  bool may_write = false;
+  program.exprs.ForEach([&](ExprId id, const Expr& expr) {
+    may_write = may_write || (!is_statement[id.index] && MayWrite(program, expr, outer_writes));
   });
-  std::size_t number = 0;
-  return program.exprs.AnyOf([&](const Expr& expr) {
-    return !is_statement[number++] && MayWrite(program, expr, outer_writes);
-  });
+  return may_write;
 }
 
 // Whether an operand may write what another one reads. In most programs each write is a statement
@@ -191,8 +137,8 @@ class OperandOrder {
   // evaluated once, right after them.
   void LowerStmt(StmtId stmt, std::vector<StmtId>& declared, bool is_first) {
     if (As<Block>(program_, stmt)) return LowerBlock(stmt);
-    std::vector<ExprId> exprs;
-    std::vector<StmtId> parts;
+    KeptVector<ExprId> exprs;
+    KeptVector<StmtId> parts;
     ForEachPart(
         program_, stmt, [&](ExprId expr) { exprs.push_back(expr); },
         [&](StmtId part) { parts.push_back(part); });

@@ -21,10 +21,13 @@ namespace {
 // The set of the types that have a precise field in them.
 class PreciseTypes {
  public:
-  explicit PreciseTypes(const TypeTable& types) : types_(types), answers_(types.size()) {
+  explicit PreciseTypes(const TypeTable& types) : types_(types) {
     for (const StructId id : types.structs().ids())
       is_any_ |= std::ranges::any_of(types.structs()[id].fields, &Field::precise);
+    if (is_any_) answers_.resize(types.size());
   }
+
+  bool IsAny() const { return is_any_; }
 
   bool Has(TypeId id) {
     if (!is_any_) return false;
@@ -127,6 +130,9 @@ class PreciseResults {
 void SpreadPrecise(Program& program, bool of_all_outputs) {
   for (const IoVar& output : program.outputs) program.vars[output.var].precise |= of_all_outputs;
   PreciseTypes types(program.types);
+  if (!types.IsAny() && !program.vars.AnyOf([](const Var& var) { return var.precise; }) &&
+      !program.functions.AnyOf([](const Function& function) { return function.precise; }))
+    return;
   bool is_any = false;
   for (const VarId id : program.vars.ids()) {
     Var& var = program.vars[id];

@@ -35,13 +35,50 @@ bool IsGradient(const Program& program, ExprId expr) {
   return AsksNeighbours(program, expr) && !is_quad;
 }
 
+bool IsGradientOrCall(const Program& program, ExprId expr) {
+  return As<Call>(program, expr) || IsGradient(program, expr);
+}
+
+// Whether the statement has a gradient, or a call of a function that may have one, where some
+// pixels may not come to, as a short look tells: in a branch or a loop, or after a `return` there.
+bool MayVary(const Program& program, StmtId id, bool is_inside) {
+  const auto& node = program.stmts[id].node;
+  if (std::holds_alternative<Return>(node) && is_inside) return true;
+  is_inside = is_inside || std::holds_alternative<If>(node) ||
+              std::holds_alternative<Switch>(node) || std::holds_alternative<For>(node) ||
+              std::holds_alternative<While>(node) || std::holds_alternative<DoWhile>(node);
+  bool may_vary = false;
+  ForEachPart(
+      program, id,
+      [&](ExprId root) {
+        may_vary = may_vary || (is_inside && AnyExpr(program, root, [&](ExprId expr) {
+                                  return IsGradientOrCall(program, expr);
+                                }));
+      },
+      [&](StmtId part) { may_vary = may_vary || MayVary(program, part, is_inside); });
+  return may_vary;
+}
+
+// The same for the sides of a choice.
+bool MayVary(const Program& program) {
+  const auto may_ask = [&](ExprId side) {
+    return !side || AnyExpr(program, side,
+                            [&](ExprId expr) { return !expr || IsGradientOrCall(program, expr); });
+  };
+  return MayHaveExpr<Conditional>(program,
+                                  [&](const Conditional& choice) {
+                                    return may_ask(choice.when_true) || may_ask(choice.when_false);
+                                  }) ||
+         program.functions.AnyOf([&](const Function& function) {
+           return function.body && MayVary(program, function.body, false);
+         });
+}
+
 }  // namespace
 
 void CheckGradients(const Program& program, Diagnostics& diagnostics) {
   if (!InfoOf(program.stage).has_neighbours || program.is_interface_only) return;
-  // Without a branch or a loop all pixels of a quad run everything.
-  if (!MayHaveStmt<If, Switch, For, While, DoWhile>(program) && !MayHaveExpr<Conditional>(program))
-    return;
+  if (!MayVary(program)) return;
   for (const AskedNode& node : FollowFlow(program, {DiffersInQuad, ChangesInOneStep, IsGradient})) {
     // What is the same for all pixels of a quad has differences of 0 in any flow.
     if (!node.value_varies) continue;
