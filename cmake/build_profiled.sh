@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Builds clipc as it is packaged, in build/profiled: compiled by what an earlier build of it ran on the shaders of
-# examples/gallery and examples/pixel, and on the pairs of testdata/draw/pairs; linked with the functions that a short run calls
+# examples/gallery, examples/pixel and examples/compute, and on the pairs of testdata/draw/pairs; linked with the functions that a short run calls
 # side by side, so that a start reads few pages. Needs g++.
 #   cmake/build_profiled.sh [TARGET...]      all targets of the build, or these
 set -euo pipefail
@@ -19,7 +19,7 @@ configure record ""
 find "$folder" -name '*.gcda' -delete
 build_preset profiled --target clipc -- --quiet >&2
 
-# examples/gallery and examples/pixel have shaders as people write them, and testdata/draw/pairs pairs of them. Other shaders of
+# These examples have shaders as people write them, and testdata/draw/pairs pairs of them. Other shaders of
 # testdata try limits, and would count for more than all of these.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -30,6 +30,7 @@ for output in --target=glsl450 --target=glsl330 --target=essl300 --target=vulkan
   for profile in ps_4_1 ps_5_0 ps_5_1; do
     "$folder/bin/clipc" -T "$profile" "$output" examples/pixel/*.hlsl -o "$scratch" >/dev/null 2>&1 || true
   done
+  "$folder/bin/clipc" -T cs_5_0 "$output" examples/compute/*.hlsl -o "$scratch" >/dev/null 2>&1 || true
   "$folder/bin/clipc" -T ps_5_0 -E ps "$output" testdata/draw/pairs/*.hlsl -o "$scratch" >/dev/null 2>&1 || true
   "$folder/bin/clipc" -E vs --pixel-entry=ps --pixel-output=.frag "$output" testdata/draw/pairs/*.hlsl \
     -o "$scratch" >/dev/null 2>&1 || true
