@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/path.h"
+#include "base/sha256.h"
 #include "base/system.h"
 #include "clip-table/vocabulary.h"
 #include "frontend/lex/source_text.h"
@@ -80,8 +81,11 @@ bool IsShader(const Json& shader) {
   if (!shader.is_object() || !shader.contains("files") || !shader.contains("sha256")) return false;
   const Json &files = shader["files"], &digests = shader["sha256"];
   const auto is_text = [](const Json& json) { return json.is_string(); };
+  const auto is_name = [](const Json& json) {
+    return json.is_string() && !HasSlash(json.get_ref<const std::string&>());
+  };
   if (!files.is_object() || !digests.is_object() || files.size() != digests.size()) return false;
-  return std::all_of(files.begin(), files.end(), is_text) &&
+  return std::all_of(files.begin(), files.end(), is_name) &&
          std::all_of(digests.begin(), digests.end(), is_text);
 }
 
@@ -107,16 +111,26 @@ Result<PartIndex> ReadPart(const std::string& path) {
   return index;
 }
 
+// Whether the file has these contents.
+bool Holds(const std::string& path, const std::string& digest) {
+  const Result<std::string> text = ReadText(path);
+  return text && Sha256(*text) == digest;
+}
+
 // Names, in place of each file of the shader, the first file that has the same contents, as one run
-// does. `names` has the files of the shaders before, by their digests and extensions.
-void ShareFiles(Json& shader, std::unordered_map<std::string, std::string>& names) {
-  auto digest = shader["sha256"].begin();
+// does. `names` has the files of the shaders before, by their digests and extensions; they lie in
+// `folder`. Returns the name of a file that is to be named and has other contents, or none.
+std::string ShareFiles(const std::string& folder, Json& shader,
+                       std::unordered_map<std::string, std::string>& names) {
+  auto next = shader["sha256"].begin();
   for (Json& file : shader["files"]) {
-    const std::string name = file;
-    std::string key = (digest++)->get<std::string>() + std::string(ExtensionIn(name));
-    file = names.try_emplace(std::move(key), name).first->second;
+    const std::string name = file, digest = *next++;
+    const auto [first, is_new] = names.try_emplace(digest + std::string(ExtensionIn(name)), name);
+    if (is_new && !Holds(folder + name, digest)) return name;
+    file = first->second;
   }
   shader.erase("sha256");
+  return {};
 }
 
 }  // namespace
@@ -181,12 +195,18 @@ Result<std::string> MergeIndexes(const std::vector<std::string>& paths) {
     if (!by_part.contains(part))
       return Problem{fmt::format("the index of part {} of {} is missing", part, parts)};
   }
+  const std::string folder = paths[0].substr(0, NameBegin(paths[0]));
   // The parts take the permutations in turn.
   IndexText text({});
   std::unordered_map<std::string, std::string> names;
   for (std::size_t row = 0; row < by_part[1].size(); ++row) {
     for (unsigned part = 1; part <= parts && row < by_part[part].size(); ++part) {
-      ShareFiles(by_part[part][row], names);
+      const std::string other = ShareFiles(folder, by_part[part][row], names);
+      if (!other.empty()) {
+        return Problem{fmt::format(
+            "`{}{}` is not what part {} of {} wrote; copy its outputs again, or run it again",
+            folder, other, part, parts)};
+      }
       text.Add(by_part[part][row]);
     }
   }
