@@ -2,6 +2,7 @@
 #include "compiler/command/c_names.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace clipc {
 namespace {
@@ -120,5 +121,16 @@ constexpr std::string_view kKeywords[] = {
 }  // namespace
 
 bool IsKeywordInC(std::string_view name) { return std::ranges::binary_search(kKeywords, name); }
+
+bool IsMacroInC(std::string_view name) {
+  constexpr std::string_view kAlone[] = {"NULL", "linux", "offsetof", "unix"};
+  constexpr std::string_view kKinds[] = {"INT",        "UINT",  "PTRDIFF", "SIZE",
+                                         "SIG_ATOMIC", "WCHAR", "WINT"};
+  constexpr std::string_view kEnds[] = {"_MAX", "_MIN", "_WIDTH"};
+  const auto begins = [&](std::string_view kind) { return name.starts_with(kind); };
+  const auto ends = [&](std::string_view end) { return name.ends_with(end); };
+  return std::ranges::find(kAlone, name) != std::end(kAlone) ||
+         (std::ranges::any_of(kKinds, begins) && std::ranges::any_of(kEnds, ends));
+}
 
 }  // namespace clipc

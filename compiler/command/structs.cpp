@@ -39,7 +39,7 @@ std::string Identifier(std::string_view name) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
     identifier += is_word ? c : '_';
   }
-  const bool is_taken = IsKeywordInC(identifier) || IsPadding(identifier);
+  const bool is_taken = IsKeywordInC(identifier) || IsMacroInC(identifier) || IsPadding(identifier);
   return is_taken ? identifier + "_" : identifier;
 }
 

@@ -12,7 +12,7 @@ namespace clipc {
 // which has the buffer's bytes, and assertions of its offsets and size. A vector is an array; so is
 // a matrix, as it lies in memory; structs are structs. What has no such type, an array whose
 // elements are padded but for the last one, is an array of 4-byte numbers. Names that are keywords
-// of C or C++ get a `_`; names of structs begin with `prefix`.
+// of C or C++, or macros, get a `_`; names of structs begin with `prefix`.
 //
 // The structs of a pair's pixel shader come after those of the first.
 std::string WriteStructs(const Facts& facts, std::string_view prefix);
