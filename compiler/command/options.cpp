@@ -104,6 +104,7 @@ bool IsDefinition(std::string_view word) {
 // Reads the option or the input at `arguments[at]` and its value, and moves `at` past them.
 void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Reading& reading) {
   const std::string& written = arguments[at++];
+  if (written.empty()) return reading.Refuse("an argument is empty, where a file is named");
   if (written == "--") {  // no option follows
     auto& inputs = reading.command.inputs;
     for (; at < arguments.size(); ++at) inputs.push_back(arguments[at]);
@@ -132,7 +133,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
     value.erase(0, 1);
   } else if (value.empty() && option->form != kFlag && option->form != kJoined) {
     const bool is_definition = option->form == kDefinition && has_dash;
-    const bool has_next = at < arguments.size() &&
+    const bool has_next = at < arguments.size() && !arguments[at].empty() &&
                           (!arguments[at].starts_with('-') || arguments[at] == "-") &&
                           (!is_definition || IsDefinition(arguments[at]));
     if (has_next) value = arguments[at++];
@@ -422,7 +423,7 @@ std::string HelpText(std::string_view topic) {
   std::string text;
   if (topic.empty()) {
     text =
-        "clipc translates HLSL vertex and pixel shaders into GLSL or SPIR-V, with their clip "
+        "clipc translates HLSL, shaders and effects, into GLSL or SPIR-V, and keeps their clip "
         "planes.\n\n"
         "USAGE: clipc [options] FILE...      (- is standard input, @FILE is more options)\n";
   }
