@@ -63,18 +63,25 @@ function(clipc_find_compiler variable)
   set(${variable} ${compiler} PARENT_SCOPE)
 endfunction()
 
+# clipc_check_arguments(CALL NEEDED VALUE UNKNOWN WORDS): stops at the arguments UNKNOWN, which are not among WORDS, and where the
+# argument NEEDED has no VALUE.
+function(clipc_check_arguments call needed value unknown words)
+  if(unknown)
+    list(POP_BACK words last)
+    list(JOIN words ", " words)
+    message(FATAL_ERROR "${call}: what is `${unknown}`? It has ${words} and ${last}")
+  elseif("${value}" STREQUAL "")
+    message(FATAL_ERROR "${call}: ${needed} is missing")
+  endif()
+endfunction()
+
 function(clipc_add_shader target)
   set(flags SPIRV PAIR)
   set(single SHADER NAME ENTRY PROFILE LOWER TARGET FRAGMENT PIXEL_SHADER PIXEL_ENTRY TABLE VARIANTS STRUCT_PREFIX)
   set(several DEFINES OPTIONS REFLECT)
   cmake_parse_arguments(PARSE_ARGV 1 shader "${flags}" "${single}" "${several}")
-  if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
-    list(JOIN flags ", " flags)
-    list(JOIN single ", " single)
-    list(JOIN several " and " several)
-    message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`? "
-      "It has ${single}, ${flags}, ${several}")
-  endif()
+  clipc_check_arguments("clipc_add_shader(${target} SHADER file ...)" SHADER "${shader_SHADER}" "${shader_UNPARSED_ARGUMENTS}"
+    "${single};${flags};${several}")
   clipc_find_compiler(compiler)
 
   cmake_path(ABSOLUTE_PATH shader_SHADER OUTPUT_VARIABLE source)
@@ -257,10 +264,10 @@ function(clipc_expand_then hlsl output defines includes)
 endfunction()
 
 function(clipc_add_hlsl_pass target)
-  cmake_parse_arguments(PARSE_ARGV 1 pass "" "PROFILE" "FILES;ENTRIES;DEFINES;INCLUDES;OPTIONS;THEN")
-  if(pass_UNPARSED_ARGUMENTS OR NOT pass_FILES)
-    message(FATAL_ERROR "clipc_add_hlsl_pass(${target} FILES file ...): what is `${pass_UNPARSED_ARGUMENTS}`?")
-  endif()
+  set(several FILES ENTRIES DEFINES INCLUDES OPTIONS THEN)
+  cmake_parse_arguments(PARSE_ARGV 1 pass "" PROFILE "${several}")
+  clipc_check_arguments("clipc_add_hlsl_pass(${target} FILES file ...)" FILES "${pass_FILES}" "${pass_UNPARSED_ARGUMENTS}"
+    "PROFILE;${several}")
   foreach(placeholder {hlsl} {output})
     string(FIND "${pass_THEN}" ${placeholder} found)
     if(pass_THEN AND found EQUAL -1)
@@ -317,10 +324,8 @@ endfunction()
 
 function(clipc_add_effect target)
   cmake_parse_arguments(PARSE_ARGV 1 effect "" "EFFECT;NAME;TARGET" "DEFINES;OPTIONS")
-  if(effect_UNPARSED_ARGUMENTS OR NOT effect_EFFECT)
-    message(FATAL_ERROR "clipc_add_effect(${target} EFFECT file ...): what is `${effect_UNPARSED_ARGUMENTS}`? "
-      "It has EFFECT, NAME, TARGET, DEFINES and OPTIONS")
-  endif()
+  clipc_check_arguments("clipc_add_effect(${target} EFFECT file ...)" EFFECT "${effect_EFFECT}" "${effect_UNPARSED_ARGUMENTS}"
+    "EFFECT;NAME;TARGET;DEFINES;OPTIONS")
   clipc_find_compiler(compiler)
   cmake_path(ABSOLUTE_PATH effect_EFFECT OUTPUT_VARIABLE source)
   if(NOT effect_NAME)
