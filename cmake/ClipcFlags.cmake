@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # What every target is compiled with: language, warnings, floating point, build types, sanitizers.
 
-option(CLIPC_WERROR "warnings are errors" ON)
+option(CLIPC_WERROR "warnings are errors" ${PROJECT_IS_TOP_LEVEL})
 set(static_by_default ON)
 if(APPLE)
   set(static_by_default OFF)  # its C library is shared only

@@ -27,6 +27,10 @@ endforeach()
 if(NOT GLSLANG_INCLUDE OR NOT GLSLANG_glslang)
   message(FATAL_ERROR "no static glslang; CMAKE_PREFIX_PATH says where it is; on Debian: apt-get install glslang-dev")
 endif()
+if(NOT EXISTS ${GLSLANG_INCLUDE}/glslang/MachineIndependent/localintermediate.h)
+  message(FATAL_ERROR "${GLSLANG_INCLUDE} has a glslang without the headers of its tree, which link/glsl.cpp reads; versions 12 and 13 "
+    "install them, as Debian 12 does, 14 and later do not; CMAKE_PREFIX_PATH says where another one is")
+endif()
 target_link_libraries(glslang_slice INTERFACE Threads::Threads)
 
 # `spirv_headers`: SPIR-V's numbers.

@@ -82,7 +82,7 @@ Libs.private: -lstdc++ -lm
 ]])
   install(FILES ${clipc_BINARY_DIR}/${name}.pc DESTINATION lib/pkgconfig COMPONENT development)
 endfunction()
-clipc_pkg_config(clipc "HLSL vertex shaders with clip planes to GLSL" "-lclipc")
+clipc_pkg_config(clipc "HLSL to GLSL and SPIR-V, every stage and effects, clip planes kept" "-lclipc")
 clipc_pkg_config(clipc-runtime "what draws with the shaders that clipc compiled" "-lclipc_runtime -lclipc_clip_table -lstdc++ -lm")
 clipc_pkg_config(clipc-runtime-gl "clipc-runtime on OpenGL"
   "-lclipc_runtime_gl -lclipc_runtime -lclipc_clip_table -lstdc++ -lm")

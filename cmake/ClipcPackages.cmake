@@ -24,7 +24,8 @@ install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md DES
 install(FILES ${clipc_SOURCE_DIR}/LICENSE DESTINATION ${doc} COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/docs/ DESTINATION ${doc}/docs COMPONENT compiler
   FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png
-  PATTERN architecture.md EXCLUDE PATTERN testing.md EXCLUDE PATTERN decisions EXCLUDE)  # for contributors
+  PATTERN architecture.md EXCLUDE PATTERN testing.md EXCLUDE PATTERN decisions EXCLUDE  # for contributors
+  PATTERN errata.md EXCLUDE PATTERN reference-compilers.md EXCLUDE)
 # The pages of diagnostics have what the program says about each example, where it runs here.
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_Interpreter_FOUND)
@@ -79,14 +80,14 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_COMPILER_PACKAGE_NAME clipc)
 set(CPACK_DEBIAN_COMPILER_PACKAGE_SECTION devel)
-set(CPACK_COMPONENT_COMPILER_DESCRIPTION "HLSL shaders with clip planes to GLSL
-clipc translates vertex and pixel shaders in HLSL into GLSL or SPIR-V. Planes
-of the attribute [clipplanes(...)] become clip distances or, under feature
-level 9, entries of a table that tells an application its calls of
-SetClipPlane.")
+set(CPACK_COMPONENT_COMPILER_DESCRIPTION "HLSL to GLSL and SPIR-V, with its clip planes
+clipc translates vertex, hull, domain, geometry, pixel and compute shaders and
+effects in HLSL into GLSL or SPIR-V. Planes of the attribute [clipplanes(...)]
+become clip distances or, under feature level 9, entries of a table that tells
+an application its calls of SetClipPlane.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libclipc1)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "compiler of HLSL vertex shaders with clip planes, as a library
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "compiler of HLSL to GLSL and SPIR-V, as a library
 libclipc compiles while an application runs. Its interface is C, and it shows
 no other name, so that it lives beside an LLVM of the application's.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libclipc-dev)

@@ -45,6 +45,8 @@ def messages(clipc, scratch):
     pattern = json.loads((PACKAGING / "ci/clipc-problem-matcher.json").read_text())[
         "problemMatcher"
     ][0]["pattern"][0]
+    task = json.loads((PACKAGING / "ci/tasks.json").read_text())["tasks"][0]
+    assert task["problemMatcher"]["pattern"] == pattern
     found = [match for line in said.splitlines() if (match := re.match(pattern["regexp"], line))]
     fields = [
         tuple(match[pattern[name]] for name in ("file", "line", "severity", "code"))

@@ -36,7 +36,7 @@ pack() {
 make_linux() {
   local build=${CLIPC_BUILD:-build/profiled}
   [ -n "${CLIPC_BUILD:-}" ] || cmake/build_profiled.sh
-  install_packages dpkg-dev
+  install_packages dpkg-dev file
   pack "$build" TGZ DEB
   packaging/describe_release.py "$out" "$version"
 }

@@ -69,6 +69,7 @@ else
   debootstrap --variant=minbase --include=g++,cmake,make,pkg-config,libegl-dev,libgl-dev,libopengl-dev,libegl1,libgl1-mesa-dri,"$needed" \
     "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" >"$scratch/log" 2>&1 || { tail -n 40 "$scratch/log"; exit 1; }
 fi
+[ ! -L "$root/proc" ] || { rm "$root/proc" && mkdir "$root/proc"; } # debootstrap makes a link in a container
 mount -t proc proc "$root/proc"
 mkdir "$root/debs" && cp "${debs[@]}" "$scratch"/clipc-*.tar.gz "$root/debs"
 cp -r examples/first cmake/outside_c_project study/scenes/harbour.json "$root/root"

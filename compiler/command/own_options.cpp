@@ -229,8 +229,8 @@ void SetExplained(Reading& reading, const std::string& value) {
 constexpr Option kOwnOptions[] = {
     Topic("language", "the shader and its language"),
     {"-T", kJoinedOrSeparate, SetProfile, "<PROFILE>",
-     "vs_2_0 .. vs_6_8 (vs_5_0), ps_2_0 .., gs_4_0 .., cs_4_0 .. cs_6_8, vs_4_0_level_9_0, _9_1, "
-     "_9_3"},
+     "vs_2_0 .. vs_6_9 (vs_5_0), ps_2_0 .., gs_ and cs_4_0 .., hs_ and ds_5_0 .., "
+     "vs_4_0_level_9_1"},
     {"-E", kOptional, SetEntryOrPreprocess, "<NAME>", "entry function (main)"},
     {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},

@@ -10,7 +10,7 @@ class Clipc(ConanFile):
     name = "clipc"
     version = "0.1.0"
     license = "Apache-2.0 WITH LLVM-exception"
-    description = "HLSL vertex shaders with clip planes to GLSL: the compiler, as a program and a library, and the runtime"
+    description = "HLSL to GLSL and SPIR-V, every stage and effects, clip planes kept: the compiler, as a program and a library, and the runtime"
     settings = "os", "compiler", "build_type", "arch"
     options = {"llvm_prefix": ["ANY"]}
     default_options = {"llvm_prefix": "/usr/lib/llvm-19"}
@@ -27,7 +27,7 @@ class Clipc(ConanFile):
 
     def requirements(self):
         self.requires("fmt/[>=9]")
-        self.requires("glslang/[>=1.3]")
+        self.requires("glslang/[>=1.3.236 <1.3.275]")
         self.requires("nlohmann_json/[>=3.11]")
         self.requires("spirv-headers/[>=1.3]")
         self.requires("spirv-tools/[>=1.3]")

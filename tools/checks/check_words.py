@@ -48,7 +48,7 @@ COMMENT_WORDS = {
     r"(?:\d|\bN|each|every|fewer|first|further|last|loop's|more|next|of|whose) turns?": "iteration",
 }
 
-LONGEST = 45  # words of a sentence on a page, where a piece of code is one
+LONGEST = 40  # words of a sentence on a page, where a piece of code is one
 
 # What a page says in its own right: (page, text).
 EXCEPTIONS = {
