@@ -12,7 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/spelling.h"
+#include "base/stage.h"
 #include "frontend/check/assign.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
@@ -22,6 +25,7 @@
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
 #include "frontend/check/vulkan.h"
+#include "frontend/signature/semantics.h"
 
 namespace clipc::check {
 namespace {
@@ -359,7 +363,17 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
 
 void CheckGroupSize(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {
   Program& program = context.program;
-  if (!InfoOf(program.stage).runs_in_groups) return;
+  const StageInfo& stage = InfoOf(program.stage);
+  if (!stage.runs_in_groups) {
+    // A parameter with the number of a thread has a message of its own.
+    const bool has_inputs = !program.functions[program.entry].parameters.empty();
+    const ast::Attr* attribute = FindAttribute(context, attributes, "numthreads");
+    if (attribute && !has_inputs)
+      context.Report(attribute->span, diag::AttributeMisplaced, "numthreads",
+                     fmt::format("a {} shader{}", stage.name,
+                                 signature::CompiledBy(InfoOf(Stage::kCompute), program.profile)));
+    return;
+  }
   const ViewSwitch in(context, {.scope = context[entry].scope, .order = context[entry].order});
   // A target has no way to ask for so many lanes.
   for (const std::span<const ast::Attr> list : attributes) {

@@ -12,23 +12,29 @@
 namespace clipc::signature {
 namespace {
 
-// The end of a message about a system value that the stage does not have: the profile of the stage
-// that writes it, or what compiles the stage that reads it.
+// The end of a message about a system value that the stage does not have: what compiles the stage
+// that writes it, or the only one that reads it.
 std::string AdviceFor(const SemanticName& semantic, Direction direction, const Program& program) {
   const bool is_of_points =
       direction == Direction::kPatchConstant &&
       LookUpSemantic(semantic.name, semantic.index, program.stage, Direction::kInput, false).use ==
           SystemValue::Use::kPlain;
   if (is_of_points) return "; a vertex shader has it, and may give it to the control points";
-  for (const StageInfo& other : kStages) {
-    if (direction == Direction::kInput && !other.runs_in_groups && !other.makes_patches) continue;
-    if (direction == Direction::kPatchConstant) continue;
+  if (direction == Direction::kPatchConstant) return {};
+  const auto has = [&](const StageInfo& stage, Direction where) {
     const SystemValue value =
-        LookUpSemantic(semantic.name, semantic.index, *StageOf(other.prefix), direction, false);
-    if (value.use == SystemValue::Use::kTarget || value.use == SystemValue::Use::kBuiltin)
-      return CompiledBy(other, program.profile);
+        LookUpSemantic(semantic.name, semantic.index, *StageOf(stage.prefix), where, false);
+    return value.use == SystemValue::Use::kTarget || value.use == SystemValue::Use::kBuiltin;
+  };
+  const StageInfo* having = nullptr;
+  for (const StageInfo& other : kStages) {
+    const bool reads_constants = direction == Direction::kInput && other.reads_patches;
+    if (!has(other, direction) && !(reads_constants && has(other, Direction::kPatchConstant)))
+      continue;
+    if (having && direction == Direction::kInput) return {};
+    if (!having) having = &other;
   }
-  return {};
+  return having ? CompiledBy(*having, program.profile) : "";
 }
 
 }  // namespace

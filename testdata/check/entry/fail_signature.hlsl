@@ -22,7 +22,7 @@ float4 counted(float4x4 m : TEXCOORD0, float4 b : TEXCOORD2) : SV_Position { ret
 float4 of_pixel_shader(float4 v : POSITION) : SV_Target { return v; }
 // GROUP: error: `SV_DispatchThreadID` is not an input of a vertex shader; `-T cs_5_0` compiles a compute shader [semantic-not-for-stage, X4502]
 float4 of_group(uint3 thread : SV_DispatchThreadID) : SV_Position { return thread.xyzx; }
-// FRONT: error: `SV_IsFrontFace` is not an input of a vertex shader [semantic-not-for-stage, X4502]
+// FRONT: error: `SV_IsFrontFace` is not an input of a vertex shader; `-T ps_5_0` compiles a pixel shader [semantic-not-for-stage, X4502]
 float4 into_pixel_shader(float4 v : POSITION, bool front : SV_IsFrontFace) : SV_Position { return v; }
 // MISSPELT: error: `SV_VertexIndex` is not an input of a vertex shader; did you mean `SV_VertexID`? [semantic-not-for-stage, X4502]
 // MISSPELT: error: `SV_Postion` is not an output of a vertex shader; did you mean `SV_Position`? [semantic-not-for-stage, X4502]
