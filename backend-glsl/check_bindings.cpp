@@ -32,11 +32,16 @@ void CheckBindings(const Program& program, const Reached& reached, const Target&
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
   std::set<std::uint32_t> renumbered;
+  bool may_differ = target.bindings.replaces_tool;
   const legalize::ArraySplit split = target.Needs().split_arrays;
   const auto take = [&](const Register& reg, const std::string& name, Span span,
                         ObjectCategory category, std::uint32_t element = 0) {
     Descriptor at = descriptors.Of(reg);
     at.binding += element;
+    if (may_differ && reg.is_explicit && !reg.descriptor && at.binding != reg.number + element) {
+      diagnostics.Report(span, diag::TargetBindingDiffers, name, at.binding, reg.number + element);
+      may_differ = false;
+    }
     if (at.binding > kHighestBinding || at.set > kHighestSet)
       diagnostics.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
                          kHighestBinding, kHighestSet);

@@ -168,6 +168,7 @@ struct BindingRules {
   // Each element of an array of objects has a binding of its own: split_arrays.h.
   bool splits_arrays = false;
   bool keeps_unread = false;  // objects and buffers that the shader does not read have bindings too
+  bool replaces_tool = false;  // another compiler's options ask for the usual rules, which it lacks
   bool sets_by_stage = false;  // the rules give each stage sets of its own, and nothing is shared
   std::vector<Stage> stages;   // the only ones that the host of the rules has; empty: all
   std::string_view host = {};  // the name of the rules: "sdl"

@@ -124,6 +124,8 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
     }
     return;
   }
+  const std::span<const Option> foreign = ForeignOptions();
+  reading.is_foreign |= option >= foreign.data() && option < foreign.data() + foreign.size();
   reading.argument = written;
   reading.option = written.substr(0, name.size());
   reading.advice = option->help;
@@ -185,7 +187,12 @@ void FinishTarget(Reading& reading) {
   }
   if (reading.target) request.target = *reading.target;
   command.names_target = reading.target || is_spirv;
-  request.target.bindings = std::move(reading.bindings);
+  glsl::BindingRules& bindings = reading.bindings;
+  bindings.replaces_tool = reading.is_foreign && bindings.rules.empty() && !bindings.globals &&
+                           !bindings.unplaced_set && !bindings.later_base &&
+                           !bindings.keeps_unread &&
+                           std::ranges::count(bindings.plain_sets, 0u) == kStageCount;
+  request.target.bindings = std::move(bindings);
   if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan())
     reading.Refuse("-G writes SPIR-V for OpenGL, and --target=vulkan is not; give one of the two");
   if (!reading.spirv.entry.empty() && reading.spirv.entry != "main")

@@ -36,6 +36,15 @@ constexpr Pair kPairs[] = {
     {"intBitsToFloat", "asfloat"},
     {"floatBitsToUint", "asuint"},
     {"uintBitsToFloat", "asfloat"},
+    {"texelFetch", "map.Load(int3(place, level))"},
+    {"textureGather", "map.Gather(sampler, uv)"},
+    {"textureGrad", "map.SampleGrad(sampler, uv, ddx(uv), ddy(uv))"},
+    {"textureLod", "map.SampleLevel(sampler, uv, level)"},
+    {"textureOffset", "map.Sample(sampler, uv, offset)"},
+    {"textureProj", "map.Sample(sampler, uv.xy / uv.w)"},
+    {"textureSize", "map.GetDimensions(width, height)"},
+    {"imageLoad", "image[place]"},
+    {"imageStore", "image[place] = value"},
 };
 
 }  // namespace

@@ -234,7 +234,8 @@ void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& nam
                            : context.Report(span, diag::UndeclaredName, text, tail);
   if (ended) report.Note(context[ended].span, diag::LoopVariableEnded, context[name.name]);
   if (later) report.Note(context[later].span, diag::DeclaredHere, context[name.name]);
-  const bool is_one = !near.empty() && near.find(',') == std::string::npos && name.scopes.empty();
+  const bool is_one =
+      !near.empty() && near.find_first_of(",([") == std::string::npos && name.scopes.empty();
   if (is_one) report.Fix(span, near.substr(1, near.size() - 2));
 }
 

@@ -306,6 +306,22 @@ void Parser::ParseStaticAssert() {
   ExpectSemicolon("the assertion");
 }
 
+// Reports a declaration of GLSL whose first word would be a type, `attribute vec3 place;` or
+// `precision mediump float;`, before its third word. Returns whether it is one.
+bool Parser::ReportGlslWord() {
+  if (pos_ < 2 || tokens_[pos_ - 2].kind != kIdentifier) return false;
+  const std::string_view word = Text(tokens_[pos_ - 2].name());
+  const bool is_attribute = word == "attribute";
+  if (!is_attribute && word != "precision" && word != "highp" && word != "mediump" &&
+      word != "lowp")
+    return false;
+  Error(tokens_[pos_ - 2].span(), diag::GlslWord, word,
+        is_attribute ? "an input is a parameter of the entry function, with a semantic"
+                     : "remove it, or declare `min16float`");
+  panic_ = true;
+  return true;
+}
+
 // Takes a `;`. A missing one is reported after the token before, where it is missing; the text
 // after that is read as if it were there.
 void Parser::ExpectSemicolon(std::string_view after) {
@@ -316,6 +332,7 @@ void Parser::ExpectSemicolon(std::string_view after) {
     if (At(kLeftBrace)) SkipBalanced();  // S s = S{1, 2};
     return;
   }
+  if (ReportGlslWord()) return;
   Diagnostic* report = Error(PreviousSpan(), diag::MissingSemicolon, after);
   const std::string text = PreviousText();
   if (report && !text.empty()) report->Fix(PreviousSpan(), text + ";");

@@ -102,6 +102,7 @@ class Parser : private TreeBuilder {
   void ParseTypedef(Decls& decls);
   void ParseUsing(Decls& decls, const TemplateHeader& header);
   void ParseStaticAssert();
+  bool ReportGlslWord();
   void ExpectSemicolon(std::string_view after);
 
   // ---- functions and templates (function.cpp)

@@ -253,9 +253,11 @@ void Parser::NoteAttribute(const Attr& attribute) {
   if (noted_attributes_.size() <= attribute.name.index) noted_attributes_.resize(names_.size());
   if (noted_attributes_[attribute.name.index]) return;
   noted_attributes_[attribute.name.index] = true;
-  diagnostics_.Report(attribute.name_span,
-                      is_unknown ? diag::AttributeUnknown : diag::AttributeWithoutEffect,
-                      Text(attribute.name));
+  Diagnostic& report = diagnostics_.Report(
+      attribute.name_span, is_unknown ? diag::AttributeUnknown : diag::AttributeWithoutEffect,
+      Text(attribute.name));
+  if (EqualIgnoringCase(Text(attribute.name), "layout"))
+    report.Note(attribute.name_span, diag::LayoutOfGlsl);
 }
 
 void Parser::CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what) {
