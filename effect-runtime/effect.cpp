@@ -71,6 +71,9 @@ namespace {
 
 Status Attach(const gl::EffectFunctions& gl, unsigned program, unsigned stage, const char* text) {
   const unsigned shader = gl.CreateShader(stage);
+  if (shader == 0)
+    return Status::Failure(Error::kDeviceFailed,
+                           "OpenGL makes no shader; a context must be current");
   gl.ShaderSource(shader, 1, &text, nullptr);
   gl.CompileShader(shader);
   int is_compiled = 0;
