@@ -38,7 +38,7 @@ if(Python3_Interpreter_FOUND)
 endif()
 install(FILES ${clipc_SOURCE_DIR}/study/speed-accuracy.svg DESTINATION ${doc}/study COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/pixel ${clipc_SOURCE_DIR}/examples/compute ${clipc_SOURCE_DIR}/examples/geometry ${clipc_SOURCE_DIR}/examples/tessellation
-  ${clipc_SOURCE_DIR}/examples/embed DESTINATION ${doc}/examples COMPONENT compiler)
+  DESTINATION ${doc}/examples COMPONENT compiler)
 
 # The licences of what is linked in, where Debian's packages of it have them.
 set(linked libclang-${CLIPC_LLVM}-dev llvm-${CLIPC_LLVM}-dev glslang-dev libfmt-dev nlohmann-json3-dev)

@@ -16,6 +16,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CATALOGUE = ROOT / "base/diagnostic_kinds.def"
+PAGE = ROOT / "docs/diagnostics.md"
 
 DIAG = re.compile(
     r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M
@@ -179,11 +180,27 @@ def write_pages(folder, found, outputs):
         page.write_text("\n".join(chapter(title, rows, outputs)) + "\n")
 
 
+def link_from(page):
+    """Makes the sentence about a package's pages, in the copy of docs/diagnostics.md that lies in the package, a link to them."""
+    text = page.read_text()
+    linked, count = re.subn(
+        r"A package has all of that as pages, one a chapter, in `\S+`\. In the sources,\s+`[^`]+` writes them\.",
+        "[The chapters](diagnostics/README.md) have all of that as pages.",
+        text,
+    )
+    assert count == 1 or "(diagnostics/README.md)" in text, page
+    page.write_text(linked)
+
+
 def main():
     if len(sys.argv) not in {2, 3}:
         sys.exit(__doc__)
     outputs = try_explanations(pathlib.Path(sys.argv[2]).resolve())[0] if len(sys.argv) == 3 else {}
-    write_pages(pathlib.Path(sys.argv[1]), chapters(kinds()), outputs)
+    folder = pathlib.Path(sys.argv[1]).resolve()
+    write_pages(folder, chapters(kinds()), outputs)
+    page = folder.parent / "diagnostics.md"
+    if page.is_file() and not page.samefile(PAGE):
+        link_from(page)
 
 
 if __name__ == "__main__":
