@@ -125,7 +125,8 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
     return;
   }
   const std::span<const Option> foreign = ForeignOptions();
-  reading.is_foreign |= option >= foreign.data() && option < foreign.data() + foreign.size();
+  reading.is_foreign |= option >= foreign.data() && option < foreign.data() + foreign.size() &&
+                        name != "-S";  // which lists SPIR-V, too
   reading.argument = written;
   reading.option = written.substr(0, name.size());
   reading.advice = option->help;
@@ -188,8 +189,8 @@ void FinishTarget(Reading& reading) {
   if (reading.target) request.target = *reading.target;
   command.names_target = reading.target || is_spirv;
   glsl::BindingRules& bindings = reading.bindings;
-  bindings.replaces_tool = reading.is_foreign && bindings.rules.empty() && !bindings.globals &&
-                           !bindings.unplaced_set && !bindings.later_base &&
+  bindings.replaces_tool = (reading.is_foreign || reading.stage) && bindings.rules.empty() &&
+                           !bindings.globals && !bindings.unplaced_set && !bindings.later_base &&
                            !bindings.keeps_unread &&
                            std::ranges::count(bindings.plain_sets, 0u) == kStageCount;
   request.target.bindings = std::move(bindings);
