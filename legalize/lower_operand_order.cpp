@@ -62,7 +62,13 @@ bool MayHaveWritingOperand(const Program& program, OuterWrites& outer_writes) {
       [&](StmtId, const Stmt& stmt) { ForEachPartSlot(stmt, on_expr, nothing, nothing, nothing); });
   bool may_write = false;
   program.exprs.ForEach([&](ExprId id, const Expr& expr) {
-    may_write = may_write || (!is_statement[id.index] && MayWrite(program, expr, outer_writes));
+    const auto& node = expr.node;
+    const bool is_of_kind =
+        std::holds_alternative<Assign>(node) || std::holds_alternative<Unary>(node) ||
+        std::holds_alternative<Call>(node) || std::holds_alternative<IntrinsicCall>(node) ||
+        std::holds_alternative<ObjectCall>(node);
+    may_write = may_write ||
+                (is_of_kind && !is_statement[id.index] && MayWrite(program, expr, outer_writes));
   });
   return may_write;
 }
