@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -22,6 +23,12 @@ std::string ToUpper(std::string_view text) {
 bool EqualLettersIgnoringCase(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(),
                     [](char x, char y) { return ToLower(x) == ToLower(y); });
+}
+
+std::string ReasonOf(int error) {
+  std::string reason = std::strerror(error);
+  if (!reason.empty()) reason[0] = ToLower(reason[0]);
+  return reason;
 }
 
 std::string WithCount(std::uint64_t count, std::string_view what) {

@@ -20,6 +20,9 @@ inline bool EqualIgnoringCase(std::string_view a, std::string_view b) {
   return a.size() == b.size() && EqualLettersIgnoringCase(a, b);
 }
 
+// The system's words for a value of errno, as the end of a message: "no such file or directory".
+std::string ReasonOf(int error);
+
 // "1 element", "2 elements".
 std::string WithCount(std::uint64_t count, std::string_view what);
 

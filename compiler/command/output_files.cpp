@@ -4,12 +4,12 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/spelling.h"
 #include "base/system.h"
 
 namespace clipc {
@@ -17,7 +17,7 @@ namespace {
 
 Problem CannotWrite(const std::string& path) {
   return {fmt::format("cannot write `{}`: {}", path == "-" ? "standard output" : path,
-                      std::strerror(errno))};
+                      ReasonOf(errno))};
 }
 
 bool WriteAll(int file, const std::string& contents) {

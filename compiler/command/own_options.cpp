@@ -26,8 +26,9 @@ struct NearTarget {
   std::string_view name, target;
 };
 constexpr NearTarget kNearTargets[] = {
-    {"opengl", "glsl450"}, {"gl", "glsl450"},   {"glsl", "glsl450"}, {"gles", "essl310"},
-    {"es", "essl310"},     {"essl", "essl310"}, {"webgl", "webgl2"}, {"spirv", "vulkan"}};
+    {"opengl", "glsl450"}, {"gl", "glsl450"},       {"glsl", "glsl450"},
+    {"gles", "essl310"},   {"opengles", "essl310"}, {"es", "essl310"},
+    {"essl", "essl310"},   {"webgl", "webgl2"},     {"spirv", "vulkan"}};
 
 void SetTarget(Reading& reading, const std::string& value) {
   HlslOptions& hlsl = reading.command.request.hlsl;

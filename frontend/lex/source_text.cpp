@@ -5,26 +5,20 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include <fmt/format.h>
 
+#include "base/spelling.h"
 #include "base/system.h"
 
 namespace clipc {
 namespace {
 
-std::string Reason(int error) {
-  std::string reason = std::strerror(error);
-  if (!reason.empty()) reason[0] = static_cast<char>(reason[0] | 0x20);
-  return reason;
-}
-
 Result<std::string> ReadAll(int file) {
   std::string text;
   const auto status = system::StatusOf(file);
-  if (!status) return Problem{Reason(errno)};
-  if (status->kind == system::FileKind::kFolder) return Problem{Reason(EISDIR)};
+  if (!status) return Problem{ReasonOf(errno)};
+  if (status->kind == system::FileKind::kFolder) return Problem{ReasonOf(EISDIR)};
   constexpr std::size_t kStep = 64 << 10;
   text.reserve(status->kind == system::FileKind::kRegular
                    ? std::min<std::uint64_t>(status->size, kMaxSourceBytes) + 1
@@ -34,7 +28,7 @@ Result<std::string> ReadAll(int file) {
     // One byte more than the file has, so that its end is seen without growing.
     text.resize(std::max(text.capacity(), size + 1));
     const std::ptrdiff_t got = system::Read(file, text.data() + size, text.size() - size);
-    if (got < 0) return Problem{Reason(errno)};
+    if (got < 0) return Problem{ReasonOf(errno)};
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
     if (size > kMaxSourceBytes)
@@ -120,7 +114,7 @@ void ConvertUtf16(std::string& text) {
 Result<std::string> ReadText(const std::string& path) {
   const bool is_stdin = path == "-";
   const int file = is_stdin ? system::kStandardInput : system::OpenToRead(path);
-  if (file < 0) return Problem{Reason(errno)};
+  if (file < 0) return Problem{ReasonOf(errno)};
   Result<std::string> text = ReadAll(file);
   if (!is_stdin) system::Close(file);
   if (text) ConvertUtf16(*text);
