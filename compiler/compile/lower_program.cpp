@@ -111,7 +111,7 @@ Lowered LowerAlone(LinkedShader&& shader, const ProgramRequest& request, Diagnos
 // the same of it.
 bool CanShare(std::span<const Job> jobs) {
   const ProgramRequest& request = jobs.front().request;
-  return !request.planes.variants && !request.neighbour &&
+  return !request.planes.variants && !request.neighbour && !request.link.keep_outputs &&
          jobs.front().plan.lowering.lowering != Lowering::kDiscard &&
          std::ranges::all_of(jobs, [](const Job& job) {
            return job.shader && !InfoOf(job.shader->program.stage).reads_vertices &&

@@ -15,6 +15,7 @@
 #include "compiler/command/usage.h"
 #include "compiler/compile/plan.h"
 #include "compiler/compile/suggest.h"
+#include "compiler/effect/captures.h"
 #include "compiler/effect/check_states.h"
 #include "compiler/effect/dialect.h"
 #include "compiler/effect/effect_json.h"
@@ -104,6 +105,7 @@ EffectHeader MakeEffectHeader(const EffectFacts& facts, const Source& source,
   const std::string& path = command.inputs[0];
   Diagnostics diagnostics(command.request.warnings);
   if (facts.is_for_vulkan) CheckVulkanStates(facts, diagnostics);
+  CheckCaptures(facts, !command.header.empty(), diagnostics);
   if (command.header.empty()) return {{}, MessagesOf(diagnostics, source, command)};
   const GlEffect effect = MakeGlEffect(facts, command.request.style.clip_space.flip_y, diagnostics);
   EffectHeader header{{}, MessagesOf(diagnostics, source, command)};

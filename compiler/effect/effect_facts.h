@@ -34,8 +34,18 @@ struct EffectShaderFact {
   std::optional<std::size_t> element = {};  // of the array of shaders that the pass takes it from
 };
 
+// A part of what a program captures of its vertices: "0:TEXCOORD1.xy".
+struct EffectCaptureFact {
+  std::uint32_t stream = 0, slot = 0;
+  std::string semantic = {};  // "$SKIP": nothing is written to these components
+  std::uint32_t index = 0;
+  std::string components = {};
+  std::string name = {};  // of the variable in GLSL; empty: the program has none
+};
+
 struct EffectProgramFact {
   std::vector<EffectShaderFact> shaders = {};  // by stage, at least one
+  std::vector<EffectCaptureFact> captures = {};
   bool is_compiled = false;
   std::vector<std::pair<std::string, std::string>> files = {};  // kind and name
   std::size_t number = 0;                       // the same for programs that are alike

@@ -64,8 +64,20 @@ class EffectPrinter {
     });
   }
 
+  void Capture(const EffectCaptureFact& capture) {
+    json_.Member("stream", capture.stream);
+    json_.Member("slot", capture.slot);
+    json_.Member("semantic", capture.semantic);
+    json_.Member("index", capture.index);
+    Text(capture.components, "components");
+    Text(capture.name, "name");
+  }
+
   void Program(const EffectProgramFact& program) {
     for (const EffectShaderFact& shader : program.shaders) Shader(shader);
+    if (!program.captures.empty())
+      json_.ListOf("streamOutput", program.captures,
+                   [&](const EffectCaptureFact& capture) { Capture(capture); });
     json_.Member("status", program.is_compiled ? "compiled" : "failed");
     if (!facts_.has_files) return json_.Member("number", program.number);
     json_.Object("files", [&] {

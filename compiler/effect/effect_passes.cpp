@@ -92,8 +92,28 @@ class ProgramFinder {
       LeaveOut(added, pass, StateOf(Stage::kVertex), "NULL");
     const std::vector<StageShaders> computing = {
         ShadersOf(added, pass, Stage::kCompute, pass.compute)};
-    AddPrograms(added, drawing);  // its choice is the first
-    AddPrograms(added, computing);
+    AddPrograms(added, drawing, Resolved(pass.geometry).captures);  // its choice is the first
+    AddPrograms(added, computing, {});
+  }
+
+  // The shader that a variable, or a number's element of an array, stands for.
+  const EffectShader& Resolved(const EffectShader& shader) const {
+    if (shader.kind != EffectShader::Kind::kVariable) return shader;
+    const auto variable = variables_.find(shader.variable);
+    std::size_t number = 0;
+    if (variable == variables_.end() || !IsNumber(IndexOf(shader).text, number)) return shader;
+    return number < variable->second->size() ? (*variable->second)[number] : shader;
+  }
+
+  // Whether ConstructGSWithSO is given the pass's own vertex or domain shader, whose results are
+  // captured where there is no geometry shader.
+  bool IsOfStageBefore(const ast::EffectPass& pass, const EffectShader& captured) const {
+    const auto profile = ir::ParseProfile(captured.profile);
+    if (captured.captures.empty() || !profile || !profile->stage) return false;
+    const EffectShader& before =
+        Resolved(*profile->stage == Stage::kDomain ? pass.domain : pass.vertex);
+    return *profile->stage != Stage::kGeometry && before.function == captured.function &&
+           before.call == captured.call;
   }
 
   // The shaders that a pass may use in a stage.
@@ -108,7 +128,8 @@ class ProgramFinder {
   };
 
   // Adds the programs of a shader of each of those stages that have any.
-  void AddPrograms(PassPrograms& added, std::vector<StageShaders> stages) {
+  void AddPrograms(PassPrograms& added, std::vector<StageShaders> stages,
+                   const std::vector<std::string>& captures) {
     const ast::EffectPass& pass = effect_.techniques[added.technique].passes[added.pass];
     std::erase_if(stages, [](const StageShaders& stage) { return stage.IsNull(); });
     if (added.is_left_out || stages.empty()) return;
@@ -130,6 +151,7 @@ class ProgramFinder {
       for (std::size_t i = 0; i < stages.size(); ++i) {
         if (const auto& shader = stages[i].shaders[elements[i]]) program.shaders.push_back(*shader);
       }
+      program.captures = captures;
       program.group = GroupOf(program, added.technique, added.pass);
     }
     count_ += std::max(chosen->choice.programs.size(), chosen->programs.size());
@@ -185,6 +207,7 @@ class ProgramFinder {
     const auto add = [&](const EffectShader& one, std::optional<std::size_t> element) {
       std::optional<EffectStage>& added_shader = found.shaders.emplace_back();
       if (one.kind == EffectShader::Kind::kNone) return;
+      if (stage == Stage::kGeometry && IsOfStageBefore(pass, one)) return;
       if (one.kind == EffectShader::Kind::kCompiled && !IsFor(stage, one)) {
         added.is_left_out = true;
       } else if (one.kind == EffectShader::Kind::kCompiled) {
@@ -252,6 +275,7 @@ class ProgramFinder {
       key += fmt::format("{}\n{}\n{}\n", stage.profile, shader.function, shader.call);
       if (stage.element) element += fmt::format(".{}", *stage.element);
     }
+    for (const std::string& capture : program.captures) key += fmt::format("capture {}\n", capture);
     const auto [known, is_new] = by_key_.try_emplace(std::move(key), found_.groups.size());
     if (!is_new) return known->second;
     ShaderGroup& group = found_.groups.emplace_back();
@@ -278,6 +302,9 @@ class ProgramFinder {
     request.first().text = text;
     request.language.effect = number_;
     request.outputs.facts = true;
+    // What is captured stays, though the next stage may not read it.
+    request.link.keep_outputs |=
+        !program.captures.empty() && program.shaders.back().stage == Stage::kPixel;
     for (const EffectStage& stage : program.shaders) {
       const auto at = std::ranges::find(kMiddleStages, stage.stage) - std::begin(kMiddleStages);
       if (at == std::ssize(kMiddleStages) || request.shaders.size() == 1) continue;

@@ -26,6 +26,8 @@ struct EffectStage {
 struct EffectProgram {
   std::vector<EffectStage> shaders;  // by stage, at least one
   std::size_t group = 0;             // in EffectPrograms::groups; programs that are alike share one
+  std::vector<std::string> captures =
+      {};  // EffectShader::captures, of the last stage before pixels
 };
 
 struct PassPrograms {

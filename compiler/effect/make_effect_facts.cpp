@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/effect/captures.h"
+
 namespace clipc {
 namespace {
 
@@ -41,6 +43,7 @@ EffectProgramFact FactOf(const EffectProgram& program, const BatchEntry& entry, 
     fact.files.emplace_back(FileKind(kind, fact.shaders.front().stage), file);
   fact.number = program.group;
   fact.code = code[program.group];
+  fact.captures = ReadCaptures(program.captures, fact.code ? &fact.code->facts : nullptr);
   return fact;
 }
 

@@ -37,13 +37,16 @@ struct EffectShader {
     kNone,      // NULL
     kCompiled,  // compile vs_3_0 Main(true, 4), CompileShader(vs_4_0, Main())
     kVariable,  // a shader variable, vs or A[i]
-    kOther      // asm {...}, ConstructGSWithSO(...) and what is not understood
+    kOther      // asm {...} and what is not understood
   };
   Kind kind = Kind::kNone;
   std::string text;               // all of it
   std::string profile, function;  // of kCompiled
   std::string call;               // of kCompiled, with arguments: EffectParts::entry_call
-  std::string variable;           // of kVariable
+  // Of kCompiled in ConstructGSWithSO(shader, "0:POSITION.xyz"): what is captured of each stream,
+  // as it is written; empty: nothing.
+  std::vector<std::string> captures;
+  std::string variable;  // of kVariable
   // Of kVariable, A[T[i]]: the index without blanks, `i`, or the number that it is; and the arrays
   // that it is looked up in, `T`, the outermost first.
   std::string index;

@@ -298,6 +298,8 @@ class EffectReader {
     } else if (word == "compileshader" && tokens.size() > 5 && tokens[3].kind == kComma &&
                IsIn(tokens.subspan(1), kLeftParen, kRightParen)) {
       ReadCall(WordOf(tokens[2]), tokens.subspan(4, tokens.size() - 5), shader);
+    } else if (word == "constructgswithso" && IsIn(tokens.subspan(1), kLeftParen, kRightParen)) {
+      ReadCaptures(tokens.subspan(2, tokens.size() - 3), shader);
     } else if (tokens[0].kind == kIdentifier && tokens.size() == 1) {
       shader.kind = kVariable;
       shader.variable = Text(tokens);
@@ -308,6 +310,30 @@ class EffectReader {
       ReadIndex(tokens.subspan(2, tokens.size() - 3), shader);
     }
     return shader;
+  }
+
+  // CompileShader(gs_4_0, Main()), "0:POSITION.xyz; 1:NORMAL.xyz", with a text for each stream
+  void ReadCaptures(TokenSpan arguments, EffectShader& shader) const {
+    constexpr std::size_t kMostStreams = 4;
+    std::size_t end = 0;
+    for (int depth = 0; end < arguments.size(); ++end) {
+      depth += BracketStep(arguments[end].kind);
+      if (depth == 0 && arguments[end].kind == kComma) break;
+    }
+    if (end == 0 || WordOf(arguments[0]) != "compileshader") return;
+    const EffectShader compiled = ReadShader(arguments.first(end));
+    std::vector<std::string> captures;
+    for (arguments = arguments.subspan(end); arguments.size() > 1 && arguments[0].kind == kComma;
+         arguments = arguments.subspan(2)) {
+      if (arguments[1].kind != kStringLiteral || captures.size() == kMostStreams) return;
+      captures.emplace_back(names_[arguments[1].name()]);
+    }
+    if (compiled.kind != EffectShader::Kind::kCompiled || captures.empty() || !arguments.empty())
+      return;
+    shader.kind = compiled.kind;
+    shader.profile = compiled.profile, shader.function = compiled.function;
+    shader.call = compiled.call;
+    shader.captures = std::move(captures);
   }
 
   // i, or T[i] with tables
