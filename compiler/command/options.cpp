@@ -191,7 +191,7 @@ void FinishTarget(Reading& reading) {
   glsl::BindingRules& bindings = reading.bindings;
   bindings.replaces_tool = (reading.is_foreign || reading.stage) && bindings.rules.empty() &&
                            !bindings.globals && !bindings.unplaced_set && !bindings.later_base &&
-                           !bindings.keeps_unread &&
+                           !bindings.keeps_unread && !bindings.splits_arrays &&
                            std::ranges::count(bindings.plain_sets, 0u) == kStageCount;
   request.target.bindings = std::move(bindings);
   if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan())

@@ -7,6 +7,6 @@ precision mediump float;
 // CHECK: [[#@LINE+1]]:9: error: `highp` is as in GLSL, and clipc reads HLSL; remove it, or declare `min16float` [glsl-word, X3000]
 uniform highp vec4 tint;
 // CHECK: [[#@LINE+2]]:1: warning: attribute `layout` has no effect; clipc does not translate it [-Wattribute-without-effect]
-// CHECK: note: `layout` is as in GLSL; in HLSL a binding is `: register(t0)`, or for Vulkan `{{\[\[}}vk::binding(0)]]`
+// CHECK: note: `layout` is as in GLSL; in HLSL a binding is `: register(t0)`
 layout(binding = 0) Texture2D map;
 float4 main(float4 p : POSITION) : SV_Position { return p; }

@@ -239,6 +239,11 @@ def check_elsewhere(run, page, words):
             if before == "--preset" and word not in presets:
                 run.problems.append(f"{page.name}: there is no preset {word}")
         return
+    if program.startswith("build/release/examples/"):
+        folder, name = program.removeprefix("build/release/").rsplit("/", 1)
+        if f"add_executable({name} " not in (ROOT / folder / "CMakeLists.txt").read_text():
+            run.problems.append(f"{page.name}: {folder} builds no {name}")
+        return
     tools = {"clipc-study": "study", "clipc-draw": "tools/draw", "clipc-values": "tools/values"}
     if program in tools or program in ("clipc-bench", "clipc-runtime-bench"):
         sources = tools.get(program, "tools/bench")
