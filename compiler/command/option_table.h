@@ -49,7 +49,7 @@ struct Reading {
   };
   std::vector<Ignored> without_effect;  // options of other compilers
   std::vector<std::string> foreign_warnings;
-  bool is_foreign = false;  // an option is one of other compilers alone
+  bool is_of_tool = false;  // an option says that the line was another compiler's
 
   void Refuse(std::string what) {
     if (result) result = Problem{std::move(what)};

@@ -124,9 +124,9 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
     }
     return;
   }
-  const std::span<const Option> foreign = ForeignOptions();
-  reading.is_foreign |= option >= foreign.data() && option < foreign.data() + foreign.size() &&
-                        name != "-S";  // which lists SPIR-V, too
+  // The words of glslang, dxc and glslc for what a line writes.
+  constexpr std::string_view kOfTools[] = {"-V", "-Fo", "-fshader-stage", "-fentry-point"};
+  reading.is_of_tool |= std::ranges::find(kOfTools, name) != std::end(kOfTools);
   reading.argument = written;
   reading.option = written.substr(0, name.size());
   reading.advice = option->help;
@@ -189,8 +189,8 @@ void FinishTarget(Reading& reading) {
   if (reading.target) request.target = *reading.target;
   command.names_target = reading.target || is_spirv;
   glsl::BindingRules& bindings = reading.bindings;
-  bindings.replaces_tool = (reading.is_foreign || reading.stage) && bindings.rules.empty() &&
-                           !bindings.globals && !bindings.unplaced_set && !bindings.later_base &&
+  bindings.replaces_tool = reading.is_of_tool && bindings.rules.empty() && !bindings.globals &&
+                           !bindings.unplaced_set && !bindings.later_base &&
                            !bindings.keeps_unread && !bindings.splits_arrays &&
                            std::ranges::count(bindings.plain_sets, 0u) == kStageCount;
   request.target.bindings = std::move(bindings);

@@ -1,5 +1,7 @@
 // Declarations of GLSL: the first word is named, and no `;` is missed.
 // RUN: not %clipc %s -fsyntax-only 2>&1 | FileCheck %s --implicit-check-not=error:
+// RUN: not %clipc %s -fsyntax-only --diagnostics=json 2>&1 | FileCheck %s --check-prefix=NAMES
+// NAMES: "name": "layout-of-glsl"
 // CHECK: [[#@LINE+1]]:1: error: `attribute` is as in GLSL, and clipc reads HLSL; an input is a parameter of the entry function, with a semantic [glsl-word, X3000]
 attribute vec3 place;
 // CHECK: [[#@LINE+1]]:1: error: `precision` is as in GLSL, and clipc reads HLSL; remove it, or declare `min16float` [glsl-word, X3000]
