@@ -92,17 +92,17 @@ class ProgramFinder {
       LeaveOut(added, pass, StateOf(Stage::kVertex), "NULL");
     const std::vector<StageShaders> computing = {
         ShadersOf(added, pass, Stage::kCompute, pass.compute)};
-    AddPrograms(added, drawing, Resolved(pass.geometry).captures);  // its choice is the first
+    AddPrograms(added, drawing, Resolved(pass.geometry)->captures);  // its choice is the first
     AddPrograms(added, computing, {});
   }
 
   // The shader that a variable, or a number's element of an array, stands for.
-  const EffectShader& Resolved(const EffectShader& shader) const {
-    if (shader.kind != EffectShader::Kind::kVariable) return shader;
+  const EffectShader* Resolved(const EffectShader& shader) const {
+    if (shader.kind != EffectShader::Kind::kVariable) return &shader;
     const auto variable = variables_.find(shader.variable);
     std::size_t number = 0;
-    if (variable == variables_.end() || !IsNumber(IndexOf(shader).text, number)) return shader;
-    return number < variable->second->size() ? (*variable->second)[number] : shader;
+    if (variable == variables_.end() || !IsNumber(IndexOf(shader).text, number)) return &shader;
+    return number < variable->second->size() ? &(*variable->second)[number] : &shader;
   }
 
   // Whether ConstructGSWithSO is given the pass's own vertex or domain shader, whose results are
@@ -110,10 +110,10 @@ class ProgramFinder {
   bool IsOfStageBefore(const ast::EffectPass& pass, const EffectShader& captured) const {
     const auto profile = ir::ParseProfile(captured.profile);
     if (captured.captures.empty() || !profile || !profile->stage) return false;
-    const EffectShader& before =
+    const EffectShader* before =
         Resolved(*profile->stage == Stage::kDomain ? pass.domain : pass.vertex);
-    return *profile->stage != Stage::kGeometry && before.function == captured.function &&
-           before.call == captured.call;
+    return *profile->stage != Stage::kGeometry && before->function == captured.function &&
+           before->call == captured.call;
   }
 
   // The shaders that a pass may use in a stage.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <fmt/format.h>
 
+#include "base/spelling.h"
 #include "frontend/parse/attributes.h"
 #include "frontend/parse/parser.h"
 
